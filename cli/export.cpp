@@ -238,7 +238,7 @@ Verb export_verb() {
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
           "rapid and krl in degrees; --degrees applies to --tcp and --mount, and to recordings "
-          "whose angles are out of range in radians, but not in degrees.",
+          "with an angle more than a revolution outside its limits in radians.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument(
                         "FILE",

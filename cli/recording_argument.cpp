@@ -46,14 +46,14 @@ void settle_angles(const std::string& path, const Arm& arm, const UnitArgument& 
   if (!evidence) return;
   const std::string value = fmt::format(
       "joint {} is at {}", arm.joint_of(evidence->coordinate).name, number(evidence->value));
-  if (unit.degrees && evidence->certain) {
-    warn(fmt::format("{} is read in degrees: {}, which is out of range in radians", path, value));
+  if (unit.degrees) {
+    warn(fmt::format("{} is read in degrees: {}, more than a revolution out of range in radians",
+                     path, value));
     internal::read_as_degrees(arm, joint_map, recording);
     return;
   }
-  warn(fmt::format("{}: {}, which is out of range in radians but not in degrees; {}", path, value,
-                   evidence->certain ? "--degrees reads degrees"
-                                     : "the unit deg in a --joint-map file reads degrees"));
+  warn(fmt::format("{}: {}, out of range in radians but not in degrees; --degrees reads degrees",
+                   path, value));
 }
 
 /// Warns of lengths and times that seem to be in a thousandth of their unit.

@@ -39,7 +39,14 @@ std::string percent(double fraction) {
   if (!std::isfinite(value)) return number(value) + " %";
   if (std::abs(fraction) < rounding_error) return "0 %";
   const double unit = last_digit(value);
-  return percent_text(std::round(value / unit), unit);
+  const double all = std::round(100 / unit);
+  const double rounded = std::round(value / unit);
+  // What is less than all is not shown as all.
+  if (fraction < 1 - rounding_error && rounded >= all) {
+    const double finer = std::pow(10, std::floor(std::log10(100 - value)));
+    return percent_text(std::floor(value / finer), finer);
+  }
+  return percent_text(rounded, unit);
 }
 
 std::string percent_at_most(double fraction) {
@@ -54,8 +61,8 @@ std::string percent_at_most(double fraction) {
 std::string number_at_least(double value) {
   if (!(std::abs(value) > 0 && std::isfinite(value))) return number(value);
   const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
-  const std::string nearest = number(value);
-  return std::stod(nearest) >= value ? nearest : number(std::stod(nearest) + unit);
+  const double units = std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon()));
+  return number(units * unit);
 }
 
 std::string number_apart(double value, double reference) {

@@ -85,11 +85,11 @@ struct RateExcess {
 /// m/s and rad/s.
 struct JointRates {
   RatesStatus status = RatesStatus::solved;
-  Configuration rates;            ///< dq, rad/s or m/s; of a no the nearest ones
+  Configuration rates;            ///< dq, rad/s or m/s; if not solved, the nearest
   Eigen::VectorXd tool_velocity;  ///< J dq
   double residual = 0;            ///< |J dq - v|
   bool singular = false;          ///< J has a smaller rank than its size allows
-  /// Orthonormal velocities, one in each column, that no joint rates give the tool a part of.
+  /// Orthonormal basis, one velocity in each column, of the complement of the range of J.
   Eigen::MatrixXd lost_directions;
   std::vector<RateExcess> excesses = {};  ///< by coordinate
   /// The largest factor of v, at most 1, with which all rates keep the velocity limits.

@@ -14,12 +14,11 @@ namespace beeline {
 /// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
 /// frame. Both may be any links of the tree.
 ///   - Without `ends.base` the chain begins at the root or, if a floating or planar joint places
-///   the
-///     arm in the world, below that joint. Without `ends.tip` it ends at a leaf below the base that
-///     a joint moves or, if there is none, at another end of the tree. Among leaves that only fixed
-///     joints connect, it is `tool0`, otherwise the first in the file; among other leaves `tool0`.
-///     If the last joints move a finger of a gripper, by their names, the chain ends before them.
-///     Appends to `warnings`, unless null, what was selected.
+///     the arm in the world, below that joint. Without `ends.tip` it ends at a leaf below the base
+///     that a joint moves or, if there is none, at another end of the tree. Among leaves that only
+///     fixed joints connect, it is `tool0`, otherwise the first in the file; among other leaves
+///     `tool0`. If the last joints move a finger of a gripper, by their names, the chain ends
+///     before them. Appends to `warnings`, unless null, what was selected.
 ///   - On the way up, a joint carries its parent link: its origin and axis are inverted. Its
 ///     coordinate remains the file's, and so do its limits and its mimic factors.
 ///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of

@@ -13,9 +13,8 @@ namespace beeline {
 
 /// The format of a trajectory in a file, given by the ending of its path. Numbers read back
 /// exactly, times of .json and .yaml to the nanosecond.
-///   .csv          columns t, then the joints' names, and NAME_vel, NAME_acc where known; .txt,
-///   .tsv,
-///                 .dat and .log are read so too
+///   .csv          columns t, then the joints' names, and NAME_vel, NAME_acc where known;
+///                 .txt, .tsv, .dat and .log are read so too
 ///   .json, .yaml  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
 enum class TrajectoryFormat { csv, json, yaml };
 

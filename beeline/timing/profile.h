@@ -12,12 +12,10 @@ namespace beeline {
 /// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
 /// limits of velocity and acceleration. The samples of a motion keep known jerk limits by every
 /// profile: by those without jerk in their form through wider ramps of acceleration or a slowdown.
-/// To add one, add its name here and its row, in the same
-/// order, to the table in profile.cpp.
+/// To add one, add its name here and its row, in the same order, to the table in profile.cpp.
 enum class Profile {
-  /// Minimum time under velocity and acceleration limits. Where a motion by `jerk` is shorter, it
-  /// is
-  /// that one.
+  /// Minimum time under velocity and acceleration limits, or the motion by `jerk` if that is
+  /// shorter.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
   jerk,

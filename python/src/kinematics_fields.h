@@ -91,14 +91,14 @@ struct Fields<JointRates> {
               "`solved`: the rates give the velocity. `damped`: those of damped least squares. "
               "`singular`: the velocity has a part in a direction that is lost at a singularity; "
               "`too_few_joints`: in one that the arm has no joint for."),
-        field("rates", &JointRates::rates, "dq, rad/s or m/s, (n,); of a no the nearest ones."),
+        field("rates", &JointRates::rates, "dq, rad/s or m/s, (n,); if not solved, the nearest."),
         field("tool_velocity", &JointRates::tool_velocity, "J dq, (m,)."),
         field("residual", &JointRates::residual, "abs(J dq - v), m/s and rad/s."),
         field("singular", &JointRates::singular,
               "Whether J has a smaller rank than its size allows."),
-        field("lost_directions", &JointRates::lost_directions,
-              "Orthonormal velocities, one in each column, that no joint rates give the tool a "
-              "part of."),
+        field(
+            "lost_directions", &JointRates::lost_directions,
+            "Orthonormal basis, one velocity in each column, of the complement of the range of J."),
         field("excesses", &JointRates::excesses, "Rates above their limits, by coordinate."),
         field("scale", &JointRates::scale,
               "The largest factor of v, at most 1, with which all rates keep the velocity "

@@ -59,6 +59,10 @@ std::vector<Pose> PosePlane::poses(nb::handle value, const char* name) const {
   const nb::object matrices = matrix_of(value);
   const InputArray array(matrices, name);
   if (array.dimensions() > 2 || !planar_shape(array.shape())) return poses_from(matrices, name);
+  const double* last = array.data() + 6;
+  if (array.rows(1) == 3 && last[0] == 0 && last[1] == 0 && last[2] == 1) {
+    throw Error(std::string(name) + " may be a matrix of SE(2); give [x, y, theta] or a Pose2");
+  }
   for (Index i = 0; i < array.rows(1); ++i) {
     poses.push_back(checked_pose(pose_of(array.data() + 3 * i), name));
   }

@@ -187,20 +187,22 @@ def test_recordings_in_degrees(beeline, tmp_path):
     assert beeline("diff", "ur5e", "deg.csv", "rad.csv", "--degrees", "--tolerance", "1e-12").code == 0
 
 
-def test_degrees_are_not_taken_for_wraps(beeline, tmp_path):
-    (tmp_path / "deg.csv").write_text("t,joint1,joint2\n0,90,0\n5,112,-20\n")
-    hint = beeline("replay", "RR:1,1", "deg.csv", "--json")
-    assert hint.json["unwrapped"] == [] and "--degrees reads degrees" in hint.err
-    assert beeline("replay", "RR:1,1", "deg.csv", "--degrees", "--json").json["status"] == "reached"
+def test_joints_without_limits_may_turn_often(beeline, tmp_path):
+    """Their values show no unit: radians are never taken for degrees, nor many revolutions for a wrap."""
+    (tmp_path / "turns.csv").write_text("t,joint1,joint2\n0,90,0\n50,112,-20\n")
+    for options in ((), ("--degrees",)):
+        answer = beeline("replay", "RR:1,1", "turns.csv", "--out", "out.csv", "--json", *options)
+        assert answer.json["status"] == "reached" and answer.json["unwrapped"] == [] and not answer.err
+        assert positions(tmp_path / "out.csv")[-1] == pytest.approx([112, -20])
 
 
 def test_a_slow_recording_in_degrees_is_not_guessed(beeline, tmp_path):
-    """A little beyond the limits in radians: a recording that leaves them, or one in degrees."""
+    """A little beyond the limits in radians is a recording that leaves them; a joint map reads degrees."""
     (tmp_path / "slow.csv").write_text(table(["t"] + JOINTS, [[0, 6.5, 0, 0, 0, 0, 0], [1, 6.45, 0, 0, 0, 0, 0]]))
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "ur5e", "slow.csv", *options)
         assert answer.code == 1
-        assert "joint joint1 is at 6.5" in answer.err and "the unit deg in a --joint-map file reads degrees" in answer.err
+        assert "joint joint1 at 6.5 rad" in answer.err and "degrees" not in answer.err
     (tmp_path / "map.json").write_text(json.dumps({name: {"unit": "deg"} for name in JOINTS}))
     assert beeline("replay", "ur5e", "slow.csv", "--joint-map", "map.json").code == 0
 

@@ -109,7 +109,8 @@ def test_a_reader_of_rows_that_leaves_ends_the_command_quietly(build, written, t
     code, errors = run_with_early_reader(build, tmp_path, "batch", "fk", "rrr", "--in", "q.csv", "--out", "-")
     assert code == 141 and errors == b"", (code, errors)
     # A reader that is gone before the first byte.
-    script = f"sleep 0.2; exec {build}/beeline arms --json"
-    process = subprocess.Popen(["bash", "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    process.stdout.close()
-    assert process.stderr.read() == b"" and process.wait() == 141
+    reader, writer = os.pipe()
+    os.close(reader)
+    ended = subprocess.run([build / "beeline", "arms", "--json"], stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert ended.stderr == b"" and ended.returncode == 141

@@ -47,7 +47,14 @@ test("the tool follows the mouse; far out of reach the command's reason stands i
   await page.mouse.down();
   await page.mouse.move((box?.x ?? 0) + 3, (box?.y ?? 0) + (box?.height ?? 0) - 3, { steps: 5 });
   await status(page).getByText("reach").waitFor();
-  const reason = await status(page).textContent();
+  let reason = await status(page).textContent();
+  await expect
+    .poll(async () => {
+      const before = reason;
+      await page.waitForTimeout(300);
+      return (reason = await status(page).textContent()) === before;
+    })
+    .toBe(true);
   expect(reason).toMatch(/^[^.]*(reach|far)/);
   expect(await page.getByLabel("Inverse kinematics").locator("li").count()).toBe(0);
   const held = await values(page, 3);

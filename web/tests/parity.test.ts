@@ -206,12 +206,16 @@ test("formulas and drawings are those of the command line", async () => {
 });
 
 test("what is refused is refused in the command line's words", async () => {
-  for (const args of [["fk", "rr"], ["fk", "pandaa", "--q=1"], ["fk", "panda", "--q=1,2"], ["show", "no.urdf"], []]) {
+  for (const args of [["fk", "rr"], ["fk", "pandaa", "--q=1"], ["fk", "panda", "--q=1,2"], ["show", "no.urdf"]]) {
     const expected = run(args);
     const found = await commands.run(args);
     expect(found.code).toBe(expected.code);
-    expect(found.stderr).toBe(expected.stderr.replace(", reach, view", "")); // a page serves no page and has no HDF5
+    expect(found.stderr).toBe(expected.stderr);
   }
+  const first = (text: string) => text.split("\n")[0];
+  const none = await commands.run([]); // the list of verbs differs: a page serves no page and has no HDF5
+  expect(none.code).toBe(run([]).code);
+  expect(first(none.stderr)).toBe(first(run([]).stderr));
   const truncated = { "arm.urdf": "<robot name='a'><link name='b'>" };
   expect((await commands.run(["show", "arm.urdf"], truncated)).stderr).toBe(
     run(["show", "arm.urdf"], truncated).stderr,

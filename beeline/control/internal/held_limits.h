@@ -20,9 +20,8 @@ struct HeldLimits {
 /// Returns what the replay of a recording holds at this speed: for each coordinate the limits of
 /// motion_limits(), or what the recording itself uses at this speed where that is more. A speed
 /// above 1 does not raise them, and known limits of velocity are raised by the fraction
-/// `limit_tolerance` at most. A derivative that the
-/// interpolation does not bound has no limit where the recording exceeds it by divided differences,
-/// and no assumed limit of jerk.
+/// `limit_tolerance` at most. A derivative that the interpolation does not bound has no limit where
+/// the recording exceeds it by divided differences, and no assumed limit of jerk.
 HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed,
                        double limit_tolerance = 0);
 

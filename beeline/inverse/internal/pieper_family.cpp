@@ -193,7 +193,10 @@ void solve_branches(SolverState& state, const Request& request, CandidateSolutio
   // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
   // infinitely many solutions was examined.
   candidates.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
-  candidates.evidence().branches_complete = !form.has_free_joints() || found.continuum == 0;
+  // A grid over one free joint, refined between its points, represents every branch; over two it
+  // may miss a small one, and without a solution it shows nothing.
+  const bool represented = (lanes & found.continuum) == 0 && form.free_joints(found).size() == 1;
+  candidates.evidence().branches_complete = found.continuum == 0 || represented;
   candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
 }
 

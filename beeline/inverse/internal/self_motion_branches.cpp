@@ -117,6 +117,7 @@ class SelfMotionBranches {
       if (solution.miss > 0) return no_solution + solution.miss;
       return continuous(start, solution.q) ? distance(solution) : no_solution;
     });
+    if (refined.q.size() == 0) return start;  // the budget has ended
     std::vector<FreeSolution> beside;
     for (const double value : {refined.value - end, refined.value + end}) {
       solutions_at_({value}, beside);
@@ -138,6 +139,7 @@ class SelfMotionBranches {
   /// Minimises a cost of solutions within limits between the neighbours of a value of the grid.
   template <class Cost>
   Refined refine(double value, std::size_t lane, Cost&& cost) {
+    if (request_.budget.ended()) return {};
     constexpr int sections = 40;  // 0.618^40 = 4e-9 of the interval
     std::vector<FreeSolution> solutions;
     double least = no_solution;

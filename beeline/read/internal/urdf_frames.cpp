@@ -10,12 +10,17 @@ namespace beeline::internal {
 namespace {
 
 /// Returns the pose in link `from` of link `to`; none where a moving joint is between them, or a
-/// distance that no arm has. Joints that break the tree may close cycles.
+/// distance that no arm has. Joints with a fault are left out; others may close cycles.
 std::optional<Pose> fixed_pose(const UrdfFile& file, const std::string& from,
                                const std::string& to) {
   std::unordered_multimap<std::string, std::pair<std::string, Pose>> neighbours;
-  for (const UrdfFile::Joint& joint : file.joints) {
-    if (joint.type != "fixed") continue;
+  std::unordered_set<std::size_t> faulty;
+  for (const UrdfFault& fault : file.faults) {
+    if (fault.index) faulty.insert(*fault.index);
+  }
+  for (std::size_t i = 0; i < file.joints.size(); ++i) {
+    const UrdfFile::Joint& joint = file.joints[i];
+    if (joint.type != "fixed" || faulty.contains(i)) continue;
     neighbours.emplace(joint.parent, std::pair(joint.child, joint.origin));
     neighbours.emplace(joint.child, std::pair(joint.parent, joint.origin.inverse()));
   }

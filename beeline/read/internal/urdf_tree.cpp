@@ -130,7 +130,7 @@ void UrdfTree::find_moving_faults() {
 
 /// Whether a name may be meant to be that of a link. In a very large file it may.
 bool UrdfTree::misspelt(const std::string& name) const {
-  constexpr std::size_t most_compared = 10'000;
+  constexpr std::size_t most_compared = 1000;
   if (file_.links.size() > most_compared) return true;
   std::vector<std::string> known;
   for (const auto& link : file_.links) known.push_back(link.name);

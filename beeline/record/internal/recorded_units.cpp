@@ -26,16 +26,6 @@ double excess(const Limits& limits, double value, double without) {
   return std::max(value - upper, lower - value);
 }
 
-/// Whether the joint's mean velocity exceeds its limit between two samples.
-bool is_too_fast(const Arm& arm, const Trajectory& recording, int k) {
-  const double limit = velocity_limit_of(arm.limits(k));
-  for (std::size_t i = 1; i < recording.size(); ++i) {
-    const double step = recording.positions[i][k] - recording.positions[i - 1][k];
-    if (std::abs(step) > limit * (recording.times[i] - recording.times[i - 1])) return true;
-  }
-  return false;
-}
-
 /// The largest excess of coordinate k.
 UnitEvidence largest(const Trajectory& recording, const Limits& limits, int k, double without) {
   UnitEvidence found{k, recording.positions.front()[k]};
@@ -56,19 +46,15 @@ bool fits(const Trajectory& recording, const Limits& limits, int k, double unit,
 
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map) {
-  constexpr double turns = 2 * revolution;  // without limits
   if (recording.size() == 0) return std::nullopt;
   std::optional<UnitEvidence> evidence;
   for (int k = 0; k < arm.dof(); ++k) {
-    if (slides(arm, k) || has_unit(joint_map, k)) continue;
     const Limits& limits = arm.limits(k);
-    UnitEvidence found = largest(recording, limits, k, turns);
-    if (!fits(recording, limits, k, degree, turns)) return std::nullopt;
-    const double beyond = excess(limits, found.value, turns);
-    if (!(beyond > slack)) continue;
-    found.certain =
-        std::abs(found.value) > turns || beyond > revolution || is_too_fast(arm, recording, k);
-    if (!evidence || (found.certain && !evidence->certain)) evidence = found;
+    if (slides(arm, k) || has_unit(joint_map, k)) continue;
+    if (!std::isfinite(limits.lower) || !std::isfinite(limits.upper)) continue;
+    if (!fits(recording, limits, k, degree, 0)) return std::nullopt;
+    const UnitEvidence found = largest(recording, limits, k, 0);
+    if (!evidence && excess(limits, found.value, 0) > revolution) evidence = found;
   }
   return evidence;
 }

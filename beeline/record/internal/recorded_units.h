@@ -10,15 +10,12 @@ namespace beeline::internal {
 struct UnitEvidence {
   int coordinate = 0;
   double value = 0;  ///< the largest, as it was recorded
-  /// Whether radians are impossible: the value is two revolutions or more, is a revolution beyond
-  /// the limits, or moves faster than the joint. Otherwise the limits may have been exceeded.
-  bool certain = true;
 };
 
 /// Returns the evidence that the angles of a recording, matched_to() the arm by this joint map, are
-/// in degrees: as radians some are outside the joint's limits or, without limits, more than two
-/// revolutions, and as degrees none is by more than 0.1 rad. Angles whose unit the joint map gives
-/// do not count.
+/// in degrees: as radians one exceeds its limits by more than a revolution, and as degrees none
+/// exceeds them by more than 0.05 rad. Joints without two limits, which may turn often, and angles
+/// whose unit the joint map gives do not count.
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include <beeline/error.h>
@@ -78,14 +79,18 @@ NamedTime named_time(const std::string& name) {
 /// The columns of seconds and nanoseconds of one message of ROS, such as sec and nanosec.
 std::optional<internal::TimeColumns> stamp_columns(const std::vector<std::string>& names) {
   using internal::TimeColumns;
+  std::unordered_map<std::string, std::size_t> nanoseconds;  // the column of each message
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [message, last] = parts_of(names[i]);
+    if (unit_called(last) == TimeUnit::nanoseconds) nanoseconds.emplace(message, i);
+  }
   std::optional<TimeColumns> alone;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto [message, last] = parts_of(names[i]);
     if (unit_called(last) != TimeUnit::seconds || last == "s") continue;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const auto [other, rest] = parts_of(names[k]);
-      if (other != message || unit_called(rest) != TimeUnit::nanoseconds) continue;
-      return TimeColumns{.index = i, .nanoseconds = k, .unit = TimeUnit::seconds};
+    const auto found = nanoseconds.find(std::string(message));
+    if (found != nanoseconds.end()) {
+      return TimeColumns{.index = i, .nanoseconds = found->second, .unit = TimeUnit::seconds};
     }
     if (!alone) alone = TimeColumns{.index = i, .unit = TimeUnit::seconds};
   }

@@ -38,21 +38,20 @@ TEST(RecordedUnits, DegreesAreRecognisedAndRadiansAreNot) {
   testing::Random random;
   for (const char* name : {"panda", "ur5e", "scara", "kr6_r900"}) {
     const Arm arm = built_in(name);
-    int certain = 0;
+    int recognised = 0;
     for (int i = 0; i < 50; ++i) {
       const Trajectory motion = random_motion(random, arm);
       ASSERT_FALSE(evidence_of_degrees(arm, motion, {})) << name;
       Trajectory recorded = scaled(motion, arm, JointKind::revolute, 1 / degree);
       const auto evidence = evidence_of_degrees(arm, recorded, {});
-      ASSERT_TRUE(evidence) << name;
-      certain += evidence->certain;
+      recognised += evidence.has_value();
       read_as_degrees(arm, {}, recorded);
       for (std::size_t k = 0; k < motion.size(); ++k) {
         ASSERT_LT((recorded.positions[k] - motion.positions[k]).norm(), 1e-12);
         ASSERT_LT((recorded.velocities[k] - motion.velocities[k]).norm(), 1e-12);
       }
     }
-    EXPECT_EQ(certain, 50) << name;
+    EXPECT_EQ(recognised, 50) << name;
   }
 }
 
