@@ -211,7 +211,7 @@ TEST_P(SingularBranches, AreAllRepresented) {
     Count count;
     for (int i = 0; i < testing::cases(30); ++i) {
       const auto q = singular(arm, wanted, random);
-      const int starts = wanted == Singularity::wrist_and_another ? 0 : 60;
+      const int starts = wanted == Singularity::wrist_and_another ? 0 : testing::example_size(60);
       if (q) compare(arm, *q, starts, random, count);
     }
     std::cout << arm.name() << ": " << count.poses << " poses, " << count.complete
