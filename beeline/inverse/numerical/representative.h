@@ -3,15 +3,12 @@
 #include <vector>
 
 #include <beeline/inverse/numerical/bounds.h>
+#include <beeline/model/internal/periodic_coordinate.h>
 
 // Configurations that differ by multiples of 2 pi in some joints are the same posture of the arm.
 // These functions compute the representatives of a posture within bounds.
 
 namespace beeline::internal {
-
-/// Whether adding 2 pi to coordinate k leaves the posture unchanged: its joint is revolute, and so
-/// are all joints that mimic it, with integer ratios.
-bool is_periodic(const Arm& arm, int k);
 
 /// Returns the angle plus the multiple of 2 pi that brings it nearest to `reference` within [lower,
 /// upper], extended by `slack` on both sides. If no multiple is within, returns the one that
