@@ -222,7 +222,31 @@ TEST_P(SingularBranches, AreAllRepresented) {
 
 INSTANTIATE_TEST_SUITE_P(, SingularBranches,
                          ::testing::Values("puma560", "kr6_r900", "irb120", "stanford", "ur5",
-                                           "cr5", "crx10ia", "xarm6"));
+                                           "cr5", "crx10ia", "xarm6", "hc10"));
+
+/// Angles of 0 and of a quarter or half turn, which people choose, often make zeros of the closed
+/// form multiple. `complete` is never true without the configuration of the pose.
+TEST(RightAngles, AreAmongCompleteSolutions) {
+  Random random;
+  for (const char* name : {"hc10", "crx10ia", "gen3_lite", "jaco2"}) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm, {.all = true, .max_restarts = 0});
+    int complete = 0;
+    for (int i = 0; i < testing::cases(9000); ++i) {
+      Configuration q = random.configuration(arm);
+      for (double& each : q) {
+        if (random.integer(0, 1)) each = pi / 2 * std::round(2 * each / pi);
+      }
+      if (!within(internal::bounds_of(arm), q)) continue;
+      const InverseResult result = solver.solve(forward_kinematics(arm, q));
+      complete += result.complete;
+      constexpr double merged = 2e-3;
+      EXPECT_TRUE(!result.complete || testing::holds(arm, result.solutions, q, merged))
+          << name << ' ' << q.transpose();
+    }
+    EXPECT_GT(complete, 0) << name;
+  }
+}
 
 /// The seed solves the pose, and the closed form loses it to rounding next to a singularity.
 TEST(SeedThatIsASolution, ComesFirst) {

@@ -37,6 +37,9 @@ void add_solutions(const RevoluteLinks& links, const Elimination& elimination,
                    const RigidMotion& goal, const RigidMotion& closure,
                    RaghavanRothSolutions& solutions) {
   constexpr double tolerance = 1e-13;  // units and radians: Newton's method ends at rounding
+  // Radians. A longer correction comes from a zero that rounding has moved far: near it are others,
+  // which may have become complex.
+  constexpr double max_correction = 3e-3;
   EliminationCandidates candidates;
   elimination_candidates(elimination, closure, candidates);
   RaghavanRothSolutions found;  // by this elimination, whether or not another found them before
@@ -63,7 +66,9 @@ void add_solutions(const RevoluteLinks& links, const Elimination& elimination,
   solutions.consistent = candidates.noise < EliminationCandidates::max_noise &&
                          found.count == candidates.expected && solutions.count == found.count &&
                          solutions.count % 2 == 0;
-  if (!solutions.consistent) return;
+  const bool accurate = std::all_of(found.correction, found.correction + found.count,
+                                    [](double correction) { return correction < max_correction; });
+  if (!solutions.consistent || !accurate) return;
   const bool simple = !elimination.double_zeros && !solutions.double_zeros;
   solutions.complete = simple || solutions.consistent_count == found.count;
   solutions.consistent_count = found.count;

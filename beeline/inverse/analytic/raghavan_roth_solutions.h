@@ -15,7 +15,7 @@ struct RaghavanRothSolutions {
   /// Whether the last elimination is consistent: each zero of its determinant led to a solution,
   /// they are all solutions found so far, and their number is even.
   bool consistent = false;
-  std::optional<int> consistent_count;  ///< the number of solutions when it last was
+  std::optional<int> consistent_count;  ///< the number of solutions when it last was, accurately
   bool double_zeros = false;            ///< the last elimination had zeros that may be double
   bool complete = false;  ///< one elimination without double zeros is consistent, or two agree
 };

@@ -84,10 +84,16 @@ inline double interpolate(const SampleAngles& samples, const double* values, int
   return beyond / largest;
 }
 
+/// Value and first two derivatives at an angle.
+struct SampledPoint {
+  double of[3];
+};
+
 /// Values and first two derivatives on the tables' grid, continued periodically by one register.
 struct GridValues {
   static constexpr int points = TrigonometricTables::grid;
   alignas(64) double of[3][points + lane_count];
+  SampledPoint at(int k) const { return {of[0][k], of[1][k], of[2][k]}; }
 };
 
 inline void fill_grid(const TrigonometricTables& tables, const TrigonometricPolynomial& f,
@@ -136,7 +142,8 @@ inline void add_zeros_at_minimum(double angle, double value, double curvature, d
   constexpr double min_offset = 1e-6, max_offset = 0.01;  // from the minimum, of a pair tried
   const double steep = std::max(std::abs(curvature), 1e-300);
   const double gap = std::sqrt(2 * std::abs(value) / steep);
-  const double uncertainty = std::sqrt(2 * noise / steep);
+  constexpr double rounding = 1e-15;  // of a sum with coefficients up to 1
+  const double uncertainty = std::sqrt(2 * std::max(noise, rounding) / steep);
   const bool crosses = value * curvature < 0;
   if (!crosses && gap > std::max(max_gap, 3 * uncertainty)) return;
   if (!crosses || gap < separate) zeros.double_angle[zeros.double_count++] = angle;
@@ -174,7 +181,8 @@ HWY_INLINE IntervalKinds classify(const Lanes* a, const Lanes* b, Lanes width) {
   constexpr double monotonic = 0.4;
   const Lanes zero(0);
   const LaneMask crosses = (a[0] * b[0] < zero) | (a[0] == zero);
-  const LaneMask towards = a[0] * a[1]<zero, away = a[0] * b[1]> zero;
+  // A minimum at a beginning, with a slope of exactly zero, belongs to the interval before.
+  const LaneMask towards = a[0] * a[1] < zero, away = a[0] * b[1] >= zero;
   const Lanes rise = b[0] - a[0], rise_bound = Lanes(monotonic) * abs(rise);
   const LaneMask one_zero =
       (abs(width * a[1] - rise) < rise_bound) & (abs(width * b[1] - rise) < rise_bound);
@@ -188,26 +196,34 @@ HWY_INLINE IntervalKinds classify(const Lanes* a, const Lanes* b, Lanes width) {
 }
 
 /// Classifies an interval in eight parts, and subdivides those that are unclear, up to `levels`
-/// times: each level is a factor of eight.
-inline void bracket_within(const TrigonometricPolynomial& f, double begin, double width, int levels,
+/// times: each level is a factor of eight. Intervals that meet have the same values there: with
+/// values that differ by rounding, a zero or a minimum at that angle might be in neither.
+inline void bracket_within(const TrigonometricPolynomial& f, double begin, double width,
+                           const SampledPoint& at_begin, const SampledPoint& at_end, int levels,
                            Brackets& zeros, Brackets& minima) {
   const double part = width / lane_count;
-  double eight[lane_count], value[lane_count];
+  double eight[lane_count], value[3][lane_count + 1];
   for (int i = 0; i < lane_count; ++i) eight[i] = begin + i * part;
   Lanes here[3], next[3];
-  for (const bool at_end : {false, true}) {
-    evaluate(f, Lanes::load(eight) + Lanes(at_end ? part : 0), at_end ? next : here);
+  evaluate(f, Lanes::load(eight), here);
+  for (int order = 0; order < 3; ++order) {
+    here[order].store(value[order]);
+    value[order][0] = at_begin.of[order];
+    value[order][lane_count] = at_end.of[order];
+    here[order] = Lanes::load(value[order]);
+    next[order] = Lanes::load(value[order] + 1);
   }
-  here[0].store(value);
   const IntervalKinds found = classify(here, next, part);
   const unsigned unclear = levels > 1 ? found.unclear : 0;
   for (unsigned left = found.zero | found.minimum | unclear; left != 0; left &= left - 1) {
     const int i = __builtin_ctz(left);
     if ((unclear >> i & 1) != 0) {
-      bracket_within(f, eight[i], part, levels - 1, zeros, minima);
+      const SampledPoint from{value[0][i], value[1][i], value[2][i]};
+      const SampledPoint to{value[0][i + 1], value[1][i + 1], value[2][i + 1]};
+      bracket_within(f, eight[i], part, from, to, levels - 1, zeros, minima);
     } else {
       Brackets& kind = (found.zero >> i & 1) != 0 ? zeros : minima;
-      kind.add(eight[i], eight[i] + part, value[i] < 0);
+      kind.add(eight[i], eight[i] + part, value[0][i] < 0);
     }
   }
 }
@@ -227,7 +243,8 @@ inline void bracket_all(const TrigonometricPolynomial& f, const GridValues& grid
       const int i = __builtin_ctz(left);
       const double begin = (j + i) * cell_width;
       if ((found.unclear >> i & 1) != 0) {
-        bracket_within(f, begin, cell_width, levels, zeros, minima);
+        bracket_within(f, begin, cell_width, grid.at(j + i), grid.at(j + i + 1), levels, zeros,
+                       minima);
       } else {
         Brackets& kind = (found.zero >> i & 1) != 0 ? zeros : minima;
         kind.add(begin, begin + cell_width, grid.of[0][j + i] < 0);
