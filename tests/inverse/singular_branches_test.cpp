@@ -228,14 +228,14 @@ INSTANTIATE_TEST_SUITE_P(, SingularBranches,
 /// form multiple. `complete` is never true without the configuration of the pose.
 TEST(RightAngles, AreAmongCompleteSolutions) {
   Random random;
-  for (const char* name : {"hc10", "crx10ia", "gen3_lite", "jaco2"}) {
+  for (const char* name : {"hc10", "crx10ia", "jaco2"}) {
     const Arm arm = built_in(name);
     InverseSolver solver(arm, {.all = true, .max_restarts = 0});
     int complete = 0;
     for (int i = 0; i < testing::cases(9000); ++i) {
       Configuration q = random.configuration(arm);
       for (double& each : q) {
-        if (random.integer(0, 1)) each = pi / 2 * std::round(2 * each / pi);
+        if (random.integer(0, 3) > 0) each = pi / 2 * std::round(2 * each / pi);
       }
       if (!within(internal::bounds_of(arm), q)) continue;
       const InverseResult result = solver.solve(forward_kinematics(arm, q));
