@@ -156,7 +156,7 @@ TEST(PieperSolver, IsNotNeededForGantries) {
 
 /// Solves the poses of random configurations with the given value of coordinate k.
 void expect_singular(const Arm& arm, int k, double value, bool singular, Random& random) {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < testing::example_size(200); ++i) {
     Configuration q = random.configuration(arm);
     q[k] = value;
     const Pose pose = forward_kinematics(arm, q);
@@ -194,7 +194,7 @@ TEST(PieperSolver, IsExactNearSingularPoses) {
     for (const auto& [name, k] :
          {std::pair{"puma560", 4}, {"stanford", 4}, {"ur5", 4}, {"ur5", 2}}) {
       const Arm arm = built_in(name);
-      for (int i = 0; i < 50; ++i) {
+      for (int i = 0; i < testing::example_size(50); ++i) {
         Configuration q = random.configuration(arm);
         q[k] = near;
         const Pose pose = forward_kinematics(arm, q);
