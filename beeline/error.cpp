@@ -129,7 +129,11 @@ std::string number(double value) {
 }
 
 std::string angle(double radians) {
-  return number(radians) + " rad (" + number(radians * 180 / std::numbers::pi) + " deg)";
+  const double degrees = radians * 180 / std::numbers::pi;
+  const std::string shown = number(radians) + " rad";
+  return std::isfinite(degrees) || !std::isfinite(radians)
+             ? shown + " (" + number(degrees) + " deg)"
+             : shown;
 }
 
 }  // namespace beeline

@@ -186,7 +186,8 @@ std::vector<Option> JacobianArgument::options() {
   return joined({{{.name = "--frame",
                    .value = "FRAME",
                    .help = "base: velocity of the tool origin in the world's axes; tool: the same "
-                           "in the tool's axes; space: spatial twist at the world's origin.",
+                           "in the tool's axes; space: spatial twist at the world's origin. "
+                           "Default: tool for a task in the tool's axes, otherwise base.",
                    .target = &frame,
                    .choices = {name(Frame::base), name(Frame::tool), name(Frame::space)},
                    .other_values = true}},  // frame_named() says what the known ones mean
@@ -195,15 +196,17 @@ std::vector<Option> JacobianArgument::options() {
 
 Task JacobianArgument::read(const Arm& arm) const {
   Task rows = task.read(arm);
+  if (frame.empty()) return rows;
   Frame wanted = Frame::base;
   try {
     wanted = frame_named(frame);
   } catch (const Error& error) {
     throw Error(std::string("--frame: ") + error.what());
   }
-  if (rows.frame == Frame::tool && frame != name(Frame::tool)) {
+  if (rows.frame == Frame::tool && wanted != Frame::tool) {
     throw Error("--task " + task.text +
-                " is in the tool's axes and cannot be combined with --frame " + frame);
+                " is in the tool's axes and cannot be combined with --frame " + frame +
+                "; leave out :tool or --frame");
   }
   rows.frame = wanted;
   return rows;

@@ -71,7 +71,7 @@ struct TaskArgument {
 
 /// --frame with --task: which Jacobian.
 struct JacobianArgument {
-  std::string frame = "base";
+  std::string frame = {};  ///< empty: that of the task
   TaskArgument task = {};
 
   std::vector<Option> options();

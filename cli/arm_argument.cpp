@@ -35,21 +35,6 @@ void hint_at_built_in(const std::string& text) {
   }
 }
 
-/// How the user makes another choice, to be appended to the warning.
-std::string choice_after(const ReadWarning& warning) {
-  switch (warning.kind) {
-    case ReadWarningKind::tip_among_frames:
-    case ReadWarningKind::tip_among_branches:
-      return "; --tip selects another";
-    case ReadWarningKind::before_gripper:
-      return "; --tip " + warning.others.front() + " includes it";
-    case ReadWarningKind::below_free_joint:
-      return "; --base selects another";
-    default:
-      return "";
-  }
-}
-
 }  // namespace
 
 Positional ArmArgument::argument() {
@@ -86,7 +71,7 @@ std::vector<Option> ArmArgument::options() {
        .needs = "--srdf"},
       {.name = "--tcp",
        .value = "POSE",
-       .help = "The tool on the flange: its pose in the arm's own tool frame, as --mount.",
+       .help = "The tool centre point: its pose in the arm's own tool frame, as --mount.",
        .target = &tcp},
       {.name = "--mount",
        .value = "POSE",
@@ -112,7 +97,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   if (!tip.empty()) ends.tip = tip;
   std::vector<ReadWarning> warnings;
   const Arm described = read_arm(text, ends, &warnings);
-  for (const ReadWarning& warning : warnings) warn(sentence(warning) + choice_after(warning));
+  for (const ReadWarning& warning : warnings) warn(sentence(warning, OptionStyle::command));
   hint_at_built_in(text);
   Arm arm = described;
   if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);

@@ -53,8 +53,8 @@ Verb arms_verb() {
           .summary = "List the built-in arms",
           .description =
               "Prints the name of each built-in arm, its maker and model, the kinds of its "
-              "joints (R revolute, P prismatic) from the base to the flange, the method of its "
-              "inverse kinematics, and the radius of a ball that the flange cannot leave. --json "
+              "joints (R revolute, P prismatic) from the base to the tool, the method of its "
+              "inverse kinematics, and the radius of a ball that the tool cannot leave. --json "
               "adds the document that the numbers are from. `beeline show NAME` prints one arm.",
           .examples = {{"The list, and the first arm's joints as a table",
                         "beeline arms\nbeeline show rrr"}},

@@ -92,7 +92,9 @@ std::string batch_text(const BatchArguments& arguments, const std::string& kind,
                        const BatchReport& report) {
   std::string text = fmt::format("{} of {}: {} in {:.3g} s, {:.3g} rows/s\n", kind, arm.name(),
                                  counted(report.rows, "row"), report.seconds, report.rate());
-  if (kind == "jacobian") text += fmt::format("frame         {}\n", arguments.jacobian.frame);
+  if (kind == "jacobian") {
+    text += fmt::format("frame         {}\n", name(arguments.jacobian.read(arm).frame));
+  }
   if (kind == "ik") text += fmt::format("solved        {}\n", report.counts.solved);
   if (arguments.out != "-" && report.counts.ending == Ending::complete)
     text += fmt::format("rows          {}\n", arguments.out);
@@ -113,7 +115,9 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   } else {
     document.add("outside_limits", report.counts.outside_limits);
   }
-  if (kind == "jacobian") document.add("frame", arguments.jacobian.frame);
+  if (kind == "jacobian") {
+    document.add("frame", name(arguments.jacobian.read(arm).frame));
+  }
   document.add("columns", work.columns);
   document.add("out", arguments.out);
   return document;

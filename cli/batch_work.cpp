@@ -83,10 +83,6 @@ class Configurations {
   Eigen::ArrayXd angles_;  ///< 1 for each angle, 0 for each length
 };
 
-bool may_lack_header(const internal::PoseColumns& columns, const PoseFormat& format) {
-  return columns.names.size() == 3 || internal::reads_without_names(columns, format);
-}
-
 /// The columns of poses that `arm` can have, first those of rows without a header. KUKA's have X, Y
 /// and Z in upper case.
 std::vector<internal::PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
@@ -98,7 +94,7 @@ std::vector<internal::PoseColumns> goal_columns(const Arm& arm, const PoseFormat
     all.back().names = {"X", "Y", "Z", "A", "B", "C"};
   }
   std::stable_partition(all.begin(), all.end(), [&](const internal::PoseColumns& columns) {
-    return may_lack_header(columns, format);
+    return internal::reads_without_names(columns, format);
   });
   return all;
 }
@@ -242,9 +238,9 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   const PoseFormat format = arguments.unit.pose_format(triple_of(arm));
   const std::vector<internal::PoseColumns> goals_by_form = goal_columns(arm, format);
   for (const internal::PoseColumns& columns : goals_by_form) work.forms.push_back(columns.names);
-  work.forms_without_header = static_cast<std::size_t>(
-      std::count_if(goals_by_form.begin(), goals_by_form.end(),
-                    [&](const auto& columns) { return may_lack_header(columns, format); }));
+  work.forms_without_header = static_cast<std::size_t>(std::count_if(
+      goals_by_form.begin(), goals_by_form.end(),
+      [&](const auto& columns) { return internal::reads_without_names(columns, format); }));
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
   work.step = [&arguments, &arm, options, seed, world_T_work, goals_by_form,
                width = work.columns.size(), goals = Eigen::MatrixXd(),

@@ -62,7 +62,7 @@ FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm,
                           const SymbolicArm& symbolic) {
   FormulaContent content{.links = false, .products = arguments.all, .tool = false};
   content.task = arguments.jacobian.read(arm);
-  content.frame = frame_named(arguments.jacobian.frame);
+  content.frame = content.task.frame;
   for (const std::string& wanted : wanted_names(arguments.of)) {
     for (const ContentName& named : content_names) {
       if (wanted != named.name && wanted != "all") continue;

@@ -196,7 +196,7 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
   finite(matrix * matrix.transpose(), "Jacobian");
   const ManipulabilityMeasures measures = manipulability_measures(matrix);
   const ArmState state{arm, q, task, row_names({task.rows, Frame::base})};
-  const std::string& frame = arguments.jacobian.frame;
+  const std::string frame = name(task.frame);
   Answer answer;
   answer.document = {{"frame", frame},
                      {"rows", state.rows},

@@ -55,6 +55,13 @@ Json excesses_of(const Arm& arm, const JointRates& found, const UnitArgument& un
   return excesses;
 }
 
+/// The names of the joints of these coordinates.
+std::vector<std::string> names_of(const Arm& arm, const std::vector<int>& coordinates) {
+  std::vector<std::string> names;
+  for (const int k : coordinates) names.push_back(arm.joint_of(k).name);
+  return names;
+}
+
 std::string rates_text(const Arm& arm, const JointRates& found, const Task& task,
                        const UnitArgument& unit) {
   const char* angle = unit.name();
@@ -64,6 +71,10 @@ std::string rates_text(const Arm& arm, const JointRates& found, const Task& task
       fmt::format("tool velocity    {}   (J dq; m/s and {}/s)\n",
                   shown(shown_velocity(found.tool_velocity, task, unit)), angle) +
       fmt::format("residual         {}   (|J dq - v|; m/s and rad/s)\n", shown(found.residual));
+  if (!found.without_limit.empty()) {
+    text += fmt::format("not compared     {}   (their velocity limits are not known)\n",
+                        listed(names_of(arm, found.without_limit)));
+  }
   for (const auto& direction : found.lost_directions.colwise()) {
     text +=
         fmt::format("lost direction   {}   ({}; m/s and rad/s)\n",
@@ -75,21 +86,24 @@ std::string rates_text(const Arm& arm, const JointRates& found, const Task& task
 }  // namespace
 
 std::vector<Option> RatesArgument::options() {
-  return {{.name = "--rates-of",
-           .value = "TWIST",
-           .help = "Velocity of the tool in --frame, one number for each row of --task: m/s, and "
-                   "rad/s or, with --degrees, deg/s. Prints the joint rates that give it, of a "
-                   "redundant arm the smallest; at a singularity that prevents it the direction "
-                   "that is lost, with exit code 1. Rates above the velocity limits give warnings.",
-           .target = &text},
-          {.name = "--damping",
-           .value = "LAMBDA",
-           .help = "Joint rates by damped least squares, which stay small near singularities, and "
-                   "the velocity of the tool that they give: minimise |J dq - v|^2 + LAMBDA^2 "
-                   "|dq|^2.",
-           .target = &damping,
-           .range = above_zero,
-           .needs = "--rates-of"}};
+  return {
+      {.name = "--rates-of",
+       .value = "TWIST",
+       .help =
+           "Velocity of the tool in --frame, one number for each row of --task: m/s, and "
+           "rad/s or, with --degrees, deg/s. Prints the joint rates that give it, of a "
+           "redundant arm the smallest; at a singularity that prevents it the direction "
+           "that is lost, with exit code 1. Rates above the velocity limits give warnings; joints "
+           "whose velocity limit is not known are named, as their rates are not compared.",
+       .target = &text},
+      {.name = "--damping",
+       .value = "LAMBDA",
+       .help = "Joint rates by damped least squares, which stay small near singularities, and "
+               "the velocity of the tool that they give: minimise |J dq - v|^2 + LAMBDA^2 "
+               "|dq|^2.",
+       .target = &damping,
+       .range = above_zero,
+       .needs = "--rates-of"}};
 }
 
 void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& q, const Task& task,
@@ -99,9 +113,7 @@ void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& 
   JointRates found;
   try {
     found = joint_rates(arm, q, velocity,
-                        {.task = Task{task.rows, Frame::base},
-                         .frame = task.frame,
-                         .damping = damping.value_or(0)});
+                        {.task = task, .frame = task.frame, .damping = damping.value_or(0)});
   } catch (const Error& error) {
     throw Error(std::string("--rates-of: ") + error.what());
   }
@@ -116,6 +128,7 @@ void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& 
                        {"singular", found.singular},
                        {"lost_directions", lost},
                        {"excesses", excesses_of(arm, found, unit)},
+                       {"without_limit", names_of(arm, found.without_limit)},
                        {"scale", found.scale},
                        {"reason", found.reason}});
   const std::string angle = unit.name();

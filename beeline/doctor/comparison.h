@@ -38,7 +38,7 @@ struct ModelDifference {
   int joint = -1;                        ///< from 0, in A; -1: of the whole arm
   std::string parameter = {};            ///< such as d, alpha, upper
   std::optional<double> a = {}, b = {};  ///< the values in A and B, rad or m
-  std::optional<Pose> pose = {};  ///< mount: world_T_mount; tool: flange_T_tcp, to be added to A
+  std::optional<Pose> pose = {};  ///< mount: world_T_mount; tool: tool_T_tcp, to be added to A
   std::string what = {};          ///< one clause: "d of joint 1 is 0.089159 in A and 0.089459 in B"
   std::string remedy = {};        ///< what to write: "--mount 0,0,0.0003"; may be empty
 };

@@ -25,15 +25,15 @@ bool is_identity(const ExpressionMatrix& matrix) {
 
 WrittenSection links_section(DocumentWriter& writer, const SymbolicArm& arm) {
   WrittenSection section{.key = "links", .title = "Transforms of the links"};
-  const ExpressionMatrix base = base_formula(arm), flange = flange_formula(arm);
+  const ExpressionMatrix base = base_formula(arm), tool = tool_offset_formula(arm);
   if (!is_identity(base)) section.formulas.push_back(writer.pose(writer.transform("0", "w"), base));
   for (std::size_t i = 1; i <= arm.links(); ++i) {
     section.formulas.push_back(writer.pose(
         writer.transform(std::to_string(i), std::to_string(i - 1)), link_formula(arm, i, i - 1)));
   }
-  if (!is_identity(flange)) {
+  if (!is_identity(tool)) {
     section.formulas.push_back(
-        writer.pose(writer.transform("t", std::to_string(arm.links())), flange));
+        writer.pose(writer.transform("t", std::to_string(arm.links())), tool));
   }
   return section;
 }

@@ -63,7 +63,7 @@ ExpressionMatrix tool_formula(const SymbolicArm& arm) {
 
 ExpressionMatrix base_formula(const SymbolicArm& arm) { return pose_matrix(arm, 0, 1); }
 
-ExpressionMatrix flange_formula(const SymbolicArm& arm) {
+ExpressionMatrix tool_offset_formula(const SymbolicArm& arm) {
   return pose_matrix(arm, arm.transforms.size() - 1, arm.transforms.size());
 }
 

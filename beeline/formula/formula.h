@@ -33,9 +33,9 @@ struct ExpressionMatrix {
 /// The 4 x 4 matrix of link i in link k <= i; link 0 is the base. These and all formulas below
 /// throw Error for a formula that is too large.
 ExpressionMatrix link_formula(const SymbolicArm& arm, std::size_t i, std::size_t k);
-ExpressionMatrix base_formula(const SymbolicArm& arm);    ///< of the base in the world
-ExpressionMatrix flange_formula(const SymbolicArm& arm);  ///< of the tool in the last link
-ExpressionMatrix tool_formula(const SymbolicArm& arm);    ///< of the tool in the world
+ExpressionMatrix base_formula(const SymbolicArm& arm);         ///< of the base in the world
+ExpressionMatrix tool_offset_formula(const SymbolicArm& arm);  ///< of the tool in the last link
+ExpressionMatrix tool_formula(const SymbolicArm& arm);         ///< of the tool in the world
 
 /// The orientation of a planar arm's tool in the world: the sum of an angle and a multiple of 15
 /// degrees. None for other arms, and where fixed rotations out of the plane hide the sum.

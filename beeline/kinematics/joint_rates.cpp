@@ -9,30 +9,36 @@
 namespace beeline {
 namespace {
 
-/// The rows of the velocity. Throws Error for options that exclude each other.
+/// The names of the rows, which do not depend on the frame.
+std::vector<std::string> names_of_rows(const Task& task) {
+  return row_names({task.rows, Frame::base});
+}
+
+/// The rows of the velocity, in its frame. Throws Error for options that exclude each other.
 Task rows_of(const Arm& arm, const Eigen::VectorXd& velocity, const JointRatesOptions& options) {
   Task task = options.task.value_or(default_task(arm));
   if (task.size() == 0) throw Error("the task needs at least one row");
-  if (task.frame == Frame::tool && options.frame != Frame::tool) {
+  const Frame frame = options.frame.value_or(task.frame);
+  if (task.frame == Frame::tool && frame != Frame::tool) {
     throw Error("task " + name(task) + " is in the tool's axes; the frame must be tool, not " +
-                name(options.frame));
+                name(frame));
   }
   if (!std::isfinite(options.damping) || options.damping < 0) {
     throw Error("damping is " + number(options.damping) + "; it must be 0 or more");
   }
-  task.frame = Frame::base;  // the names of the rows do not depend on it
   if (velocity.size() != task.size()) {
     throw Error("the velocity has " + std::to_string(velocity.size()) + " numbers; it needs " +
-                std::to_string(task.size()) + ": " + listed(row_names(task)));
+                std::to_string(task.size()) + ": " + listed(names_of_rows(task)));
   }
   if (!velocity.allFinite()) throw Error("the velocity must be finite");
+  task.frame = frame;
   return task;
 }
 
 /// Formats a unit velocity for a sentence, without the components that are 0: `vx 0.6, wz -0.8`.
 std::string direction_text(const Task& task, const Eigen::VectorXd& direction) {
   constexpr double rounding = 1e-6;
-  const std::vector<std::string> names = row_names(task);
+  const std::vector<std::string> names = names_of_rows(task);
   std::vector<std::string> parts;
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
     if (std::abs(direction[i]) < rounding) continue;
@@ -44,6 +50,7 @@ std::string direction_text(const Task& task, const Eigen::VectorXd& direction) {
 void compare_with_limits(const Arm& arm, JointRates& result) {
   for (int k = 0; k < arm.dof(); ++k) {
     const double rate = result.rates[k], limit = arm.limits(k).velocity;
+    if (!(limit < Limits::none)) result.without_limit.push_back(k);
     if (!(std::abs(rate) > limit)) continue;
     result.excesses.push_back({k, rate, limit});
     result.scale = std::min(result.scale, limit / std::abs(rate));
@@ -60,7 +67,7 @@ std::string name(RatesStatus status) {
 JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::VectorXd& velocity,
                        const JointRatesOptions& options) {
   const Task task = rows_of(arm, velocity, options);
-  const Eigen::MatrixXd j = internal::selected_rows(task, jacobian(arm, q, options.frame));
+  const Eigen::MatrixXd j = internal::selected_rows(task, jacobian(arm, q, task.frame));
   if (!j.allFinite()) throw Error("the Jacobian exceeds the range of numbers, 1e308");
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(j, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& sigma = svd.singularValues();
@@ -93,7 +100,7 @@ JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::V
     result.status = result.singular ? RatesStatus::singular : RatesStatus::too_few_joints;
     result.reason = (result.singular ? "the arm is singular: no joint rates move its tool along "
                                      : "no joints of the arm move its tool along ") +
-                    direction_text(task, missing.stableNormalized()) + " (" + name(options.frame) +
+                    direction_text(task, missing.stableNormalized()) + " (" + name(task.frame) +
                     " frame), a part of the velocity; damping gives rates of a velocity near it";
   }
   return result;

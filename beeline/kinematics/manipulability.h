@@ -68,7 +68,8 @@ std::string name(RatesStatus status);
 
 struct JointRatesOptions {
   std::optional<Task> task = std::nullopt;  ///< the rows of the velocity; default: default_task()
-  Frame frame = Frame::base;                ///< of the velocity, as of jacobian()
+  std::optional<Frame> frame =
+      std::nullopt;  ///< of the velocity, as of jacobian(); default: task's
   /// The damping lambda of damped least squares, 0 or more: minimise |J dq - v|^2 + lambda^2
   /// |dq|^2. With 0 the least |dq| among the minimisers of |J dq - v|.
   double damping = 0;
@@ -92,7 +93,9 @@ struct JointRates {
   /// Orthonormal basis, one velocity in each column, of the complement of the range of J.
   Eigen::MatrixXd lost_directions;
   std::vector<RateExcess> excesses = {};  ///< by coordinate
-  /// The largest factor of v, at most 1, with which all rates keep the velocity limits.
+  /// The coordinates whose velocity limit is not known, from 0: their rates are not compared.
+  std::vector<int> without_limit = {};
+  /// The largest factor of v, at most 1, with which all rates keep the known velocity limits.
   double scale = 1;
   std::string reason = {};  ///< one sentence unless solved or damped
 

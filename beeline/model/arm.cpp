@@ -135,7 +135,8 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
   internal::check_count(joints_.size(), name_);
   base_ = internal::checked_placement(base, "the base");
   tool_ = internal::checked_placement(tool, "the tool");
-  controller_ = controller.value_or(ControllerFrames{.base_assumed = true, .flange = tool});
+  controller_ = controller.value_or(
+      ControllerFrames{.base_assumed = true, .flange = tool, .flange_assumed = true});
   controller_.base = internal::checked_placement(controller_.base, "the controller's base");
   controller_.flange = internal::checked_placement(controller_.flange, "the flange");
   std::unordered_map<std::string, std::size_t> index;
@@ -175,8 +176,8 @@ Arm with_tool(const Arm& arm, const Pose& tool) {
   return {arm.name(), arm.joints(), tool, arm.base(), arm.controller()};
 }
 
-Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp) {
-  return with_tool(arm, arm.tool() * checked_pose(flange_T_tcp, "the tool on the flange"));
+Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp) {
+  return with_tool(arm, arm.tool() * checked_pose(tool_T_tcp, "the tool centre point"));
 }
 
 Arm with_mount(const Arm& arm, const Pose& world_T_mount) {

@@ -44,7 +44,10 @@ struct ControllerFrames {
   Pose base = Pose::Identity();
   /// Whether no description states `base`. It is then the world in which the arm is described.
   bool base_assumed = false;
-  Pose flange = Pose::Identity();  ///< pose in link n of the frame that tools are given in
+  /// Pose in link n of the robot's mounting flange, the frame that tools are given in.
+  Pose flange = Pose::Identity();
+  /// Whether no description states `flange`. It is then the tool with which the arm is described.
+  bool flange_assumed = false;
 };
 
 /// A serial chain: a base, joints 1 to n, a tool. Immutable, and checked on construction. Joint i
@@ -52,7 +55,7 @@ struct ControllerFrames {
 class Arm {
  public:
   /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n. Without
-  /// `controller` the root frame is assumed to be the world, and the tool is the flange.
+  /// `controller` the root frame is assumed to be the world, and the flange the tool.
   /// Throws Error for: no joints; two joints of one name; a number that is not finite; a screw that
   /// is not of unit length; an offset, base, tool or controller frame that is not a rigid motion; a
   /// lower limit above the upper one; a velocity, acceleration or jerk limit below
@@ -125,9 +128,9 @@ class Arm {
 /// Returns a copy with another tool, in place of the arm's, on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
-/// Returns a copy with a tool on the flange: the tool's frame becomes the pose `flange_T_tcp` in
-/// the frame that has been the tool's.
-Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp);
+/// Returns a copy with a tool centre point (TCP): the tool's frame becomes the pose `tool_T_tcp` in
+/// the frame that has been the tool's, which is the flange of an arm described without a tool.
+Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp);
 
 /// Returns a copy that stands in the world: the frame that has been the world becomes the pose
 /// `world_T_mount` in the world. The controller's root frame moves with the arm.

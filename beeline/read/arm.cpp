@@ -8,6 +8,7 @@
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/read_fault.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/urdf.h>
 
@@ -109,29 +110,48 @@ bool is_fault(const ReadWarning& warning) {
          warning.kind != ReadWarningKind::below_free_joint;
 }
 
-std::string sentence(const ReadWarning& warning) {
+std::string name(ElementFault fault) {
+  constexpr const char* names[] = {"none",         "missing_attribute", "missing_end",
+                                   "empty_name",   "long_name",         "control_character",
+                                   "not_utf8",     "not_three_numbers", "missing_number",
+                                   "not_a_number", "out_of_range",      "not_finite",
+                                   "not_a_limit"};
+  return names[static_cast<int>(fault)];
+}
+
+std::string sentence(const ReadWarning& warning, OptionStyle style) {
+  const bool command = style == OptionStyle::command;
+  const std::string dashes = command ? "--" : "";
+  const auto located = [&](const std::string& text) {
+    return std::string(FileError(warning.path, warning.line, text).what());
+  };
   switch (warning.kind) {
     case ReadWarningKind::tip_among_frames:
       return "the tip is " + warning.link +
-             "; other tips, fixed to the same link: " + listed(warning.others);
+             "; other tips, fixed to the same link: " + listed(warning.others) + "; " + dashes +
+             "tip selects another";
     case ReadWarningKind::tip_among_branches:
-      return "the tip is " + warning.link + "; other tips: " + listed(warning.others);
+      return "the tip is " + warning.link + "; other tips: " + listed(warning.others) + "; " +
+             dashes + "tip selects another";
     case ReadWarningKind::before_gripper:
       return "the tip is " + warning.link + ", before joint " + warning.joint +
-             ", which moves a gripper";
+             ", which moves a gripper; " + dashes + "tip" + (command ? " " : "=\"") +
+             listed(warning.others) + (command ? "" : "\"") + " includes it";
     case ReadWarningKind::below_free_joint:
       return "the base is " + warning.link + ", below joint " + warning.joint +
-             ", which places the arm in the world";
+             ", which places the arm in the world; " + dashes + "base selects another";
     case ReadWarningKind::further_faults:
-      return warning.path + ": has " + std::to_string(warning.count) +
-             " more faults beside the chain";
+      return located(internal::clause(warning));
     case ReadWarningKind::xacro_tag:
-      return std::string(FileError(warning.path, warning.line, warning.element).what()) +
-             " is left out; run xacro first if it stands for links or joints";
+      if (warning.joint.empty()) {
+        return located(warning.element) +
+               " is left out; run xacro first if it stands for links or joints";
+      }
+      break;
     default:
-      return std::string(FileError(warning.path, warning.line, warning.fault).what()) +
-             "; it is beside the chain and left out";
+      break;
   }
+  return located(internal::clause(warning)) + "; it is beside the chain and left out";
 }
 
 Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {

@@ -24,10 +24,11 @@ enum class ReadWarningKind {
   before_gripper,      ///< the chain ends at `link`, above `joint`, which moves a gripper's finger;
                        ///< `others` is the end below it
   below_free_joint,    ///< the chain begins at `link`, below `joint`, which is floating or planar
-  malformed,           ///< an element, of `joint` if it has one, whose attributes cannot be read
-  xacro_tag,           ///< an element that xacro should have replaced
-  unknown_link,        ///< `joint` connects `link`, which the file does not have
-  two_parents,         ///< `joint` is the second one above `link`
+  malformed,           ///< `element`, of `joint` if it has one, cannot be read: see ElementFault
+  xacro_tag,           ///< `element`, in `joint` if it has one, which xacro should have replaced
+  unknown_link,        ///< `joint` connects by `element`, <parent> or <child>, the unknown `link`;
+                       ///< `others` are the known links, none if there are more than 10,000
+  two_parents,         ///< `joint` is above `link`, as another one, `others`, is
   cycle,               ///< `joint` closes a cycle at `link`
   repeated_name,       ///< the name of `joint` or `link` is given twice
   unconnected_link,    ///< no joint connects `link`
@@ -35,23 +36,47 @@ enum class ReadWarningKind {
 };
 std::string name(ReadWarningKind kind);
 
-/// A warning of a reader: data, from which sentence() makes the text.
+/// Why an element of an XML file cannot be read.
+enum class ElementFault {
+  none,
+  missing_attribute,  ///< it needs `attribute`
+  missing_end,        ///< `joint` has no `element`, which is <parent> or <child>
+  empty_name,         ///< the name `value` of `attribute` is empty, longer than 1000 bytes, has
+  long_name,          ///< control characters, or bytes that are not UTF-8
+  control_character,
+  not_utf8,
+  not_three_numbers,  ///< `attribute` has `count` numbers
+  missing_number,     ///< `value`, a number of `attribute`, is empty, is none, exceeds the range of
+  not_a_number,       ///< numbers, is not finite, or, a limit, is NaN
+  out_of_range,
+  not_finite,
+  not_a_limit
+};
+std::string name(ElementFault fault);
+
+/// A warning of a reader: data, from which sentence() makes the text. Names, elements and values of
+/// a file are UTF-8: a byte that is not is written `\xfc`.
 struct ReadWarning {
   ReadWarningKind kind = ReadWarningKind::malformed;
-  std::string path = {};                 ///< of the file
-  int line = 0;                          ///< of a fault
-  std::string joint = {}, link = {};     ///< names
-  std::string element = {};              ///< of a xacro_tag, such as <xacro:include>
-  std::vector<std::string> others = {};  ///< names of links
-  std::string fault = {};                ///< the clause that an error would have; of faults only
+  std::string path = {};                            ///< of the file
+  int line = 0;                                     ///< of a fault
+  std::string joint = {}, link = {};                ///< names
+  std::vector<std::string> others = {};             ///< names
+  std::string element = {};                         ///< its tag, such as <xacro:include>
+  ElementFault element_fault = ElementFault::none;  ///< of a malformed element
+  std::string attribute = {}, value = {};           ///< of a malformed element
   std::size_t count = 0;
 };
 
 /// Whether the warning is of a fault; the others are selections.
 bool is_fault(const ReadWarning& warning);
 
-/// Returns one sentence without a full stop, such as `the tip is tool0; other tips: finger`.
-std::string sentence(const ReadWarning& warning);
+/// How a sentence writes an option: `tip="hand"`, as in Python, or `--tip hand`.
+enum class OptionStyle { keyword, command };
+
+/// Returns one sentence without a full stop, such as `the tip is tool0; other tips: finger; --tip
+/// selects another`. It says which option makes another choice.
+std::string sentence(const ReadWarning& warning, OptionStyle style = OptionStyle::keyword);
 
 /// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
 /// link lengths

@@ -74,15 +74,24 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
   }
 }
 
-/// The frames of the keys controller_base and flange; none without either.
-std::optional<ControllerFrames> controller_frames(const JsonDocument& document, const Pose& tool) {
+/// Whether the frame of `key` is assumed: the document has none, or says so of the one that it has.
+bool is_assumed(const JsonDocument& document, const char* key) {
+  const Json* frame = document.find(document.root(), key);
+  const Json* assumed = document.find(document.root(), std::string(key) + "_assumed");
+  if (assumed == nullptr) return frame == nullptr;
+  if (frame == nullptr) {
+    document.refuse(*assumed, "is given without the key \"" + std::string(key) + "\"");
+  }
+  return document.truth(*assumed);
+}
+
+ControllerFrames controller_frames(const JsonDocument& document, const Pose& tool) {
   const Json* base = document.find(document.root(), "controller_base");
   const Json* flange = document.find(document.root(), "flange");
-  if (base == nullptr && flange == nullptr) return std::nullopt;
-  ControllerFrames frames{.base_assumed = base == nullptr, .flange = tool};
-  if (base != nullptr) frames.base = pose_from_json(document, *base);
-  if (flange != nullptr) frames.flange = pose_from_json(document, *flange);
-  return frames;
+  return {.base = base == nullptr ? Pose::Identity() : pose_from_json(document, *base),
+          .base_assumed = is_assumed(document, "controller_base"),
+          .flange = flange == nullptr ? tool : pose_from_json(document, *flange),
+          .flange_assumed = is_assumed(document, "flange")};
 }
 
 /// Refuses lists of names that are none. They are for the catalogue, which an arm's name selects.
@@ -106,9 +115,9 @@ void check_joint_names(const JsonDocument& document, const Json& lists) {
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
-  document.check_keys(
-      root, {"name", "maker", "model", "source", "note", "base", "tool", "controller_base",
-             "flange", "joints", "joint_string", "dh", "joint_names"});
+  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
+                             "controller_base", "controller_base_assumed", "flange",
+                             "flange_assumed", "joints", "joint_string", "dh", "joint_names"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
@@ -123,7 +132,7 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   }
   const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
   const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);
-  const auto controller = controller_frames(document, tool_pose);
+  const ControllerFrames controller = controller_frames(document, tool_pose);
   try {
     check_name(name, "the arm's name");
     return {name, std::move(joints), tool_pose, base_pose, controller};
@@ -136,14 +145,26 @@ Arm read_arm_json(const std::string& path) {
   return arm_from_json(internal::read_file(path), path);
 }
 
+namespace {
+
+/// The keys of a frame of the controller; none for an assumed one where readers assume it.
+std::string frame_to_json(const std::string& key, const Pose& frame, bool assumed,
+                          const Pose& otherwise) {
+  if (assumed && frame.matrix() == otherwise.matrix()) return "";
+  return ",\n  \"" + key + "\": " + internal::pose_to_json(frame) +
+         (assumed ? ",\n  \"" + key + "_assumed\": true" : "");
+}
+
+}  // namespace
+
 std::string arm_to_json(const Arm& arm) {
   internal::check_names(arm);
   std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
   if (!arm.base().matrix().isIdentity(0))
     text += ",\n  \"base\": " + internal::pose_to_json(arm.base());
   const ControllerFrames& controller = arm.controller();
-  if (!controller.base_assumed || !controller.base.matrix().isIdentity(0))
-    text += ",\n  \"controller_base\": " + internal::pose_to_json(controller.base);
+  text +=
+      frame_to_json("controller_base", controller.base, controller.base_assumed, Pose::Identity());
   text += ",\n  \"joints\": [";
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     text += (i == 0 ? "\n    " : ",\n    ") + internal::joint_to_json(arm.joints()[i]);
@@ -151,8 +172,7 @@ std::string arm_to_json(const Arm& arm) {
   text += "\n  ]";
   if (!arm.tool().matrix().isIdentity(0))
     text += ",\n  \"tool\": " + internal::pose_to_json(arm.tool());
-  if (controller.flange.matrix() != arm.tool().matrix())
-    text += ",\n  \"flange\": " + internal::pose_to_json(controller.flange);
+  text += frame_to_json("flange", controller.flange, controller.flange_assumed, arm.tool());
   return text + "\n}\n";
 }
 

@@ -10,7 +10,8 @@ namespace beeline {
 
 /// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
 ///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
-///      "controller_base": POSE, "flange": POSE,           so are the ControllerFrames
+///      "controller_base": POSE, "flange": POSE,           so are the ControllerFrames,
+///      "controller_base_assumed", "flange_assumed",       which count as stated unless true
 ///      "maker", "model", "source", "note",                and these texts
 ///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",

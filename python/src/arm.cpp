@@ -123,6 +123,35 @@ void limit_property(nb::class_<Arm>& arm, const char* name, M Limits::*limit, co
       doc);
 }
 
+void bind_frames(nb::class_<Arm>& arm) {
+  property(
+      arm, "base", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.base())); },
+      "Pose of link 0 in the world (4, 4).");
+  property(
+      arm, "tool", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.tool())); },
+      "Pose of the tool in the last link (4, 4).");
+  property(
+      arm, "controller_base", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().base)); },
+      "Pose in the world of the controller's root frame (4, 4): $ROBROOT of KUKA, the base frame "
+      "of ABB and of Universal Robots.");
+  property(
+      arm, "controller_base_assumed", "bool",
+      [](const Arm& self) { return self.controller().base_assumed; },
+      "Whether no description states `controller_base`.");
+  property(
+      arm, "flange", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().flange)); },
+      "Pose in the last link of the robot's mounting flange, the frame that controllers take tools "
+      "in (4, 4).");
+  property(
+      arm, "flange_assumed", "bool",
+      [](const Arm& self) { return self.controller().flange_assumed; },
+      "Whether no description states `flange`.");
+}
+
 void bind_properties(nb::class_<Arm>& arm) {
   property(
       arm, "name", "str", [](const Arm& self) { return self.name(); }, "Name of the arm.");
@@ -137,24 +166,6 @@ void bind_properties(nb::class_<Arm>& arm) {
       arm, "joint_names", "list[str]",
       [](const Arm& self) { return Value<std::vector<std::string>>::to(self.joint_names()); },
       "Name of the joint of each coordinate.");
-  property(
-      arm, "base", array_type,
-      [](const Arm& self) { return read_only(Value<Pose>::to(self.base())); },
-      "Pose of link 0 in the world (4, 4).");
-  property(
-      arm, "tool", array_type,
-      [](const Arm& self) { return read_only(Value<Pose>::to(self.tool())); },
-      "Pose of the tool in the last link (4, 4).");
-  property(
-      arm, "controller_base", array_type,
-      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().base)); },
-      "Pose in the world of the controller's root frame (4, 4): $ROBROOT of KUKA, the base frame "
-      "of "
-      "ABB and of Universal Robots.");
-  property(
-      arm, "flange", array_type,
-      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().flange)); },
-      "Pose in the last link of the frame that controllers take tools in (4, 4).");
   property(
       arm, "limits", "list[Limits]",
       [](const Arm& self) { return Value<std::vector<Limits>>::to(self.limits()); },
@@ -193,16 +204,18 @@ void bind_copies(nb::class_<Arm>& arm) {
         return with_tool(self, PosePlane::at_zero(self).pose(pose, "tool"));
       },
       tool, nb::arg("tool"));
-  Signature tcp("with_tcp", "Arm",
-                "Returns a copy with a tool on the flange: the frame that has been the tool's.");
-  tcp.takes("self").takes("flange_T_tcp", arm_pose_like,
+  Signature tcp(
+      "with_tcp", "Arm",
+      "Returns a copy with a tool centre point (TCP), given in the frame that has been the "
+      "tool's: the flange of an arm described without a tool.");
+  tcp.takes("self").takes("tool_T_tcp", arm_pose_like,
                           std::string("Of the new tool in it. ") + arm_pose_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_tcp(self, PosePlane::at_zero(self).pose(pose, "flange_T_tcp"));
+        return with_tcp(self, PosePlane::at_zero(self).pose(pose, "tool_T_tcp"));
       },
-      tcp, nb::arg("flange_T_tcp"));
+      tcp, nb::arg("tool_T_tcp"));
   Signature mount("with_mount", "Arm",
                   "Returns a copy that stands in the world: at this pose of the frame that has "
                   "been the world.");
@@ -255,7 +268,8 @@ void bind_constructor(nb::class_<Arm>& arm) {
              "Pose in the world of the controller's root frame (4, 4). Default: the world.", "None")
       .takes(
           "flange", std::string(array_like) + " | None",
-          "Pose in the last link of the frame that tools are given in (4, 4). Default: the tool.",
+          "Pose in the last link of the mounting flange, the frame that tools are given in (4, 4). "
+          "Default: the tool.",
           "None");
   define(
       arm,
@@ -266,9 +280,11 @@ void bind_constructor(nb::class_<Arm>& arm) {
         };
         const Pose own_tool = pose(tool, "tool").value_or(Pose::Identity());
         const std::optional<Pose> root = pose(controller_base, "controller_base");
+        const std::optional<Pose> mounting = pose(flange, "flange");
         const ControllerFrames controller{.base = root.value_or(Pose::Identity()),
                                           .base_assumed = !root,
-                                          .flange = pose(flange, "flange").value_or(own_tool)};
+                                          .flange = mounting.value_or(own_tool),
+                                          .flange_assumed = !mounting};
         Arm result(Value<std::string>::from(name, "name"),
                    Value<std::vector<Joint>>::from(joints, "joints"), own_tool,
                    pose(base, "base").value_or(Pose::Identity()), controller);
@@ -297,6 +313,7 @@ void bind_arms(nb::module_& m) {
   bind_arm_files(arm);
   bind_descriptions(arm);
   bind_properties(arm);
+  bind_frames(arm);
   bind_copies(arm);
   arm.def(
       "to_json", [](const Arm& self) { return arm_to_json(self); },

@@ -8,30 +8,20 @@
 namespace beeline::python {
 namespace {
 
-/// How the user makes another choice, to be appended to the warning.
-std::string choice_after(const ReadWarning& warning) {
-  switch (warning.kind) {
-    case ReadWarningKind::tip_among_frames:
-    case ReadWarningKind::tip_among_branches:
-      return "; tip selects another";
-    case ReadWarningKind::before_gripper:
-      return "; tip=\"" + warning.others.front() + "\" includes it";
-    case ReadWarningKind::below_free_joint:
-      return "; base selects another";
-    default:
-      return "";
-  }
-}
-
 /// Issues the warnings of a reader.
 void issue(const std::vector<ReadWarning>& warnings) {
   for (const ReadWarning& warning : warnings) {
-    nb::object instance = model_warning()(sentence(warning) + choice_after(warning));
+    nb::object instance = model_warning()(sentence(warning));
     instance.attr("kind") = name(warning.kind);
     instance.attr("line") = warning.line;
     instance.attr("joint") = warning.joint;
     instance.attr("link") = warning.link;
     instance.attr("others") = Value<std::vector<std::string>>::to(warning.others);
+    instance.attr("element") = warning.element;
+    instance.attr("element_fault") = name(warning.element_fault);
+    instance.attr("attribute") = warning.attribute;
+    instance.attr("value") = warning.value;
+    instance.attr("count") = warning.count;
     nb::module_::import_("warnings").attr("warn")(instance);
   }
 }
@@ -47,7 +37,8 @@ nb::object model_warning() {
   static PyObject* const type = PyErr_NewExceptionWithDoc(
       "beeline._core.ModelWarning",
       "What a reader of a file selected among several, or left out because of a fault beside the "
-      "chain: its text, with the attributes kind, line, joint, link and others.",
+      "chain: its text, with the attributes kind, line, joint, link, others, element, "
+      "element_fault, attribute, value and count.",
       PyExc_UserWarning, nullptr);
   return nb::borrow(type);
 }

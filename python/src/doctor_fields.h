@@ -67,7 +67,7 @@ struct Fields<ModelDifference> {
         field("a", &Difference::a, "The value in A, rad or m."),
         field("b", &Difference::b, "The value in B."),
         field("pose", &Difference::pose,
-              "Of a mount world_T_mount, of a tool flange_T_tcp: to be added to A."),
+              "Of a mount world_T_mount, of a tool tool_T_tcp: to be added to A."),
         field("what", &Difference::what, "One clause."),
         field("remedy", &Difference::remedy, "What to write, as an option of the command."));
   }

@@ -93,8 +93,8 @@ void whole(nb::module_& m, const char* name, const char* doc, Derive derive) {
 void bind_derivations(nb::module_& m) {
   whole(m, "tool_formula", "Returns world_T_tool in symbols, 4 x 4.", &tool_formula);
   whole(m, "base_formula", "Returns the pose of the base in the world, 4 x 4.", &base_formula);
-  whole(m, "flange_formula", "Returns the pose of the tool in the last link, 4 x 4.",
-        &flange_formula);
+  whole(m, "tool_offset_formula", "Returns the pose of the tool in the last link, 4 x 4.",
+        &tool_offset_formula);
   Signature link("link_formula", "ExpressionMatrix",
                  "Returns the pose of link i in link k, 4 x 4; link 0 is the base.");
   link.takes("arm", named_type, arm_doc)

@@ -62,7 +62,8 @@ struct Fields<JointRatesOptions> {
         field("task", &JointRatesOptions::task,
               "The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a "
               "planar arm also of x, y, theta such as 110; default: default_task()."),
-        field("frame", &JointRatesOptions::frame, "Of the velocity, as of jacobian()."),
+        field("frame", &JointRatesOptions::frame,
+              "Of the velocity, as of jacobian(); default: the task's."),
         field("damping", &JointRatesOptions::damping,
               "lambda of damped least squares, 0 or more: minimise abs(J dq - v)^2 + lambda^2 "
               "abs(dq)^2. With 0 the least abs(dq) among the minimisers of abs(J dq - v)."));
@@ -100,8 +101,10 @@ struct Fields<JointRates> {
             "lost_directions", &JointRates::lost_directions,
             "Orthonormal basis, one velocity in each column, of the complement of the range of J."),
         field("excesses", &JointRates::excesses, "Rates above their limits, by coordinate."),
+        field("without_limit", &JointRates::without_limit,
+              "Coordinates whose velocity limit is not known: their rates are not compared."),
         field("scale", &JointRates::scale,
-              "The largest factor of v, at most 1, with which all rates keep the velocity "
+              "The largest factor of v, at most 1, with which all rates keep the known velocity "
               "limits."),
         field("reason", &JointRates::reason, "One sentence unless solved or damped."));
   }

@@ -211,6 +211,17 @@ def test_the_frames_of_a_file_are_those_of_the_options(beeline, written, tmp_pat
         assert (tmp_path / f"p.{ending}").read_text() == text
 
 
+def assumed_in(note):
+    """The frames of the controller that a note says are assumed."""
+    clauses = [clause for clause in note.split("; ") if "assumed" in clause]
+    return {frame for clause in clauses for frame, words in
+            (("root", "that frame is assumed to be the world"), ("flange", "the flange")) if words in clause}
+
+
+def assert_assumptions(note, *, root, flange):
+    assert assumed_in(note) == {frame for frame, assumed in (("root", root), ("flange", flange)) if assumed}, note
+
+
 def own_arm(tables, **keys):
     return json.dumps({"name": "own", "dh": tables["irb120"].document["dh"], **keys})
 
@@ -230,7 +241,7 @@ def test_an_arm_file_states_the_root_frame_and_the_flange(beeline, written, tabl
             moves = exported(beeline, tmp_path, "arm.json", form, "p.csv")
             np.testing.assert_allclose(moves.moves[-1][1], np.linalg.inv(placed(frame)) @ place @ target, atol=2e-8)
             np.testing.assert_allclose(moves.tool, np.linalg.inv(placed(keys.get("flange", {}))), atol=2e-9)
-            assert ("assumed" in moves.note) == ("controller_base" not in keys)
+            assert_assumptions(moves.note, root="controller_base" not in keys, flange="flange" not in keys)
 
 
 def urdf_of(table, links):
@@ -269,7 +280,13 @@ def test_a_urdf_states_them_by_its_links_base_and_tool0(beeline, written, tables
         moves = exported(beeline, tmp_path, "r.urdf", form, "p.csv", "--tip", "l6")
         np.testing.assert_allclose(moves.moves[-1][1], np.linalg.inv(root) @ target, atol=2e-8)
         np.testing.assert_allclose(moves.tool, np.linalg.inv(flange), atol=2e-9)
-        assert ("assumed" in moves.note) == (not HALF_TURN.items() <= links.items())
+        assert_assumptions(moves.note, root=not HALF_TURN.items() <= links.items(),
+                           flange=not FLANGE.items() <= links.items())
+        note = moves.note
+        options = ("--tip", "l6", "--mount", "1,2,3,0,0,0.5", "--tcp", "0,0,0.1")
+        assert beeline("show", "r.urdf", *options, "--out", "r.json").code == 0
+        assert_assumptions(exported(beeline, tmp_path, "r.json", form, "p.csv", "--mount=0,0,-3").note,
+                           root="root" in assumed_in(note), flange="flange" in assumed_in(note))
 
 
 def test_a_trajectory_sets_the_tool_that_is_not_the_flange(beeline, written, tmp_path):

@@ -92,3 +92,32 @@ def test_rates_above_a_limit_are_named(beeline):
     assert scale == pytest.approx(min(e["limit"] / abs(e["rate"]) for e in answer.json["excesses"]))
     slower = beeline(*ask, f"{2 * scale * 0.999999},0,0,0,0,0")
     assert slower.json["excesses"] == [] and slower.err == "" and slower.json["scale"] == 1
+
+
+def test_joints_without_a_known_limit_are_named(beeline, written):
+    answer = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST, "--json").json
+    known = [j["limits"]["velocity"] is not None for j in beeline("show", "ur5", "--json").json["joints"]]
+    assert answer["without_limit"] == [name for name, there in zip(answer["columns"], known) if not there] != []
+    text_answer = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST).out
+    assert f"not compared     {', '.join(answer['without_limit'])}   (their velocity limits are not known)" in text_answer
+    written("l.json", '{"joint3": {"velocity": 1}}')
+    some = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST, "--limits", "l.json", "--json").json
+    assert some["without_limit"] == [name for name in answer["without_limit"] if name != "joint3"]
+    panda = ("jacobian", "panda", "--q", Q["panda"], "--rates-of", TWIST)
+    assert beeline(*panda, "--json").json["without_limit"] == []
+    assert "not compared" not in beeline(*panda).out
+
+
+@pytest.mark.parametrize("task", ["position:tool", "spatial:tool", "111110:tool"])
+def test_the_frame_is_that_of_the_task(beeline, refused, written, task):
+    ask = ("jacobian", "panda", "--q", Q["panda"], "--task", task)
+    answer = beeline(*ask, "--json").json
+    assert answer["frame"] == "tool" and answer == beeline(*ask, "--frame", "tool", "--json").json
+    assert "Jacobian in the tool frame" in beeline(*ask).out
+    for frame in ("base", "space"):
+        refused(2, *ask, "--frame", frame, says=[f"--task {task}", f"--frame {frame}", "leave out :tool or --frame"])
+    written("q.csv", "0.1,0.2,0.3,-1,0.5,1,0.7\n")
+    batch = ("batch", "jacobian", "panda", "--in", "q.csv", "--task", task, "--out", "j.csv", "--json")
+    assert beeline(*batch).json["frame"] == "tool"
+    assert beeline("formula", "panda", "--of", "jacobian", "--task", task).out == beeline(
+        "formula", "panda", "--of", "jacobian", "--task", task, "--frame", "tool").out

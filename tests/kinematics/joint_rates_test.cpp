@@ -157,10 +157,52 @@ TEST(JointRates, AboveTheLimitsAreNamedWithTheScaleThatKeepsThem) {
     excesses += static_cast<int>(next);
   }
   EXPECT_GT(excesses, 10);
-  EXPECT_TRUE(
-      joint_rates(built_in("puma560"), Configuration::Ones(6).eval(), (1e3 * Twist::Ones()).eval())
-          .excesses.empty())
-      << "unknown limits are not exceeded";
+}
+
+/// Rates are compared with the limits that are known; the coordinates of the others are named.
+TEST(JointRates, WithoutAKnownLimitAreNamed) {
+  testing::Random random;
+  for (int i = 0; i < 200; ++i) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 9), 3);
+    std::vector<Joint> joints = arm.joints();
+    std::vector<int> unknown;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const bool known = random.integer(0, 1) == 0;
+      joints[k].limits.velocity = known ? 1e-3 : Limits::none;
+    }
+    const Arm some("some", joints, arm.tool(), arm.base());
+    for (int k = 0; k < some.dof(); ++k) {
+      if (std::isinf(some.limits(k).velocity)) unknown.push_back(k);
+    }
+    Twist velocity;
+    velocity << random.vector(), random.vector();
+    const JointRates found = joint_rates(some, random.configuration(some), velocity,
+                                         {.task = Task::spatial(), .damping = 0.01});
+    EXPECT_EQ(found.without_limit, unknown);
+    for (const RateExcess& excess : found.excesses) {
+      EXPECT_EQ(std::count(unknown.begin(), unknown.end(), excess.coordinate), 0);
+    }
+  }
+  EXPECT_TRUE(joint_rates(built_in("panda"), Configuration::Ones(7).eval(), Twist::Ones().eval())
+                  .without_limit.empty());
+}
+
+/// Without a frame the velocity is in that of its task.
+TEST(JointRates, AreInTheFrameOfTheTask) {
+  testing::Random random;
+  const Arm panda = built_in("panda");
+  for (int i = 0; i < 100; ++i) {
+    const Configuration q = random.configuration(panda);
+    const Vector3 velocity = random.vector();
+    const JointRates own = joint_rates(panda, q, velocity, {.task = task_named("position:tool")});
+    const JointRates stated = joint_rates(
+        panda, q, velocity, {.task = task_named("position:tool"), .frame = Frame::tool});
+    EXPECT_EQ(own.rates, stated.rates);
+    const Rotation world_R_tool = forward_kinematics(panda, q).linear();
+    const JointRates in_world =
+        joint_rates(panda, q, (world_R_tool * velocity).eval(), {.task = Task::position()});
+    EXPECT_TRUE(own.rates.isApprox(in_world.rates, 1e-9));
+  }
 }
 
 TEST(JointRates, RefuseWhatDoesNotFit) {
@@ -174,7 +216,8 @@ TEST(JointRates, RefuseWhatDoesNotFit) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_REFUSED(joint_rates(rrr, q, Vector3(0, nan, 0)), "finite");
   EXPECT_REFUSED(joint_rates(rrr, q, Vector3(0, 0, 0), {.damping = -1}), "damping is -1");
-  EXPECT_REFUSED(joint_rates(panda, seven, Vector3(0, 0, 0), {.task = task_named("position:tool")}),
+  EXPECT_REFUSED(joint_rates(panda, seven, Vector3(0, 0, 0),
+                             {.task = task_named("position:tool"), .frame = Frame::base}),
                  "the frame must be tool, not base");
   EXPECT_TRUE(joint_rates(rrr, q, Vector3::Zero()));
 }

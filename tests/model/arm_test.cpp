@@ -61,7 +61,7 @@ TEST(Arm, ATcpIsOnItsToolAndAMountBelowItsBase) {
   Pose bent = Pose::Identity();
   bent.linear() *= 2;
   const Arm arm("arm", {turning("a")});
-  EXPECT_REFUSED(with_tcp(arm, bent), "the tool on the flange");
+  EXPECT_REFUSED(with_tcp(arm, bent), "the tool centre point");
   EXPECT_REFUSED(with_mount(arm, bent), "the mount");
 }
 

@@ -40,7 +40,7 @@ def test_links_multiply_to_the_tool(arm, rng):
     product = beeline.base_formula(arm).value(q)
     for i in range(1, len(arm.joints) + 1):
         product = product @ beeline.link_formula(arm, i, i - 1).value(q)
-    assert np.allclose(product @ beeline.flange_formula(arm).value(q), beeline.forward_kinematics(arm, q))
+    assert np.allclose(product @ beeline.tool_offset_formula(arm).value(q), beeline.forward_kinematics(arm, q))
 
 
 def test_the_time_derivative_has_joint_velocities(rng):

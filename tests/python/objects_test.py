@@ -41,6 +41,13 @@ def test_the_controllers_frames_stay_on_the_arm(arm):
         np.testing.assert_array_equal(copy.tool, tcp @ tcp)
         assert copy == cell != made
     assert np.array_equal(beeline.Arm("own", arm.joints, tool=tcp).flange, tcp)
+    assert not (made.controller_base_assumed or made.flange_assumed)
+    for stated in ({}, {"controller_base": root}, {"flange": tcp}, {"controller_base": root, "flange": tcp}):
+        placed = beeline.Arm("own", arm.joints, tool=tcp, **stated).with_tcp(tool_T_tcp=tcp).with_mount(mount)
+        for copy in (placed, pickle.loads(pickle.dumps(placed)), beeline.Arm.from_json(placed.to_json())):
+            assert copy.controller_base_assumed == ("controller_base" not in stated)
+            assert copy.flange_assumed == ("flange" not in stated)
+            np.testing.assert_array_equal(copy.flange, tcp)
     np.testing.assert_array_equal(beeline.arms.kr6_r900().controller_base, np.eye(4))
     assert not np.array_equal(beeline.arms.kr6_r900().base, np.eye(4))
 
@@ -182,6 +189,7 @@ def test_what_a_reader_selected_or_left_out_is_a_warning(tmp_path):
             "before_gripper", "jointGripper", "stator", ["mover"])
         assert str(selected).endswith('tip="mover" includes it')
         assert (fault.kind, fault.joint, fault.link, fault.line) == ("unknown_link", "camera", "nowhere", 5)
+        assert (fault.element, fault.element_fault, fault.others) == ("<parent>", "none", ["a", "b", "stator", "mover"])
         assert issued[0].filename == __file__
     with warnings.catch_warnings():
         warnings.simplefilter("error", beeline.ModelWarning)

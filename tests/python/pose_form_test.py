@@ -140,3 +140,14 @@ def test_joint_rates_name_what_is_lost_and_what_is_exceeded():
         beeline.joint_rates(RRR, BENT, np.zeros(6))
     with pytest.raises(beeline.Error, match="damping is -1"):
         beeline.joint_rates(RRR, BENT, np.zeros(3), damping=-1)
+
+
+def test_rates_without_a_known_limit_are_named():
+    ur5 = beeline.arms.ur5()
+    unknown = [k for k, limit in enumerate(ur5.velocity) if np.isinf(limit)]
+    assert beeline.joint_rates(ur5, [0.3, -1, 1, 0.4, 0.5, 0.2], np.ones(6)).without_limit == unknown != []
+    assert beeline.joint_rates(PANDA, PANDA.middle, np.ones(6)).without_limit == []
+    tool = beeline.joint_rates(PANDA, PANDA.middle, [0, 0, 0.1], task="position:tool")
+    assert np.array_equal(tool.rates, beeline.joint_rates(PANDA, PANDA.middle, [0, 0, 0.1], task="position:tool", frame="tool").rates)
+    with pytest.raises(beeline.Error, match="the frame must be tool, not base"):
+        beeline.joint_rates(PANDA, PANDA.middle, [0, 0, 0.1], task="position:tool", frame="base")

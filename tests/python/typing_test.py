@@ -9,7 +9,7 @@ import beeline
 
 
 # They take what has been checked when it was made.
-NOTHING_REFUSED = {"length_of", "span_of", "motion_limits", "tool_formula", "base_formula", "flange_formula", "latex",
+NOTHING_REFUSED = {"length_of", "span_of", "motion_limits", "tool_formula", "base_formula", "tool_offset_formula", "latex",
                    "time_derivative", "has_inverse_formula", "display_configuration"}  # fmt: skip
 
 

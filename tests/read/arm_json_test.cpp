@@ -22,6 +22,7 @@ void expect_same(const Arm& a, const Arm& b) {
   EXPECT_EQ(a.controller().base.matrix(), b.controller().base.matrix());
   EXPECT_EQ(a.controller().base_assumed, b.controller().base_assumed);
   EXPECT_EQ(a.controller().flange.matrix(), b.controller().flange.matrix());
+  EXPECT_EQ(a.controller().flange_assumed, b.controller().flange_assumed);
   ASSERT_EQ(a.joints().size(), b.joints().size());
   for (std::size_t i = 0; i < a.joints().size(); ++i) {
     const Joint &x = a.joints()[i], &y = b.joints()[i];
@@ -58,7 +59,11 @@ Arm adorned_arm(testing::Random& random) {
   }
   std::optional<ControllerFrames> controller;
   if (random.integer(0, 1) == 0) {
-    controller = ControllerFrames{.base = random.pose(), .flange = random.pose()};
+    const auto either = [&] { return random.integer(0, 1) == 0; };
+    controller = ControllerFrames{.base = either() ? random.pose() : Pose::Identity(),
+                                  .base_assumed = either(),
+                                  .flange = either() ? random.pose() : arm.tool(),
+                                  .flange_assumed = either()};
   }
   return {"arm \xc3\xa9", joints, arm.tool(), arm.base(), controller};
 }
@@ -126,10 +131,29 @@ TEST(ArmJson, TheControllersFramesAreOptional) {
   EXPECT_EQ(parse(R"(, "controller_base": {})").flange.translation().z(), 1);
   EXPECT_EQ(parse(R"(, "flange": {"xyz": [0, 0, 0.5]})").flange.translation().z(), 0.5);
   EXPECT_TRUE(parse(R"(, "flange": {})").base_assumed);
-  // A mount of an arm whose root frame is assumed moves that frame; the file states where it is.
-  const Pose mount = make_pose({0, 0, 3});
-  const Arm mounted = with_mount(parse_arm(R"({"name": "a", "joint_string": "RR"})"), mount);
-  EXPECT_EQ(parse_arm(arm_to_json(mounted)).controller().base.matrix(), mount.matrix());
+  EXPECT_FALSE(parse(R"(, "flange": {})").flange_assumed);
+  EXPECT_TRUE(parse(R"(, "controller_base": {})").flange_assumed);
+  EXPECT_TRUE(parse(R"(, "flange": {}, "flange_assumed": true)").flange_assumed);
+  EXPECT_REFUSED(parse(R"(, "flange_assumed": true)"), "given without the key \"flange\"");
+  EXPECT_REFUSED(parse(R"(, "controller_base": {}, "controller_base_assumed": 1)"),
+                 "controller_base_assumed");
+}
+
+/// A mount moves an assumed root frame, and a TCP leaves an assumed flange: a file says where each
+/// is, and that it is assumed.
+TEST(ArmJson, AssumedFramesOfTheControllerStayAssumed) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    const Arm placed = with_tcp(with_mount(arm, random.pose()), random.pose());
+    const ControllerFrames read = parse_arm(arm_to_json(placed)).controller();
+    EXPECT_EQ(read.base.matrix(), placed.controller().base.matrix()) << name;
+    EXPECT_EQ(read.base_assumed, arm.controller().base_assumed) << name;
+    EXPECT_EQ(read.flange.matrix(), arm.controller().flange.matrix()) << name;
+    EXPECT_EQ(read.flange_assumed, arm.controller().flange_assumed) << name;
+  }
+  EXPECT_TRUE(built_in("gp7").controller().base_assumed);
+  EXPECT_FALSE(built_in("ur5").controller().flange_assumed);
 }
 
 TEST(ArmJson, CompositesExpand) {

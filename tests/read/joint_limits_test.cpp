@@ -196,8 +196,8 @@ TEST(JointLimits, RefuseBadValuesWithLineAndKey) {
   };
   refused_for("-1", " must be at least 1e-09, not -1");
   refused_for("0", " must be at least 1e-09, not 0");
-  refused_for(".nan", ": \".nan\" is not a number");
-  refused_for("nan", ": \"nan\" must be finite");
+  refused_for(".nan", ": \".nan\" is not a limit; a limit is a number, or inf for none");
+  refused_for("-NaN", ": \"-NaN\" is not a limit");
   refused_for("-.inf", " must be at least 1e-09, not -inf");
   refused_for("fast", ": \"fast\" is not a number");
   refused_for("0x10", ": \"0x10\" is not a number");

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/pose/orientation.h>
+#include <beeline/pose/so3.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/pose_list.h>
 
@@ -170,6 +171,22 @@ TEST(PoseForm, DefectsOfMatricesAreNamed) {
 TEST(PoseForm, LongRotationVectorsAreReported) {
   EXPECT_EQ(parse_pose("1,2,3,0,-180,0", {.pose_form = PoseForm::rotvec}).max_angle, 180);
   EXPECT_EQ(parse_pose("1,2,3,0,-180,0", {.pose_form = PoseForm::abc}).max_angle, 0);
+}
+
+TEST(PoseForm, AVeryLongRotationVectorIsARotation) {
+  const PoseFormat format{.pose_form = PoseForm::rotvec};
+  for (const double length : {1e10, 1e149, 1e151, 1e308}) {
+    const Pose pose = parse_pose("0,0,0," + number(length) + ",0,0", format).pose;
+    const double angle = std::remainder(length, 2 * std::numbers::pi);
+    if (length < 1e15) {
+      EXPECT_TRUE(pose.linear().isApprox(so3_exp(Vector3(angle, 0, 0)), 1e-5)) << length;
+    }
+    EXPECT_TRUE((pose.linear() * pose.linear().transpose()).isIdentity(1e-12)) << length;
+    EXPECT_EQ(pose.linear()(0, 0), 1) << length;
+    EXPECT_EQ(parse_pose("0,0,0,0," + number(length) + ",0", format).max_angle, length);
+  }
+  EXPECT_REFUSED(parse_pose("0,0,0,1.7e308,1.7e308,0", format),
+                 "the length of the rotation vector exceeds the range of numbers, 1e308");
 }
 
 }  // namespace

@@ -226,15 +226,17 @@ TEST(UrdfChain, LeavesWithoutAMovingJointAreNoTips) {
 
 TEST(UrdfChain, AmongLeavesOfOneBodyToolZeroOrTheFirstIsTheTip) {
   EXPECT_EQ(selected_tip(with_frames({"flange", "camera"})),
-            "the tip is flange; other tips, fixed to the same link: camera");
+            "the tip is flange; other tips, fixed to the same link: camera; tip selects another");
   EXPECT_EQ(selected_tip(with_frames({"flange", "tool0", "camera"})),
-            "the tip is tool0; other tips, fixed to the same link: flange, camera");
+            "the tip is tool0; other tips, fixed to the same link: flange, camera; tip selects "
+            "another");
   EXPECT_EQ(selected_tip(with_frames({"flange", "camera"}), {.tip = "wrist"}), "");
 }
 
 TEST(UrdfChain, AmongOtherLeavesOnlyToolZeroIsTakenUnasked) {
   const std::string gripper = link("finger") + joint("j3", "prismatic", "wrist", "finger");
-  EXPECT_EQ(selected_tip(with_frames({"tool0"}) + gripper), "the tip is tool0; other tips: finger");
+  EXPECT_EQ(selected_tip(with_frames({"tool0"}) + gripper),
+            "the tip is tool0; other tips: finger; tip selects another");
   EXPECT_REFUSED(selected_tip(with_frames({"flange"}) + gripper),
                  "a.urdf: has 2 tips below base; choose one as the tip: flange, finger");
 }

@@ -5,7 +5,7 @@
 #include <beeline/read/urdf.h>
 
 #include <tests/random.h>
-#include <tests/read/urdf_samples.h>
+#include <tests/read/urdf_reading.h>
 #include <tests/refusal.h>
 
 // Faults of a URDF file: errors on the chain, warnings beside it.
@@ -13,28 +13,13 @@
 namespace beeline {
 namespace {
 
+using testing::arm;
 using testing::joint;
+using testing::Kinds;
 using testing::link;
+using testing::Read;
+using testing::read;
 using testing::robot;
-using Kinds = std::vector<ReadWarningKind>;
-
-struct Read {
-  int dof = 0;
-  std::vector<ReadWarning> warnings = {};
-  Kinds kinds = {};
-};
-
-Read read(const std::string& elements, const ChainEnds& ends = {}) {
-  Read result;
-  const Arm arm = arm_from_urdf(robot(elements), "a.urdf", ends, &result.warnings);
-  result.dof = arm.dof();
-  for (const ReadWarning& warning : result.warnings) result.kinds.push_back(warning.kind);
-  return result;
-}
-
-/// a - b - c, lines 2 to 6.
-const std::string arm = link("a") + link("b") + link("c") + joint("ab", "revolute", "a", "b") +
-                        joint("bc", "revolute", "b", "c");
 
 /// An element that is wrong, beside the arm, on line 7 or 8; `moves`: it may shorten the chain.
 struct Fault {
@@ -71,7 +56,9 @@ std::vector<Fault> faults() {
       {"<joint name=\"f\" type=\"revolute\"><parent link=\"a\"/></joint>\n", Kind::malformed, true},
       {"<joint name=\"f\"/>\n", Kind::malformed, true},
       {x + joint("f", "fixed", "a", "x", "<origin xyz=\"1 2\"/>"), Kind::malformed},
-      {x + joint("f", "fixed", "a", "x", "<xacro:insert_block name=\"origin\"/>"), Kind::malformed},
+      {x + joint("f", "fixed", "a", "x", "<xacro:insert_block name=\"origin\"/>"), Kind::xacro_tag},
+      {link("\xfcx") + joint("f", "fixed", "a", "\xfcx"), Kind::malformed},
+      {x + joint("\xfc", "fixed", "a", "x"), Kind::malformed},
       {"<xacro:include filename=\"gripper.xacro\"/>\n", Kind::xacro_tag},
       {"<xacro:property name=\"x\" value=\"1\"/>\n", Kind::xacro_tag},
   };
@@ -135,7 +122,7 @@ TEST(UrdfFaults, OnTheChainAreErrors) {
           std::string("6: joint \"bc\" needs a <parent link=...>"));
 }
 
-TEST(UrdfFaults, AreLimitedInNumberAndTime) {
+TEST(UrdfFaults, AreLimitedInNumber) {
   std::string text = arm;
   for (int i = 0; i < 20'000; ++i) {
     const std::string number = std::to_string(i);
@@ -148,10 +135,93 @@ TEST(UrdfFaults, AreLimitedInNumberAndTime) {
   EXPECT_EQ(result.warnings.back().count, 40'000u - 10);
 }
 
-TEST(UrdfFaults, TooManyAreRefused) {
+/// The first faults are listed, and the one that matters is found among very many.
+TEST(UrdfFaults, OfAnyNumberAreCounted) {
   std::string text;
   for (int i = 0; i < 10'100; ++i) text += "<xacro:a/>";
-  EXPECT_REFUSED(read(arm + text + arm), "has more than 10,000 faults");
+  const Read result = read(text + arm + text);
+  EXPECT_EQ(result.dof, 2);
+  ASSERT_EQ(result.warnings.size(), 11u);
+  EXPECT_EQ(result.kinds.front(), ReadWarningKind::xacro_tag);
+  EXPECT_EQ(result.warnings.back().count, 20'200u - 10);
+  EXPECT_REFUSED(read(text + arm + "<joint name=\"lost\" type=\"revolute\"/>" + text),
+                 "joint \"lost\" needs a <parent link=...>; --tip selects a chain beside it");
+  EXPECT_REFUSED(read(text + arm + text + link("b"), {.tip = "c"}), "two links have the name b");
+  std::string repeated;
+  for (int i = 0; i < 10'100; ++i) repeated += link("x");
+  EXPECT_EQ(read(arm + repeated, {.tip = "c"}).warnings.back().count, 10'099u + 1 - 10);
+}
+
+/// A deep chain of frames with as many faults beside it: time is linear in both.
+TEST(UrdfFaults, BesideADeepChainAreFoundInLinearTime) {
+  constexpr int count = 8000;
+  std::string text = arm, last = "c";
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    text += link("s" + n) + joint("j" + n, "fixed", last, "s" + n) + link("p" + n) + link("q" + n) +
+            joint("pq" + n, "fixed", "p" + n, "q" + n) + joint("qp" + n, "fixed", "q" + n, "p" + n);
+    last = "s" + n;
+  }
+  const Read result = read(text);
+  EXPECT_EQ(result.dof, 2);
+  EXPECT_EQ(result.kinds.front(), ReadWarningKind::cycle);
+  EXPECT_EQ(result.warnings.back().count, static_cast<std::size_t>(count) - 10);
+  const std::string back = joint("back", "fixed", last, "c");
+  EXPECT_REFUSED(read(text + back), "link c has two parents, by joints bc and back");
+  std::string hand = text + joint("finger", "prismatic", last, "f") + link("f");
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    hand += link("f" + n) + joint("finger" + n, "prismatic", last, "f" + n);
+  }
+  EXPECT_REFUSED(read(hand), "has 8001 tips below a");
+}
+
+/// What a warning of a fault says as data.
+TEST(UrdfFaults, AreData) {
+  const auto first = [](const std::string& elements) {
+    return read(arm + elements, {.tip = "c"}).warnings.front();
+  };
+  const std::string x = link("x");
+  struct Case {
+    std::string elements;
+    ElementFault fault;
+    std::string element, attribute, value;
+  };
+  const auto moved = [&](const std::string& inside) {
+    return x + joint("f", "revolute", "a", "x", inside);
+  };
+  for (const Case& wrong : std::vector<Case>{
+           {"<link/>\n", ElementFault::missing_attribute, "<link>", "name", ""},
+           {link(""), ElementFault::empty_name, "<link>", "name", ""},
+           {link("a\tb"), ElementFault::control_character, "<link>", "name", "a?b"},
+           {link("\xfc\xc3\xbc"), ElementFault::not_utf8, "<link>", "name", "\\xfc\xc3\xbc"},
+           {"<joint name=\"f\" type=\"fixed\"><parent link=\"a\"/></joint>\n",
+            ElementFault::missing_end, "<child>", "", ""},
+           {moved("<axis xyz=\"0 1\"/>"), ElementFault::not_three_numbers, "<axis>", "xyz", ""},
+           {moved("<origin xyz=\"0 ${a} 1\"/>"), ElementFault::not_a_number, "<origin>", "xyz",
+            "${a}"},
+           {moved("<origin xyz=\"0 1e999 1\"/>"), ElementFault::out_of_range, "<origin>", "xyz",
+            "1e999"},
+           {moved("<origin rpy=\"0 nan 1\"/>"), ElementFault::not_finite, "<origin>", "rpy", "nan"},
+           {moved("<limit lower=\"\"/>"), ElementFault::missing_number, "<limit>", "lower", ""},
+           {moved("<limit upper=\"NaN\"/>"), ElementFault::not_a_limit, "<limit>", "upper",
+            "NaN"}}) {
+    const ReadWarning warning = first(wrong.elements);
+    EXPECT_EQ(warning.kind, ReadWarningKind::malformed);
+    EXPECT_EQ(warning.element_fault, wrong.fault) << sentence(warning);
+    EXPECT_EQ(warning.element, wrong.element) << sentence(warning);
+    EXPECT_EQ(warning.attribute, wrong.attribute) << sentence(warning);
+    EXPECT_EQ(warning.value, wrong.value) << sentence(warning);
+  }
+  EXPECT_EQ(first(moved("<axis xyz=\"0 1\"/>")).count, 2u);
+  EXPECT_EQ(first(moved("<axis xyz=\"0 1\"/>")).joint, "f");
+  const ReadWarning unknown = first(joint("f", "fixed", "cc", "x") + x);
+  EXPECT_EQ(unknown.link, "cc");
+  EXPECT_EQ(unknown.element, "<parent>");
+  EXPECT_EQ(unknown.others, (std::vector<std::string>{"a", "b", "c", "x"}));
+  const ReadWarning two = first(x + joint("f", "fixed", "a", "x") + joint("g", "fixed", "b", "x"));
+  EXPECT_EQ(two.others, std::vector<std::string>{"f"});
+  EXPECT_EQ(two.joint, "g");
 }
 
 /// A random tree with links that are missing: every chain that does not need them is read as
@@ -256,7 +326,9 @@ TEST(UrdfTip, LiesBeforeTheJointsOfAGripper) {
     EXPECT_EQ(warning.joint, name);
     EXPECT_EQ(warning.link, "c");
     EXPECT_EQ(warning.others, std::vector<std::string>{child});
-    EXPECT_EQ(sentence(warning), "the tip is c, before joint " + name + ", which moves a gripper");
+    const std::string choice = "the tip is c, before joint " + name + ", which moves a gripper; ";
+    EXPECT_EQ(sentence(warning), choice + "tip=\"" + child + "\" includes it");
+    EXPECT_EQ(sentence(warning, OptionStyle::command), choice + "--tip " + child + " includes it");
     EXPECT_EQ(read(text, {.tip = child}).dof, 3);
     EXPECT_EQ(read(text, {.tip = child}).kinds, Kinds{});
     EXPECT_EQ(read(text, {.tip = "c"}).kinds, Kinds{});
@@ -298,28 +370,6 @@ TEST(UrdfTip, StaysWhereNothingButAGripperOrItsMountMoves) {
                              joint("finger_2", "revolute", "b", "c");
   EXPECT_EQ(read(finger).dof, 2);
   EXPECT_EQ(read(finger).kinds, Kinds{});
-}
-
-TEST(UrdfEncoding, Latin1IsReadWhereItIsDeclaredOrHarmless) {
-  const std::string text = robot(
-      "<!-- gr\xf6\xdf"
-      "e -->\n" +
-      arm);
-  EXPECT_EQ(arm_from_urdf(text, "a.urdf").dof(), 2);
-  const std::string named = robot(link("a") +
-                                  link("gr\xf6\xdf"
-                                       "e") +
-                                  joint("j", "revolute", "a",
-                                        "gr\xf6\xdf"
-                                        "e"));
-  EXPECT_REFUSED(
-      arm_from_urdf(named, "a.urdf"),
-      "a.urdf:3: <link>: name \"gr??e\" is not UTF-8 text, perhaps Latin-1; save the file "
-      "as UTF-8");
-  for (const std::string name : {"ISO-8859-1", "iso-8859-1", "latin1"}) {
-    const std::string declared = "<?xml version=\"1.0\" encoding=\"" + name + "\"?>\n" + named;
-    EXPECT_EQ(arm_from_urdf(declared, "a.urdf").joints().front().link, "gr\u00f6\u00dfe") << name;
-  }
 }
 
 }  // namespace

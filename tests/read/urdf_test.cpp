@@ -152,6 +152,7 @@ TEST(Urdf, TheLinksBaseAndTool0AreTheControllersFrames) {
   EXPECT_FALSE(from_world.base_assumed);
   EXPECT_EQ(from_world.base.translation(), Vector3(1, 0, 2));
   EXPECT_EQ(from_world.flange.translation(), Vector3(0, 3, 0));
+  EXPECT_FALSE(from_world.flange_assumed);
   const ControllerFrames from_a =
       parse_urdf(cell("stand", "b"), {.base = "a", .tip = "b"}).controller();
   EXPECT_EQ(from_a.base.translation(), Vector3(0, -1, 2));
@@ -161,6 +162,7 @@ TEST(Urdf, TheLinksBaseAndTool0AreTheControllersFrames) {
   // On the other side of the joint they are other frames.
   const ControllerFrames other = parse_urdf(cell("b", "a"), {.base = "", .tip = "b"}).controller();
   EXPECT_TRUE(other.base_assumed);
+  EXPECT_TRUE(other.flange_assumed);
   EXPECT_TRUE(other.base.matrix().isIdentity(0));
   EXPECT_TRUE(other.flange.matrix().isIdentity(0));
   // Up the tree, the chain begins at b and ends at a.

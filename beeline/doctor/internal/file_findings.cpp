@@ -17,8 +17,10 @@ std::string in_line(const std::string& path, int line) { return path + ":" + std
 
 void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const UrdfFile file = parse_urdf(read_file(path), path);
+  constexpr std::size_t most_angles = 10;  // a file has many joints beside the chain
+  std::size_t angles = 0;
   for (const UrdfFile::Joint& joint : file.joints) {
-    if (joint.rpy.cwiseAbs().maxCoeff() > one_turn) {
+    if (joint.rpy.cwiseAbs().maxCoeff() > one_turn && ++angles <= most_angles) {
       found.push_back({.kind = FindingKind::angle_unit,
                        .place = "joint " + joint.name,
                        .what = "rpy " + number(joint.rpy.x()) + " " + number(joint.rpy.y()) + " " +
@@ -46,6 +48,12 @@ void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>&
                        .remedy = "write it with unit length"});
     }
   }
+  if (angles <= most_angles) return;
+  found.push_back({.kind = FindingKind::angle_unit,
+                   .place = "file",
+                   .what = "rpy beyond a revolution of " + std::to_string(angles - most_angles) +
+                           " more joints: degrees?",
+                   .remedy = "write radians"});
 }
 
 AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
@@ -78,8 +86,8 @@ AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Find
 }
 
 /// What to write instead.
-std::string remedy_for(ReadWarningKind kind) {
-  switch (kind) {
+std::string remedy_for(const ReadWarning& warning) {
+  switch (warning.kind) {
     case ReadWarningKind::xacro_tag:
       return "run xacro and pass the URDF that it writes";
     case ReadWarningKind::unknown_link:
@@ -93,7 +101,9 @@ std::string remedy_for(ReadWarningKind kind) {
     case ReadWarningKind::further_faults:
       return "mend those above first";
     default:
-      return "write the attribute, or delete the element";
+      return warning.element_fault == ElementFault::not_utf8
+                 ? "save the file as UTF-8"
+                 : "write the attribute, or delete the element";
   }
 }
 
@@ -105,7 +115,7 @@ void find_faults(const std::vector<ReadWarning>& warnings, std::vector<Finding>&
     found.push_back({.kind = FindingKind::fault,
                      .place = warning.line > 0 ? "line " + std::to_string(warning.line) : "file",
                      .what = sentence(warning),
-                     .remedy = remedy_for(warning.kind)});
+                     .remedy = remedy_for(warning)});
   }
 }
 

@@ -122,7 +122,12 @@ class Builder {
 
   bool parse_error(std::size_t /*byte*/, const std::string& token,
                    const nlohmann::json::exception& error) {
-    if (token.starts_with('"') && !is_utf8(token)) refuse(std::string(not_utf8));
+    if (token.starts_with('"') && !is_utf8(token)) refuse(not_utf8(token));
+    if (is_not_finite(token)) {
+      refuse(
+          "is not JSON: its numbers have no NaN and no infinity; leave out a limit that is not "
+          "known");
+    }
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..."
     std::string_view why = error.what();
     why.remove_prefix(std::min(why.size(), why.find("] ") + 2));
@@ -134,6 +139,13 @@ class Builder {
   }
 
  private:
+  /// Whether the characters at which the parser stopped begin NaN, nan, Infinity, -Infinity or inf.
+  static bool is_not_finite(const std::string& text) {
+    const std::string token = text.substr(text.find_last_of(" \t\r\n,:[{") + 1);
+    return token == "N" || token == "na" || token == "I" || token == "-I" || token == "i" ||
+           token == "-i";
+  }
+
   [[noreturn]] void refuse(const std::string& why) const {
     throw FileError(path_, characters_.line(), why);
   }

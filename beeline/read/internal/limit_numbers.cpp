@@ -2,12 +2,13 @@
 #include <limits>
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {
 
-double parse_limit(std::string_view text, std::string_view what) {
+NumberFault read_limit(std::string_view text, double& value) {
   std::string_view digits = trimmed(text);
   const bool negative = digits.starts_with('-');
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
@@ -15,16 +16,24 @@ double parse_limit(std::string_view text, std::string_view what) {
   std::string lower(digits.substr(0, 16));
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (lower == "nan" || lower == ".nan") return NumberFault::not_a_limit;
   bool infinite = lower == "inf" || lower == "infinity" || lower == ".inf";
   if (!infinite) {
-    double value = 0;
     const char* const last = digits.data() + digits.size();
     const auto [end, fault] = parse_double(digits.data(), last, value);
     infinite = fault == std::errc::result_out_of_range && end == last && std::isinf(value) &&
                !digits.starts_with('-');
   }
-  if (infinite) return negative ? -infinity : infinity;
-  return parse_number(text, what);
+  if (!infinite) return read_number(text, value);
+  value = negative ? -infinity : infinity;
+  return NumberFault::none;
+}
+
+double parse_limit(std::string_view text, std::string_view what) {
+  double value = 0;
+  const NumberFault fault = read_limit(text, value);
+  if (fault != NumberFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
+  return value;
 }
 
 }  // namespace beeline::internal

@@ -4,12 +4,16 @@
 #include <string_view>
 
 #include <beeline/model/internal/ranges.h>
+#include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {
 
 // URDF and YAML files say "no limit" by an infinity, by the largest float or double, by 1e16 (the
 // default of SDFormat) or by another number beyond any joint. Every number beyond the range of
 // limits that an Arm accepts stands for none.
+
+/// Parses a limit as parse_limit(). With a fault `value` is not defined.
+NumberFault read_limit(std::string_view text, double& value);
 
 /// Parses a number as parse_number(), or an infinity: `inf`, `-Infinity`, `.inf` as in YAML,
 /// `1e999`. Throws Error, which begins with `what`, for anything else.

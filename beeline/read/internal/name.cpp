@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
 #include <beeline/model/arm.h>
@@ -31,15 +33,51 @@ std::string printable(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
-void check_name(std::string_view name, std::string_view what) {
-  constexpr std::size_t max_length = 1000;
-  const auto refuse = [&](const std::string& why) { throw Error(std::string(what) + " " + why); };
-  if (name.empty()) refuse("is empty");
-  if (name.size() > max_length) refuse(in_quotes(name) + " is longer than 1000 bytes");
-  if (!is_utf8(name)) refuse(in_quotes(name) + " is not UTF-8 text");
-  for (const char c : name) {
-    if (is_control(c)) refuse(in_quotes(name) + " contains a control character");
+std::string with_escaped_bytes(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) {
+      const auto byte = static_cast<unsigned char>(text[0]);
+      escaped += "\\x";
+      escaped += {digits[byte / 16], digits[byte % 16]};
+    } else {
+      escaped += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
   }
+  return escaped;
+}
+
+NameFault name_fault(std::string_view name) {
+  constexpr std::size_t max_length = 1000;
+  if (name.empty()) return NameFault::empty;
+  if (name.size() > max_length) return NameFault::too_long;
+  if (!is_utf8(name)) return NameFault::not_utf8;
+  const bool controls = std::any_of(name.begin(), name.end(), [](char c) { return is_control(c); });
+  return controls ? NameFault::control_character : NameFault::none;
+}
+
+std::string clause(NameFault fault, std::string_view name) {
+  switch (fault) {
+    case NameFault::empty:
+      return "is empty";
+    case NameFault::too_long:
+      return in_quotes(name) + " is longer than 1000 bytes";
+    case NameFault::not_utf8:
+      return in_quotes(name) + " is not UTF-8 text";
+    case NameFault::control_character:
+      return in_quotes(name) + " contains a control character";
+    case NameFault::none:
+      break;
+  }
+  return in_quotes(name) + " is a name";
+}
+
+void check_name(std::string_view name, std::string_view what) {
+  const NameFault fault = name_fault(name);
+  if (fault != NameFault::none) throw Error(std::string(what) + " " + clause(fault, name));
 }
 
 void check_names(const Arm& arm) {

@@ -33,21 +33,41 @@ std::from_chars_result parse_double(const char* first, const char* last, double&
   return {end, overflow || underflow ? std::errc::result_out_of_range : std::errc()};
 }
 
-double parse_number(std::string_view text, std::string_view what) {
+std::string clause(NumberFault fault, std::string_view text) {
+  const std::string shown = in_quotes(trimmed(text));
+  switch (fault) {
+    case NumberFault::missing:
+      return "a number is missing";
+    case NumberFault::not_a_number:
+      return shown + " is not a number";
+    case NumberFault::out_of_range:
+      return shown + " is out of the range of numbers, 1e-308 to 1e308";
+    case NumberFault::not_finite:
+      return shown + " must be finite";
+    case NumberFault::not_a_limit:
+      return shown + " is not a limit; a limit is a number, or inf for none";
+    case NumberFault::none:
+      break;
+  }
+  return shown + " is a number";
+}
+
+NumberFault read_number(std::string_view text, double& value) {
   std::string_view digits = trimmed(text);
-  const auto refuse = [&](const char* why) {
-    throw Error(std::string(what) + ": " + in_quotes(trimmed(text)) + " " + why);
-  };
-  if (digits.empty()) throw Error(std::string(what) + ": a number is missing");
+  if (digits.empty()) return NumberFault::missing;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-  double value = 0;
   const auto [end, fault] = parse_double(digits.data(), digits.data() + digits.size(), value);
   if (fault == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-    refuse("is not a number");
+    return NumberFault::not_a_number;
   }
-  if (fault == std::errc::result_out_of_range)
-    refuse("is out of the range of numbers, 1e-308 to 1e308");
-  if (!std::isfinite(value)) refuse("must be finite");
+  if (fault == std::errc::result_out_of_range) return NumberFault::out_of_range;
+  return std::isfinite(value) ? NumberFault::none : NumberFault::not_finite;
+}
+
+double parse_number(std::string_view text, std::string_view what) {
+  double value = 0;
+  const NumberFault fault = read_number(text, value);
+  if (fault != NumberFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
   return value;
 }
 

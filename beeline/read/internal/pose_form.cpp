@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
@@ -33,10 +34,21 @@ bool same_ignoring_case(const std::string& a, const std::string& b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// The rotation of a rotation vector. Of a very long one so3_exp() would overflow.
+Rotation rotation_by(const Vector3& rotation_vector) {
+  constexpr double max_length = 1e150;
+  const double angle = rotation_vector.stableNorm();
+  if (angle <= max_length) return so3_exp(rotation_vector);
+  if (!std::isfinite(angle)) {
+    throw Error("the length of the rotation vector exceeds the range of numbers, 1e308");
+  }
+  return so3_exp(std::remainder(angle, 2 * std::numbers::pi) * (rotation_vector / angle));
+}
+
 /// The rotation of a pose in a form other than the matrix: `v` has the numbers of its orientation.
 Rotation rotation_in(PoseForm form, std::span<const double> v, AngleUnit unit) {
   if (form == PoseForm::quaternion) return rotation_from_quaternion(v[0], v[1], v[2], v[3]);
-  if (form == PoseForm::rotvec) return so3_exp({v[0], v[1], v[2]});
+  if (form == PoseForm::rotvec) return rotation_by(Vector3(v[0], v[1], v[2]));
   if (form == PoseForm::abc) {
     const auto radians = [&](int i) { return to_radians(v[i], AngleUnit::degrees); };
     return rotation(RollPitchYaw{.roll = radians(2), .pitch = radians(1), .yaw = radians(0)});
@@ -170,7 +182,7 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
                              rotation_in(*columns.form, rest, format.unit));
     if (columns.form == PoseForm::rpy) written.max_angle = to_radians(largest(rest), format.unit);
     if (columns.form == PoseForm::rotvec)
-      written.max_angle = Vector3(rest[0], rest[1], rest[2]).norm();
+      written.max_angle = Vector3(rest[0], rest[1], rest[2]).stableNorm();
   } else if (columns.planar) {
     written.max_angle = columns.oriented ? to_radians(numbers[2], format.unit) : 0;
     written.pose = to_space(Pose2{numbers[0], numbers[1], written.max_angle});

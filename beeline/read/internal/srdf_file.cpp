@@ -20,14 +20,14 @@ Srdf::Group read_group(const XmlElements& elements, const XMLElement& element) {
   for (const XMLElement* at = element.FirstChildElement(); at; at = at->NextSiblingElement()) {
     const std::string_view tag = at->Name();
     if (tag == "chain") {
-      group.chains.push_back({.base = elements.needed_text(*at, "base_link"),
-                              .tip = elements.needed_text(*at, "tip_link")});
+      group.chains.push_back({.base = elements.needed_name(*at, "base_link"),
+                              .tip = elements.needed_name(*at, "tip_link")});
     } else if (tag == "joint") {
-      group.joints.push_back(elements.needed_text(*at, "name"));
+      group.joints.push_back(elements.needed_name(*at, "name"));
     } else if (tag == "link") {
-      group.links.push_back(elements.needed_text(*at, "name"));
+      group.links.push_back(elements.needed_name(*at, "name"));
     } else if (tag == "group") {
-      group.groups.push_back(elements.needed_text(*at, "name"));
+      group.groups.push_back(elements.needed_name(*at, "name"));
     }
   }
   return group;
@@ -40,7 +40,7 @@ Srdf::State read_state(const XmlElements& elements, const XMLElement& element) {
   state.line = element.GetLineNum();
   for (const XMLElement* at = element.FirstChildElement("joint"); at;
        at = at->NextSiblingElement("joint")) {
-    const std::string joint = elements.needed_text(*at, "name");
+    const std::string joint = elements.needed_name(*at, "name");
     if (!state.joints.emplace(joint, elements.numbers(*at, "value")).second) {
       elements.refuse(at->GetLineNum(), "state " + state.name + " gives joint " + joint + " twice");
     }
@@ -79,7 +79,7 @@ Srdf srdf_from_text(std::string_view text, const std::string& path) {
       if (states.insert(state.name + '\n' + state.group).second) continue;
       elements.refuse(at->GetLineNum(), "two states of one group have the name " + state.name);
     } else if (tag == "virtual_joint") {
-      srdf.virtual_joints.push_back(elements.needed_text(*at, "name"));
+      srdf.virtual_joints.push_back(elements.needed_name(*at, "name"));
     }
   }
   return srdf;

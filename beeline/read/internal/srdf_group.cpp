@@ -13,7 +13,7 @@ namespace {
 
 using internal::UrdfFile;
 
-constexpr std::size_t max_chains = 100;  // each takes the time of the whole tree
+constexpr std::size_t max_chains = 100;  // each takes the time of a walk through the whole tree
 
 /// Collects what a group and the groups in it consist of.
 class GroupMembers {
@@ -112,10 +112,11 @@ ChainEnds internal::group_ends(const Srdf& srdf, const std::string& group, std::
     if (members.chains().size() > max_chains) {
       throw Error("has more than " + std::to_string(max_chains) + " chains");
     }
+    const UrdfTree tree(file);
     for (const ChainEnds& ends : members.chains()) {
-      for (const ChainJoint& joint : cut_chain(file, ends)) joints.insert(joint.index);
+      for (const ChainJoint& joint : cut_chain(tree, ends)) joints.insert(joint.index);
     }
-    return ends_of_joints(file, {joints.begin(), joints.end()});
+    return tree.ends_of({joints.begin(), joints.end()});
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
+#include <beeline/read/internal/name.h>
 #include <beeline/read/internal/text_encoding.h>
 
 namespace beeline::internal {
@@ -30,12 +32,23 @@ std::string wide_encoding(std::string_view bytes) {
 
 }  // namespace
 
+std::string not_utf8(std::string_view text) {
+  while (!text.empty() && utf8_length(text) > 0) text.remove_prefix(utf8_length(text));
+  const std::string byte = with_escaped_bytes(text.substr(0, 1));  // \xfc
+  return "is not UTF-8 text (byte 0" + byte.substr(std::min<std::size_t>(1, byte.size())) +
+         "), " + utf8_remedy;
+}
+
 std::string_view text_in(std::string_view bytes, const std::string& path) {
   const std::string encoding = wide_encoding(bytes);
   if (!encoding.empty()) throw FileError(path, 0, "is " + encoding + "; save it as UTF-8");
   if (bytes.starts_with(utf8_mark)) bytes.remove_prefix(utf8_mark.size());
   refuse_lfs_pointer(bytes, path);
-  return bytes;
+  const std::size_t zero = bytes.find('\0');
+  if (zero == std::string_view::npos) return bytes;
+  const auto line = 1 + std::count(bytes.begin(), bytes.begin() + zero, '\n');
+  throw FileError(path, static_cast<int>(line),
+                  "has a byte of 0, which no text has; the file is binary or damaged");
 }
 
 void refuse_lfs_pointer(std::string_view bytes, const std::string& path) {

@@ -54,9 +54,7 @@ void begin_below_free_joint(const UrdfFile& file, Chain& chain,
 
 void check_faults(const UrdfFile& file, const UrdfTree& tree, const Chain& chain,
                   bool tip_is_given) {
-  for (const UrdfFault& fault : tree.faults()) {
-    if (tree.concerns(fault, chain)) throw error_of(file, fault);
-  }
+  if (const UrdfFault* fault = tree.first_fault_on(chain)) throw error_of(file, *fault);
   if (tip_is_given) return;
   for (const UrdfFault& fault : tree.faults()) {
     if (fault.moves) throw error_of(file, fault, "; --tip selects a chain beside it");
@@ -67,19 +65,24 @@ void warn_of_faults(const UrdfFile& file, const UrdfTree& tree,
                     std::vector<ReadWarning>& warnings) {
   constexpr std::size_t most = 10;
   const std::vector<UrdfFault>& faults = tree.faults();
-  for (std::size_t i = 0; i < std::min(most, faults.size()); ++i) {
-    warnings.push_back(warning_of(file, faults[i]));
-  }
-  if (faults.size() <= most) return;
+  const std::size_t listed = std::min(most, faults.size());
+  for (std::size_t i = 0; i < listed; ++i) warnings.push_back(warning_of(file, faults[i]));
+  const std::size_t further = faults.size() - listed + file.further_faults;
+  if (further == 0) return;
   warnings.push_back(
-      {.kind = ReadWarningKind::further_faults, .path = file.path, .count = faults.size() - most});
+      {.kind = ReadWarningKind::further_faults, .path = file.path, .count = further});
 }
 
 }  // namespace
 
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
                                   std::vector<ReadWarning>* warnings) {
-  const UrdfTree tree(file);
+  return cut_chain(UrdfTree(file), ends, warnings);
+}
+
+std::vector<ChainJoint> cut_chain(const UrdfTree& tree, const ChainEnds& ends,
+                                  std::vector<ReadWarning>* warnings) {
+  const UrdfFile& file = tree.file();
   const std::size_t base = tree.base(ends.base);
   const UrdfTree::Tip tip = tree.tip(ends.tip, base);
   Chain chain = tree.chain(base, tip.link);

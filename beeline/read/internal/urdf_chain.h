@@ -15,5 +15,8 @@ namespace beeline::internal {
 /// meant to have; and when several chains match `ends`.
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
                                   std::vector<ReadWarning>* warnings = nullptr);
+/// The same of the file's tree.
+std::vector<ChainJoint> cut_chain(const UrdfTree& tree, const ChainEnds& ends,
+                                  std::vector<ReadWarning>* warnings = nullptr);
 
 }  // namespace beeline::internal

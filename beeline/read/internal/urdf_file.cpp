@@ -44,38 +44,26 @@ Limits read_limits(const XmlElements& elements, const XMLElement& limit, bool co
 }
 
 Mimic read_mimic(const XmlElements& elements, const XMLElement& mimic) {
-  return {.leader = elements.needed_text(mimic, "joint"),
+  return {.leader = with_escaped_bytes(elements.needed_text(mimic, "joint")),
           .multiplier = elements.number_or(mimic, "multiplier", 1),
           .offset = elements.number_or(mimic, "offset", 0)};
 }
 
+/// The name in UTF-8 of the link that the joint connects.
 std::string read_end(const XmlElements& elements, const XMLElement& joint, const char* end) {
   const XMLElement* element = joint.FirstChildElement(end);
   if (element == nullptr) {
-    elements.refuse(joint.GetLineNum(), "joint " + in_quotes(joint.Attribute("name")) +
-                                            " needs a <" + end + " link=...>");
+    throw XmlError({.path = elements.path(),
+                    .line = joint.GetLineNum(),
+                    .joint = with_escaped_bytes(elements.needed_text(joint, "name")),
+                    .element = "<" + std::string(end) + ">",
+                    .element_fault = ElementFault::missing_end});
   }
-  return elements.needed_text(*element, "link");
+  return with_escaped_bytes(elements.needed_text(*element, "link"));
 }
 
-/// Reads what a tree of links needs.
-UrdfFile::Joint read_connection(const XmlElements& elements, const XMLElement& element) {
-  UrdfFile::Joint joint;
-  joint.name = elements.needed_name(element, "name");
-  joint.type = elements.needed_text(element, "type");
-  joint.line = element.GetLineNum();
-  joint.parent = read_end(elements, element, "parent");
-  joint.child = read_end(elements, element, "child");
-  return joint;
-}
-
-/// Reads the remainder of a joint.
+/// Reads the joint's motion and origin.
 void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFile::Joint& joint) {
-  for (const XMLElement* at = element.FirstChildElement(); at; at = at->NextSiblingElement()) {
-    if (!is_xacro(*at)) continue;
-    elements.refuse(at->GetLineNum(), "joint " + joint.name + " contains " + described(*at) +
-                                          "; run xacro first and pass the URDF that it writes");
-  }
   read_origin(elements, element, joint);
   if (!has_one_dof(joint)) return;  // many files give a fixed joint an axis of zeros
   if (const XMLElement* axis = element.FirstChildElement("axis")) {
@@ -92,7 +80,7 @@ void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFil
   }
 }
 
-constexpr std::size_t max_faults = 10'000;  // bounds their memory
+constexpr std::size_t max_faults = 10'000;  // bounds the memory of those without a name
 
 /// Reads the elements of a file. What cannot be read becomes a fault.
 class Reader {
@@ -100,10 +88,7 @@ class Reader {
   explicit Reader(UrdfFile& file) : file_(file), elements_(file.path) {}
 
   void read(const XMLElement& element) {
-    if (file_.faults.size() > max_faults) {
-      elements_.refuse(element.GetLineNum(), "has more than 10,000 faults");
-    }
-    if (is_xacro(element)) return add_xacro(element);
+    if (is_xacro(element)) return add(xacro_fault(element));
     const std::string_view tag = element.Name();
     if (tag != "link" && tag != "joint") return;
     try {
@@ -111,54 +96,97 @@ class Reader {
     } catch (const XmlError& error) {  // without its ends a joint has no place in the tree
       const char* type = element.Attribute("type");
       const bool moves = tag == "joint" && (type == nullptr || std::string_view(type) != "fixed");
-      file_.faults.push_back({.line = error.line, .clause = error.clause, .moves = moves});
+      add({.warning = error.fault, .moves = moves});
     }
   }
 
  private:
-  void add_xacro(const XMLElement& element) {
-    file_.faults.push_back({.kind = ReadWarningKind::xacro_tag,
-                            .line = element.GetLineNum(),
-                            .element = described(element),
-                            .clause = "is a xacro file (it contains " + described(element) +
-                                      "); run xacro first and pass the URDF that it writes"});
+  static UrdfFault xacro_fault(const XMLElement& element) {
+    return {.warning = {.kind = ReadWarningKind::xacro_tag,
+                        .line = element.GetLineNum(),
+                        .element = described(element)}};
+  }
+
+  /// Beyond max_faults one that no chain can have, and that changes no answer, is only counted.
+  void add(UrdfFault fault) {
+    fault.warning.path.clear();  // all have the same
+    const bool on_chain = fault.index || !fault.warning.link.empty();
+    const bool first_move = fault.moves && !moves_;
+    moves_ = moves_ || fault.moves;
+    if (file_.faults.size() < max_faults || on_chain || first_move) {
+      file_.faults.push_back(std::move(fault));
+    } else {
+      ++file_.further_faults;
+    }
+  }
+
+  /// Returns the name in UTF-8. Another encoding is a fault of the link or the joint of that name.
+  std::string read_name(const XMLElement& element, std::optional<std::size_t> joint) {
+    const std::string bytes = elements_.needed_text(element, "name");
+    const std::string name = elements_.checked_name(element, "name", with_escaped_bytes(bytes));
+    if (is_utf8(bytes)) return name;
+    ReadWarning warning{.line = element.GetLineNum(),
+                        .element = described(element),
+                        .element_fault = ElementFault::not_utf8,
+                        .attribute = "name",
+                        .value = name};
+    (joint ? warning.joint : warning.link) = name;
+    add({.warning = std::move(warning), .index = joint});
+    return name;
   }
 
   void add_link(const XMLElement& element) {
-    const std::string name = elements_.needed_name(element, "name");
+    const std::string name = read_name(element, std::nullopt);
     const int line = element.GetLineNum();
     if (links_.insert(name).second) {
       file_.links.push_back({name, line});
+    } else if (repeated_.insert(name).second || file_.faults.size() < max_faults) {
+      add({.warning = {.kind = ReadWarningKind::repeated_name, .line = line, .link = name}});
     } else {
-      file_.faults.push_back({.kind = ReadWarningKind::repeated_name,
-                              .line = line,
-                              .link = name,
-                              .clause = "two links have the name " + name});
+      ++file_.further_faults;
     }
   }
 
   void add_joint(const XMLElement& element) {
-    UrdfFile::Joint joint = read_connection(elements_, element);
     const std::size_t index = file_.joints.size();
+    UrdfFile::Joint joint;
+    joint.line = element.GetLineNum();
+    joint.parent = read_end(elements_, element, "parent");
+    joint.child = read_end(elements_, element, "child");
+    joint.type = elements_.needed_text(element, "type");
+    joint.name = read_name(element, index);
     if (!joints_.insert(joint.name).second) {
-      file_.faults.push_back({.kind = ReadWarningKind::repeated_name,
-                              .line = joint.line,
-                              .joint = joint.name,
-                              .clause = "two joints have the name " + joint.name,
-                              .index = index});
+      add({.warning = {.kind = ReadWarningKind::repeated_name,
+                       .line = joint.line,
+                       .joint = joint.name},
+           .index = index});
+    }
+    read_remainder(element, joint, index);
+    file_.joints.push_back(std::move(joint));
+  }
+
+  /// What a joint has besides its place in the tree.
+  void read_remainder(const XMLElement& element, UrdfFile::Joint& joint, std::size_t index) {
+    for (const XMLElement* at = element.FirstChildElement(); at; at = at->NextSiblingElement()) {
+      if (!is_xacro(*at)) continue;
+      UrdfFault fault = xacro_fault(*at);
+      fault.warning.joint = joint.name;
+      fault.index = index;
+      return add(std::move(fault));
     }
     try {
       read_motion(elements_, element, joint);
     } catch (const XmlError& error) {
-      file_.faults.push_back(
-          {.line = error.line, .joint = joint.name, .clause = error.clause, .index = index});
+      UrdfFault fault{.warning = error.fault, .index = index};
+      fault.warning.joint = joint.name;
+      add(std::move(fault));
     }
-    file_.joints.push_back(std::move(joint));
   }
 
   UrdfFile& file_;
   const XmlElements elements_;
-  std::unordered_set<std::string> links_, joints_;
+  std::unordered_set<std::string> links_, joints_, repeated_;
+  bool moves_ = false;  ///< a fault that moves has been added
 };
 
 }  // namespace

@@ -12,11 +12,7 @@ namespace beeline::internal {
 
 /// A fault of a URDF file. On the chain it is an error, beside the chain a warning.
 struct UrdfFault {
-  ReadWarningKind kind = ReadWarningKind::malformed;
-  int line = 0;
-  std::string joint = {}, link = {};      ///< what it concerns
-  std::string element = {};               ///< of a xacro_tag
-  std::string clause = {};                ///< of its message; see error_of()
+  ReadWarning warning;                    ///< without its path; warning_of() completes it
   std::optional<std::size_t> index = {};  ///< of the joint in `UrdfFile::joints`
   bool moves = false;                     ///< the chain that the file's author meant may need it
 };
@@ -43,6 +39,8 @@ struct UrdfFile {
   std::vector<Link> links;
   std::vector<Joint> joints;      ///< those with a name, a type, a parent and a child
   std::vector<UrdfFault> faults;  ///< in the file's order
+  /// The number of further ones that no chain can have: beyond 10,000, elements without a name.
+  std::size_t further_faults = 0;
 };
 
 /// Whether the joint has one degree of freedom: revolute, continuous or prismatic.
@@ -52,9 +50,9 @@ bool has_one_dof(const UrdfFile::Joint& joint);
 bool is_free(const UrdfFile::Joint& joint);
 
 /// Parses a URDF text. Its faults are recorded: elements that xacro should have replaced, an
-/// attribute that is missing or not a number, a name that is missing or given twice. Does not check
-/// that the links form a tree. Throws FileError for text that is not XML, has no <robot>, or
-/// has more than 10,000 faults.
+/// attribute that is missing or not a number, a name that is missing, not UTF-8 or given twice.
+/// Does not check that the links form a tree. Names have with_escaped_bytes(). Throws FileError for
+/// text that is not XML or has no <robot>.
 UrdfFile parse_urdf(std::string_view text, const std::string& path);
 
 }  // namespace beeline::internal

@@ -53,7 +53,8 @@ ControllerFrames controller_frames(const UrdfFile& file, const std::string& base
   const std::optional<Pose> flange = fixed_pose(file, tip, "tool0");
   return {.base = root.value_or(Pose::Identity()),
           .base_assumed = !root,
-          .flange = flange ? tool * *flange : tool};
+          .flange = flange ? tool * *flange : tool,
+          .flange_assumed = !flange};
 }
 
 }  // namespace beeline::internal

@@ -4,16 +4,9 @@
 #include <beeline/internal/nearest_name.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_fault.h>
-#include <beeline/read/internal/urdf_gripper.h>
 #include <beeline/read/internal/urdf_tree.h>
 
 namespace beeline::internal {
-namespace {
-
-constexpr std::size_t no_cycle = static_cast<std::size_t>(-1);
-
-}  // namespace
-
 UrdfTree::UrdfTree(const UrdfFile& file)
     : file_(file),
       faults_(file.faults),
@@ -34,10 +27,9 @@ UrdfTree::UrdfTree(const UrdfFile& file)
   for (const std::size_t link : roots_) {
     if (!alone(link) || orphans_.contains(link)) continue;
     orphans_.emplace(link, faults_.size());
-    faults_.push_back({.kind = ReadWarningKind::unconnected_link,
-                       .line = file.links[link].line,
-                       .link = name_of(link),
-                       .clause = "link " + name_of(link) + " is not connected by any joint"});
+    faults_.push_back({.warning = {.kind = ReadWarningKind::unconnected_link,
+                                   .line = file.links[link].line,
+                                   .link = name_of(link)}});
   }
 }
 
@@ -46,29 +38,26 @@ void UrdfTree::add_joint(std::size_t j) {
   const auto parent = index_.find(joint.parent), child = index_.find(joint.child);
   if (parent == index_.end() || child == index_.end()) {
     const bool lacks_parent = parent == index_.end();
-    return leave_out(j, ReadWarningKind::unknown_link, lacks_parent ? joint.parent : joint.child);
+    return leave_out(j, {.kind = ReadWarningKind::unknown_link,
+                         .link = lacks_parent ? joint.parent : joint.child,
+                         .element = lacks_parent ? "<parent>" : "<child>"});
   }
   std::size_t& above = parent_joint_[child->second];
   if (above != no_joint) {
-    return leave_out(j, ReadWarningKind::two_parents, joint.child,
-                     "link " + joint.child + " has two parents, by joints " +
-                         file_.joints[above].name + " and " + joint.name +
-                         "; a chain needs a tree");
+    return leave_out(j, {.kind = ReadWarningKind::two_parents,
+                         .link = joint.child,
+                         .others = {file_.joints[above].name}});
   }
   above = j;
   child_joints_[parent->second].push_back(j);
 }
 
-void UrdfTree::leave_out(std::size_t j, ReadWarningKind kind, const std::string& link,
-                         const std::string& clause) {
-  const UrdfFile::Joint& joint = file_.joints[j];
+/// Adds the fault of a joint without a place in the tree.
+void UrdfTree::leave_out(std::size_t j, ReadWarning fault) {
   left_out_[j] = true;
-  faults_.push_back({.kind = kind,
-                     .line = joint.line,
-                     .joint = joint.name,
-                     .link = link,
-                     .clause = clause,
-                     .index = j});
+  fault.line = file_.joints[j].line;
+  fault.joint = file_.joints[j].name;
+  faults_.push_back({.warning = std::move(fault), .index = j});
 }
 
 /// Walks from each link towards its root. A walk that meets itself has found a cycle.
@@ -88,9 +77,7 @@ void UrdfTree::break_cycles() {
     Indices& beside = child_joints_[parent_of(link)];
     beside.erase(std::find(beside.begin(), beside.end(), j));
     parent_joint_[link] = no_joint;
-    leave_out(j, ReadWarningKind::cycle, name_of(link),
-              "the links form a cycle through joint " + file_.joints[j].name + " and link " +
-                  name_of(link) + "; a chain needs a tree");
+    leave_out(j, {.kind = ReadWarningKind::cycle, .link = name_of(link)});
   }
 }
 
@@ -121,7 +108,7 @@ void UrdfTree::find_moving_faults() {
     const auto child = index_.find(joint.child);
     const int moving = own(*fault.index) + (child == index_.end() ? 0 : longest[child->second]);
     fault.moves = moving > 0;
-    if (fault.kind != ReadWarningKind::unknown_link || !fault.moves) continue;
+    if (fault.warning.kind != ReadWarningKind::unknown_link || !fault.moves) continue;
     if (index_.contains(joint.parent) || moving >= arm) continue;
     constexpr int most_compared = 20;
     fault.moves = child != index_.end() && (compared++ >= most_compared || misspelt(joint.parent));
@@ -150,7 +137,7 @@ std::size_t UrdfTree::base(const std::string& name) const {
   }
   if (roots.size() == 1) return roots.front();
   for (const UrdfFault& fault : faults_) {
-    if (fault.kind == ReadWarningKind::two_parents) throw error_of(file_, fault);
+    if (fault.warning.kind == ReadWarningKind::two_parents) throw error_of(file_, fault);
   }
   refuse("has " + std::to_string(roots.size()) +
          " roots; choose the base: " + listed(names_of(roots)));
@@ -184,28 +171,6 @@ UrdfTree::Tip UrdfTree::tip(const std::string& name, std::size_t base) const {
   return tip;
 }
 
-/// Names the link that all these ends are the fingers of; empty where there is none.
-std::string UrdfTree::before_gripper(const std::vector<End>& ends) const {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t palm = none;
-  for (const End& end : ends) {
-    std::size_t own = none;
-    for (std::size_t link = end.link; parent_joint_[link] != no_joint; link = parent_of(link)) {
-      const UrdfFile::Joint& joint = file_.joints[parent_joint_[link]];
-      if (joint.type == "fixed") continue;
-      if (!moves_finger(joint)) break;
-      own = parent_of(link);
-    }
-    if (own == none || (palm != none && own != palm)) return "";
-    palm = own;
-  }
-  for (std::size_t link = palm; parent_joint_[link] != no_joint; link = parent_of(link)) {
-    if (!has_one_dof(file_.joints[parent_joint_[link]])) continue;
-    return "; before the gripper is " + name_of(palm);
-  }
-  return "";
-}
-
 std::vector<ChainJoint> UrdfTree::chain(std::size_t base, std::size_t tip) const {
   std::unordered_map<std::size_t, std::size_t> below;  // from an ancestor of the tip: the joint
   for (std::size_t top = tip; parent_joint_[top] != no_joint; top = parent_of(top)) {
@@ -235,34 +200,15 @@ const UrdfFault* UrdfTree::cause_of_gap(std::size_t base, std::size_t tip) const
     const auto orphan = orphans_.find(root_of(end));
     if (orphan == orphans_.end()) continue;
     const UrdfFault& fault = faults_[orphan->second];
-    if (fault.kind != ReadWarningKind::unconnected_link) return &fault;
+    if (fault.warning.kind != ReadWarningKind::unconnected_link) return &fault;
     unconnected = &fault;
   }
   for (const UrdfFault& fault : faults_) {  // joints without a place in the tree
-    const bool unplaced = fault.kind == ReadWarningKind::malformed && !fault.index && fault.moves;
-    if (unplaced || fault.kind == ReadWarningKind::two_parents) return &fault;
+    const bool unplaced =
+        fault.warning.kind == ReadWarningKind::malformed && !fault.index && fault.moves;
+    if (unplaced || fault.warning.kind == ReadWarningKind::two_parents) return &fault;
   }
   return unconnected;
-}
-
-bool UrdfTree::concerns(const UrdfFault& fault, const std::vector<ChainJoint>& chain) const {
-  return std::any_of(chain.begin(), chain.end(), [&](const ChainJoint& place) {
-    const UrdfFile::Joint& joint = file_.joints[place.index];
-    switch (fault.kind) {
-      case ReadWarningKind::malformed:
-        return fault.index == place.index;
-      case ReadWarningKind::repeated_name:
-        return joint.name == fault.joint || (joint.mimic && joint.mimic->leader == fault.joint) ||
-               joint.parent == fault.link || joint.child == fault.link;
-      case ReadWarningKind::two_parents:
-        return joint.child == fault.link;
-      case ReadWarningKind::cycle:
-        return cycle_of_[index_.at(joint.parent)] == index_.at(fault.link) ||
-               cycle_of_[index_.at(joint.child)] == index_.at(fault.link);
-      default:
-        return false;
-    }
-  });
 }
 
 /// Returns the ends of the tree that can be reached from the base through a joint with one degree

@@ -28,6 +28,8 @@ class UrdfTree {
   /// `file` must outlive this object. Throws FileError for a file without links.
   explicit UrdfTree(const UrdfFile& file);
 
+  const UrdfFile& file() const { return file_; }
+
   /// The faults of the file and of its tree.
   const std::vector<UrdfFault>& faults() const { return faults_; }
 
@@ -50,10 +52,14 @@ class UrdfTree {
   /// connected.
   std::vector<ChainJoint> chain(std::size_t base, std::size_t tip) const;
 
-  /// Whether the fault concerns a joint or a link of a chain of this tree.
-  bool concerns(const UrdfFault& fault, const std::vector<ChainJoint>& chain) const;
+  /// Returns the first fault of a joint or a link of a chain of this tree; null if there is none.
+  const UrdfFault* first_fault_on(const std::vector<ChainJoint>& chain) const;
 
-  /// See ends_of_joints(). Throws FileError for a joint that was left out.
+  /// Returns the ends of the chain down the tree that has these joints: indices into `file.joints`,
+  /// in any order. Fixed joints on other branches are ignored. Throws FileError for a joint that
+  /// was left out. Throws Error, a clause without a subject, when there is no such chain: joints
+  /// with one degree of freedom on two branches, or, mimic joints aside, one between the ends that
+  /// is not among them.
   ChainEnds ends_of(const std::vector<std::size_t>& joints) const;
 
  private:
@@ -67,10 +73,11 @@ class UrdfTree {
 
   enum class Way { down, any };
   static constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_cycle = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_link = static_cast<std::size_t>(-1);
 
   void add_joint(std::size_t j);
-  void leave_out(std::size_t j, ReadWarningKind kind, const std::string& link,
-                 const std::string& clause = "");
+  void leave_out(std::size_t j, ReadWarning fault);
   void break_cycles();
   void find_moving_faults();
   bool misspelt(const std::string& name) const;
@@ -78,6 +85,8 @@ class UrdfTree {
   Indices links_below(Indices from) const;
   std::vector<End> moved_ends(std::size_t base, Way way) const;
   std::string before_gripper(const std::vector<End>& ends) const;
+  std::size_t palm_above(std::size_t link,
+                         std::unordered_map<std::size_t, std::size_t>& known) const;
   std::vector<std::size_t> joint_depths() const;
   std::string below_fixed(std::size_t last, const std::vector<bool>& wanted,
                           const std::vector<std::size_t>& depths) const;
@@ -97,13 +106,7 @@ class UrdfTree {
   Indices roots_;                                         // orphans included
   std::unordered_map<std::size_t, std::size_t> orphans_;  // the fault of each, by link
   std::vector<bool> left_out_;                            // joints
-  std::vector<std::size_t> cycle_of_;                     // the fault of a link's cycle, or none
+  std::vector<std::size_t> cycle_of_;  // the link that closes a link's cycle, or none
 };
-
-/// Returns the ends of the chain down the tree that has these joints: indices into `file.joints`,
-/// in any order. Fixed joints on other branches are ignored.
-/// Throws Error, a clause without a subject, when there is none: joints with one degree of freedom
-/// on two branches, or, mimic joints aside, one between the ends that is not among them.
-ChainEnds ends_of_joints(const UrdfFile& file, const std::vector<std::size_t>& joints);
 
 }  // namespace beeline::internal

@@ -1,10 +1,48 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/urdf_fault.h>
+#include <beeline/read/internal/urdf_gripper.h>
 #include <beeline/read/internal/urdf_tree.h>
 
-// The ends of the chain that has given joints: groups of SRDF files.
+// The ends of the chain that has given joints: groups of SRDF files; and the palm of a gripper.
 
 namespace beeline::internal {
+
+/// Names the link that all these ends are the fingers of; empty where there is none.
+std::string UrdfTree::before_gripper(const std::vector<End>& ends) const {
+  std::unordered_map<std::size_t, std::size_t> known;
+  const std::size_t palm = palm_above(ends.front().link, known);
+  if (palm == no_link) return "";
+  for (const End& end : ends) {
+    if (palm_above(end.link, known) != palm) return "";
+  }
+  for (std::size_t link = palm; parent_joint_[link] != no_joint; link = parent_of(link)) {
+    if (!has_one_dof(file_.joints[parent_joint_[link]])) continue;
+    return "; before the gripper is " + name_of(palm);
+  }
+  return "";
+}
+
+/// Returns the link above the uppermost of the joints of fingers over a link, fixed joints aside;
+/// no_link where the next joint is another one. `known` keeps the results of the links passed.
+std::size_t UrdfTree::palm_above(std::size_t link,
+                                 std::unordered_map<std::size_t, std::size_t>& known) const {
+  Indices passed;
+  std::size_t palm = no_link;
+  for (;; link = parent_of(link)) {
+    const auto found = known.find(link);
+    if (found != known.end()) palm = found->second;
+    if (found != known.end() || parent_joint_[link] == no_joint) break;
+    const UrdfFile::Joint& joint = file_.joints[parent_joint_[link]];
+    if (joint.type != "fixed" && !moves_finger(joint)) break;
+    passed.push_back(link);
+  }
+  for (auto below = passed.rbegin(); below != passed.rend(); ++below) {
+    const bool finger = file_.joints[parent_joint_[*below]].type != "fixed";
+    if (finger && palm == no_link) palm = parent_of(*below);
+    known.emplace(*below, palm);
+  }
+  return palm;
+}
 
 ChainEnds UrdfTree::ends_of(const Indices& joints) const {
   std::vector<bool> wanted(file_.joints.size(), false);
@@ -68,10 +106,6 @@ std::string UrdfTree::below_fixed(std::size_t last, const std::vector<bool>& wan
     }
   }
   return file_.joints[deepest].child;
-}
-
-ChainEnds ends_of_joints(const UrdfFile& file, const std::vector<std::size_t>& joints) {
-  return UrdfTree(file).ends_of(joints);
 }
 
 }  // namespace beeline::internal

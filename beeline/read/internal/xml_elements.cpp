@@ -5,38 +5,84 @@
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
-#include <beeline/read/internal/text_encoding.h>
+#include <beeline/read/internal/read_fault.h>
 #include <beeline/read/internal/xml_elements.h>
 
 namespace beeline::internal {
 
 using tinyxml2::XMLElement;
 
+namespace {
+
+ElementFault element_fault(NameFault fault) {
+  switch (fault) {
+    case NameFault::none:
+      return ElementFault::none;
+    case NameFault::empty:
+      return ElementFault::empty_name;
+    case NameFault::too_long:
+      return ElementFault::long_name;
+    case NameFault::not_utf8:
+      return ElementFault::not_utf8;
+    case NameFault::control_character:
+      return ElementFault::control_character;
+  }
+  return ElementFault::none;
+}
+
+ElementFault element_fault(NumberFault fault) {
+  switch (fault) {
+    case NumberFault::none:
+      return ElementFault::none;
+    case NumberFault::missing:
+      return ElementFault::missing_number;
+    case NumberFault::not_a_number:
+      return ElementFault::not_a_number;
+    case NumberFault::out_of_range:
+      return ElementFault::out_of_range;
+    case NumberFault::not_finite:
+      return ElementFault::not_finite;
+    case NumberFault::not_a_limit:
+      return ElementFault::not_a_limit;
+  }
+  return ElementFault::none;
+}
+
+}  // namespace
+
+XmlError::XmlError(const ReadWarning& fault)
+    : FileError(fault.path, fault.line, clause(fault)), fault(fault) {}
+
 std::string described(const XMLElement& element) { return "<" + printable(element.Name()) + ">"; }
 
 void XmlElements::refuse(int line, const std::string& message) const {
-  throw XmlError(path_, line, message);
+  throw FileError(path_, line, message);
+}
+
+void XmlElements::refuse(const XMLElement& element, const char* attribute, ElementFault fault,
+                         std::string_view value) const {
+  throw XmlError({.path = path_,
+                  .line = element.GetLineNum(),
+                  .element = described(element),
+                  .element_fault = fault,
+                  .attribute = attribute,
+                  .value = printable(with_escaped_bytes(value))});
 }
 
 std::string XmlElements::needed_text(const XMLElement& element, const char* attribute) const {
   const char* text = element.Attribute(attribute);
-  if (text == nullptr) {
-    refuse(element.GetLineNum(), described(element) + " needs the attribute " + attribute);
-  }
+  if (text == nullptr) refuse(element, attribute, ElementFault::missing_attribute);
   return text;
 }
 
 std::string XmlElements::needed_name(const XMLElement& element, const char* attribute) const {
-  std::string name = needed_text(element, attribute);
-  if (!is_utf8(name)) {
-    refuse(element.GetLineNum(), described(element) + ": " + attribute + " " + in_quotes(name) +
-                                     " " + std::string(not_utf8));
-  }
-  try {
-    check_name(name, described(element) + ": " + attribute);
-  } catch (const Error& error) {
-    refuse(element.GetLineNum(), error.what());
-  }
+  return checked_name(element, attribute, needed_text(element, attribute));
+}
+
+std::string XmlElements::checked_name(const XMLElement& element, const char* attribute,
+                                      std::string name) const {
+  const NameFault fault = name_fault(name);
+  if (fault != NameFault::none) refuse(element, attribute, element_fault(fault), name);
   return name;
 }
 
@@ -49,7 +95,7 @@ std::vector<double> XmlElements::numbers(const XMLElement& element, const char* 
     rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(blanks)));
     if (rest.empty()) return values;
     const std::string_view item = rest.substr(0, rest.find_first_of(blanks));
-    values.push_back(number(element, attribute, item, parse_number));
+    values.push_back(number(element, attribute, item, read_number));
     rest.remove_prefix(item.size());
   }
 }
@@ -59,9 +105,12 @@ Vector3 XmlElements::vector(const XMLElement& element, const char* attribute,
   if (element.Attribute(attribute) == nullptr) return otherwise;
   const std::vector<double> values = numbers(element, attribute);
   if (values.size() != 3) {
-    refuse(element.GetLineNum(), described(element) + ": " + attribute + " has " +
-                                     std::to_string(values.size()) +
-                                     " numbers; it must have three, as in \"0 0 1\"");
+    throw XmlError({.path = path_,
+                    .line = element.GetLineNum(),
+                    .element = described(element),
+                    .element_fault = ElementFault::not_three_numbers,
+                    .attribute = attribute,
+                    .count = values.size()});
   }
   return {values[0], values[1], values[2]};
 }
@@ -69,24 +118,21 @@ Vector3 XmlElements::vector(const XMLElement& element, const char* attribute,
 double XmlElements::number_or(const XMLElement& element, const char* attribute,
                               double otherwise) const {
   const char* text = element.Attribute(attribute);
-  return text == nullptr ? otherwise : number(element, attribute, text, parse_number);
+  return text == nullptr ? otherwise : number(element, attribute, text, read_number);
 }
 
 double XmlElements::limit_or(const XMLElement& element, const char* attribute,
                              double otherwise) const {
   const char* text = element.Attribute(attribute);
-  return text == nullptr ? otherwise : number(element, attribute, text, parse_limit);
+  return text == nullptr ? otherwise : number(element, attribute, text, read_limit);
 }
 
 double XmlElements::number(const XMLElement& element, const char* attribute, std::string_view text,
-                           Parse parse) const {
-  try {
-    return parse(text, described(element) + ": " + attribute);
-  } catch (const Error& error) {
-    const bool macro =
-        text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos;
-    refuse(element.GetLineNum(), std::string(error.what()) + (macro ? "; run xacro first" : ""));
-  }
+                           Read read) const {
+  double value = 0;
+  const NumberFault fault = read(text, value);
+  if (fault != NumberFault::none) refuse(element, attribute, element_fault(fault), text);
+  return value;
 }
 
 }  // namespace beeline::internal

@@ -6,6 +6,8 @@
 
 #include <beeline/error.h>
 #include <beeline/pose/so3.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/internal/numbers.h>
 
 namespace tinyxml2 {
 class XMLElement;
@@ -16,28 +18,35 @@ namespace beeline::internal {
 /// Returns the element's tag for a message: `<joint>`.
 std::string described(const tinyxml2::XMLElement& element);
 
-/// Refuses an element of an XML file.
+/// Refuses an element of an XML file that cannot be read.
 class XmlError : public FileError {
  public:
-  XmlError(std::string_view path, int line, const std::string& clause)
-      : FileError(path, line, clause), line(line), clause(clause) {}
+  explicit XmlError(const ReadWarning& fault);
 
-  int line;
-  std::string clause;  ///< the message without the file and the line
+  ReadWarning fault;  ///< the reason, of the kind malformed
 };
 
-/// Reads attributes of the elements of one XML file. Every error is an XmlError that names the file
-/// and the element's line.
+/// Reads attributes of the elements of one XML file. Errors of the elements are XmlErrors; all name
+/// the file and the element's line.
 class XmlElements {
  public:
   /// `path` must outlive this object.
   explicit XmlElements(const std::string& path) : path_(path) {}
 
+  const std::string& path() const { return path_; }
+
+  /// Throws FileError.
   [[noreturn]] void refuse(int line, const std::string& message) const;
+  /// Throws XmlError.
+  [[noreturn]] void refuse(const tinyxml2::XMLElement& element, const char* attribute,
+                           ElementFault fault, std::string_view value = "") const;
 
   std::string needed_text(const tinyxml2::XMLElement& element, const char* attribute) const;
   /// A text that check_name() accepts.
   std::string needed_name(const tinyxml2::XMLElement& element, const char* attribute) const;
+  /// Returns `name`, which the attribute gives.
+  std::string checked_name(const tinyxml2::XMLElement& element, const char* attribute,
+                           std::string name) const;
 
   /// Reads three numbers separated by blanks; returns `otherwise` when the attribute is missing.
   Vector3 vector(const tinyxml2::XMLElement& element, const char* attribute,
@@ -46,14 +55,14 @@ class XmlElements {
   std::vector<double> numbers(const tinyxml2::XMLElement& element, const char* attribute) const;
   double number_or(const tinyxml2::XMLElement& element, const char* attribute,
                    double otherwise) const;
-  /// The same for a limit, which parse_limit() parses.
+  /// The same for a limit, which read_limit() parses.
   double limit_or(const tinyxml2::XMLElement& element, const char* attribute,
                   double otherwise) const;
 
  private:
-  using Parse = double (*)(std::string_view text, std::string_view what);
+  using Read = NumberFault (*)(std::string_view text, double& value);
   double number(const tinyxml2::XMLElement& element, const char* attribute, std::string_view text,
-                Parse parse) const;
+                Read read) const;
 
   const std::string& path_;
 };

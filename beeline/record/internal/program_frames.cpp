@@ -17,7 +17,9 @@ const char* root_name(ControllerForm form) {
 
 ProgramFrames program_frames(const Arm& arm, const std::optional<Pose>& world_T_work) {
   const ControllerFrames& controller = arm.controller();
-  ProgramFrames frames{.world_T_root = controller.base, .root_assumed = controller.base_assumed};
+  ProgramFrames frames{.world_T_root = controller.base,
+                       .root_assumed = controller.base_assumed,
+                       .flange_assumed = controller.flange_assumed};
   if (arm.tool().matrix() != controller.flange.matrix()) {
     frames.flange_T_tool = controller.flange.inverse() * arm.tool();
   }
@@ -93,17 +95,33 @@ std::string note_on_tool(const ProgramFrames& frames) {
   return frames.has_tool() ? "the tool is set, its load is not; " : "";
 }
 
+namespace {
+
+/// Which frames of the controller no description of the arm states.
+std::string note_on_assumptions(const ProgramFrames& frames) {
+  if (frames.root_assumed && frames.flange_assumed) {
+    return "; that frame is assumed to be the world of the arm's description, its tool frame the "
+           "flange (controller_base and flange of a .json arm state others)";
+  }
+  if (frames.root_assumed) {
+    return "; that frame is assumed to be the world of the arm's description (controller_base of "
+           "a .json arm states another)";
+  }
+  if (frames.flange_assumed) {
+    return "; the flange is assumed to be the tool frame of the arm's description (flange of a "
+           ".json arm states another)";
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string note_on_frames(ControllerForm form, const ProgramFrames& frames) {
   const std::string root = std::string("the controller's root frame, ") + root_name(form);
   const std::string poses = frames.root_T_work
                                 ? "poses are in a work frame, which is given in " + root
                                 : "poses are in " + root;
-  const std::string assumed =
-      frames.root_assumed
-          ? "; that frame is assumed to be the world of the arm's description, its tool frame the "
-            "flange (controller_base and flange of a .json arm state others)"
-          : "";
-  return poses + assumed + "; " +
+  return poses + note_on_assumptions(frames) + "; " +
          (frames.has_tool() ? note_on_tool(frames) : "the tool is the flange; ");
 }
 

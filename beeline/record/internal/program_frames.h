@@ -12,6 +12,7 @@ namespace beeline::internal {
 struct ProgramFrames {
   Pose world_T_root = Pose::Identity();  ///< ControllerFrames::base of the arm
   bool root_assumed = false;             ///< ControllerFrames::base_assumed
+  bool flange_assumed = false;           ///< ControllerFrames::flange_assumed
   Pose flange_T_tool = Pose::Identity();
   std::optional<Pose> root_T_work = std::nullopt;  ///< the frame of the poses; none: the root frame
 

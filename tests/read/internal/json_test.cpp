@@ -76,7 +76,9 @@ TEST(Json, OtherTextIsRefusedWithItsLine) {
   EXPECT_REFUSED(parse("{\"a\": 1,\n\n  \"b\": }"), "a.json:3: is not JSON");
   EXPECT_REFUSED(parse("[1, 2"), "unexpected end of input");
   EXPECT_REFUSED(parse("[1] x"), "is not JSON");
-  EXPECT_REFUSED(parse("[NaN]"), "is not JSON");
+  for (const std::string text : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"}) {
+    EXPECT_REFUSED(parse("[1,\n" + text + "]"), "a.json:2: is not JSON: its numbers have no NaN");
+  }
   EXPECT_REFUSED(parse("[1e999]"), "number overflow");
   EXPECT_REFUSED(parse("\"\xff\""), "a.json:1: is not UTF-8 text");
   EXPECT_REFUSED(parse("[1]//"), "is not JSON");

@@ -103,15 +103,28 @@ TEST(TextEncoding, EveryReaderNamesAPointerOfGitLfs) {
   }
 }
 
+TEST(TextEncoding, EveryReaderNamesAByteOfZero) {
+  for (const Format& format : formats()) {
+    const std::string path = "a." + format.ending;
+    EXPECT_REFUSED(format.read(std::string(100, '\0'), path), path + ":1: has a byte of 0");
+    for (std::size_t i = 0; i <= format.text.size(); i += 7) {
+      std::string text = format.text;
+      text.insert(i, 1, '\0');
+      if (i > 1) EXPECT_REFUSED(format.read(text, path), "has a byte of 0") << path << i;
+    }
+  }
+}
+
 TEST(TextEncoding, Latin1IsNamedWhereItMatters) {
-  EXPECT_REFUSED(arm_from_json("{\"name\":\n\"gr\xf6\xdf"
-                               "e\"}",
-                               "a.json"),
-                 "a.json:2: is not UTF-8 text, perhaps Latin-1; save the file as UTF-8");
+  EXPECT_REFUSED(
+      arm_from_json("{\"name\":\n\"gr\xf6\xdf"
+                    "e\"}",
+                    "a.json"),
+      "a.json:2: is not UTF-8 text (byte 0xf6), perhaps Latin-1; save the file as UTF-8");
   EXPECT_REFUSED(poses_from_csv("# \xb0\nx,y,gr\xf6\xdf"
                                 "e\n1,2,3\n",
                                 "a.csv"),
-                 "a.csv:2: the header is not UTF-8 text, perhaps Latin-1");
+                 "a.csv:2: the header is not UTF-8 text (byte 0xf6), perhaps Latin-1");
   EXPECT_EQ(poses_from_csv("# 90 \xb0\nx,y,theta\n1,2,3\n", "a.csv").poses.size(), 1u);
   EXPECT_EQ(joint_limits_from_text("# Gr\xf6\xdf"
                                    "e\n" +

@@ -1,0 +1,91 @@
+#include <beeline/error.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/read_fault.h>
+#include <beeline/read/internal/text_encoding.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr const char* run_xacro = "; run xacro first and pass the URDF that it writes";
+
+std::string name_clause(const ReadWarning& fault, NameFault why) {
+  return fault.element + ": " + fault.attribute + " " + clause(why, fault.value);
+}
+
+std::string number_clause(const ReadWarning& fault, NumberFault why) {
+  const bool macro =
+      fault.value.find("${") != std::string::npos || fault.value.find("$(") != std::string::npos;
+  return fault.element + ": " + fault.attribute + ": " + clause(why, fault.value) +
+         (macro ? "; run xacro first" : "");
+}
+
+std::string malformed_clause(const ReadWarning& fault) {
+  switch (fault.element_fault) {
+    case ElementFault::none:
+      break;
+    case ElementFault::missing_attribute:
+      return fault.element + " needs the attribute " + fault.attribute;
+    case ElementFault::missing_end:
+      return "joint " + in_quotes(fault.joint) + " needs a " +
+             fault.element.substr(0, fault.element.size() - 1) + " link=...>";
+    case ElementFault::empty_name:
+      return name_clause(fault, NameFault::empty);
+    case ElementFault::long_name:
+      return name_clause(fault, NameFault::too_long);
+    case ElementFault::control_character:
+      return name_clause(fault, NameFault::control_character);
+    case ElementFault::not_utf8:
+      return fault.element + ": " + fault.attribute + " " + in_quotes(fault.value) +
+             " is not UTF-8 text, " + utf8_remedy;
+    case ElementFault::not_three_numbers:
+      return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
+             " numbers; it must have three, as in \"0 0 1\"";
+    case ElementFault::missing_number:
+      return number_clause(fault, NumberFault::missing);
+    case ElementFault::not_a_number:
+      return number_clause(fault, NumberFault::not_a_number);
+    case ElementFault::out_of_range:
+      return number_clause(fault, NumberFault::out_of_range);
+    case ElementFault::not_finite:
+      return number_clause(fault, NumberFault::not_finite);
+    case ElementFault::not_a_limit:
+      return number_clause(fault, NumberFault::not_a_limit);
+  }
+  return fault.element + " cannot be read";
+}
+
+}  // namespace
+
+std::string clause(const ReadWarning& fault) {
+  switch (fault.kind) {
+    case ReadWarningKind::malformed:
+      return malformed_clause(fault);
+    case ReadWarningKind::xacro_tag:
+      if (!fault.joint.empty())
+        return "joint " + fault.joint + " contains " + fault.element + run_xacro;
+      return "is a xacro file (it contains " + fault.element + ")" + run_xacro;
+    case ReadWarningKind::unknown_link: {
+      const std::string end = fault.element == "<parent>" ? "parent link" : "child link";
+      return "joint " + fault.joint + " has an " +
+             unknown_name(end, printable(fault.link), fault.others).what();
+    }
+    case ReadWarningKind::two_parents:
+      return "link " + fault.link + " has two parents, by joints " + listed(fault.others) +
+             " and " + fault.joint + "; a chain needs a tree";
+    case ReadWarningKind::cycle:
+      return "the links form a cycle through joint " + fault.joint + " and link " + fault.link +
+             "; a chain needs a tree";
+    case ReadWarningKind::repeated_name:
+      return fault.joint.empty() ? "two links have the name " + fault.link
+                                 : "two joints have the name " + fault.joint;
+    case ReadWarningKind::unconnected_link:
+      return "link " + fault.link + " is not connected by any joint";
+    case ReadWarningKind::further_faults:
+      return "has " + std::to_string(fault.count) + " more faults beside the chain";
+    default:
+      throw Error(name(fault.kind) + " is no fault");
+  }
+}
+
+}  // namespace beeline::internal
