@@ -152,7 +152,7 @@ TEST(ArmJson, AssumedFramesOfTheControllerStayAssumed) {
     EXPECT_EQ(read.flange.matrix(), arm.controller().flange.matrix()) << name;
     EXPECT_EQ(read.flange_assumed, arm.controller().flange_assumed) << name;
   }
-  EXPECT_TRUE(built_in("gp7").controller().base_assumed);
+  EXPECT_TRUE(built_in("gp8").controller().base_assumed);
   EXPECT_FALSE(built_in("ur5").controller().flange_assumed);
 }
 

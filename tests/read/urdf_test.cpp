@@ -104,7 +104,8 @@ TEST(Urdf, NoLimitHasManySpellings) {
                  "a.urdf:4: joint j: lower limit inf exceeds upper limit 1");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"inf\" upper=\"-inf\"/>")),
                  "joint j: lower limit inf exceeds upper limit -inf");
-  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"nan\" upper=\"1\"/>")), "finite");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"nan\" upper=\"1\"/>")),
+                 "is not a limit");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"--inf\" upper=\"1\"/>")),
                  "is not a number");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"inf 0 0\"/>")), "must be finite");

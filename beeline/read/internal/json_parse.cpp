@@ -139,9 +139,10 @@ class Builder {
   }
 
  private:
-  /// Whether the characters at which the parser stopped begin NaN, nan, Infinity, -Infinity or inf.
+  /// Whether the characters at which the parser stopped, control characters in it as <U+000A>,
+  /// begin NaN, nan, Infinity, -Infinity or inf.
   static bool is_not_finite(const std::string& text) {
-    const std::string token = text.substr(text.find_last_of(" \t\r\n,:[{") + 1);
+    const std::string token = text.substr(text.find_last_of(" ,:[{>") + 1);
     return token == "N" || token == "na" || token == "I" || token == "-I" || token == "i" ||
            token == "-i";
   }

@@ -35,8 +35,8 @@ std::string wide_encoding(std::string_view bytes) {
 std::string not_utf8(std::string_view text) {
   while (!text.empty() && utf8_length(text) > 0) text.remove_prefix(utf8_length(text));
   const std::string byte = with_escaped_bytes(text.substr(0, 1));  // \xfc
-  return "is not UTF-8 text (byte 0" + byte.substr(std::min<std::size_t>(1, byte.size())) +
-         "), " + utf8_remedy;
+  return "is not UTF-8 text (byte 0" + byte.substr(std::min<std::size_t>(1, byte.size())) + "), " +
+         utf8_remedy;
 }
 
 std::string_view text_in(std::string_view bytes, const std::string& path) {

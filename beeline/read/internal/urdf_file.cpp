@@ -151,9 +151,10 @@ class Reader {
     const std::size_t index = file_.joints.size();
     UrdfFile::Joint joint;
     joint.line = element.GetLineNum();
+    elements_.needed_text(element, "name");  // a joint without a name is no fault of its ends
+    joint.type = elements_.needed_text(element, "type");
     joint.parent = read_end(elements_, element, "parent");
     joint.child = read_end(elements_, element, "child");
-    joint.type = elements_.needed_text(element, "type");
     joint.name = read_name(element, index);
     if (!joints_.insert(joint.name).second) {
       add({.warning = {.kind = ReadWarningKind::repeated_name,
