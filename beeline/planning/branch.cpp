@@ -9,6 +9,7 @@
 #include <beeline/planning/internal/layered_graph.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/internal/track_branch.h>
+#include <beeline/planning/internal/track_path.h>
 
 namespace beeline {
 

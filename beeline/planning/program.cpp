@@ -92,7 +92,8 @@ class ProgramPlanner {
   }
 
  private:
-  struct Proved {
+  /// A part that is a path, in the trajectory.
+  struct Planned {
     std::size_t part = 0, begin = 0;      ///< its first sample
     std::vector<double> path_parameters;  ///< of its samples
   };
@@ -255,7 +256,8 @@ class ProgramPlanner {
     if (!ahead && !follow(p, trajectory_.positions().back(), ahead)) return false;
     motion_.limit_margin = std::min(motion_.limit_margin, ahead->limit_margin);
     motion_.inverse_condition = std::min(motion_.inverse_condition, ahead->inverse_condition);
-    Proved proved{p, trajectory_.last(), {ahead->path_parameters.front()}};
+    const std::size_t begin = trajectory_.last();
+    std::vector<double> path_parameters{ahead->path_parameters.front()};
     std::size_t k = 0;
     for (std::size_t i = part.first; i <= part.last; ++i) {
       PlannedMove planned{.begin = trajectory_.last(),
@@ -263,31 +265,33 @@ class ProgramPlanner {
       for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
         trajectory_.append(ahead->trajectory, ++k);
         // A rest before it is at the same path parameter.
-        proved.path_parameters.resize(trajectory_.last() - proved.begin,
-                                      proved.path_parameters.back());
-        proved.path_parameters.push_back(ahead->path_parameters[k]);
+        path_parameters.resize(trajectory_.last() - begin, path_parameters.back());
+        path_parameters.push_back(ahead->path_parameters[k]);
       }
       if (part.route.stops[part.last_segment(i)]) trajectory_.stop();
       planned.end = trajectory_.last();
       motion_.moves.push_back(planned);
       if (!pause(i)) return false;
-      proved.path_parameters.resize(trajectory_.last() - proved.begin + 1,
-                                    proved.path_parameters.back());
+      path_parameters.resize(trajectory_.last() - begin + 1, path_parameters.back());
     }
-    proved_.push_back(std::move(proved));
+    planned_.push_back({p, begin, std::move(path_parameters)});
     ahead.reset();
     return true;
   }
 
-  /// Completes the trajectory and proves it.
+  /// Completes the trajectory and proves it as a whole by verify(), as a check of its file does:
+  /// the moves one by one, and that each continues the one before.
   bool finish() {
     motion_.trajectory = trajectory_.finished();
     const Trajectory& trajectory = motion_.trajectory;
-    motion_.deviation.interval_bounds.resize(trajectory.size() - 1);
-    for (const Proved& proved : proved_) {
-      if (!prove(proved)) return false;
-      if (budget_.ended()) return fail_ended(parts_[proved.part].first);
-    }
+    Verification found = verify(arm_, trajectory, program_,
+                                {.task = options_.task,
+                                 .tolerance = options_.tolerance,
+                                 .orientation_tolerance = options_.orientation_tolerance,
+                                 .budget = budget_.part()});
+    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
+    if (!found) return explain(found);
+    motion_.deviation = std::move(found.deviation);
     for (PlannedMove& move : motion_.moves) {
       for (std::size_t k = move.begin; k < move.end; ++k) {
         grow(move.bound, motion_.deviation.interval_bounds[k]);
@@ -295,15 +299,25 @@ class ProgramPlanner {
       move.tool_speed = tool_speed_bound(arm_, samples_between(trajectory, move.begin, move.end));
     }
     motion_.limits = limit_usage(arm_, trajectory, budget_.part());
+    return budget_.complete() || fail_ended(program_.moves.size() - 1);
+  }
+
+  /// Fails with the reason why the trajectory is not proved: the tool is off the path of a part, a
+  /// joint is beyond its limits, or what verify() found.
+  bool explain(const Verification& found) {
+    for (const Planned& planned : planned_) {
+      if (!check_deviation(planned)) return false;
+    }
+    const Trajectory& trajectory = motion_.trajectory;
     const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    if (fault) {
-      const std::size_t move = move_at(fault->sample);
-      return fail(move, MotionStatus::outside_limits,
-                  move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
-                      " s: " + fault->reason);
+    const std::size_t move = move_at(fault ? fault->sample : found.sample);
+    if (!fault) {
+      return fail(move, MotionStatus::not_proved, move_name(program_, move) + ": " + found.reason);
     }
-    return verify_file();
+    return fail(move, MotionStatus::outside_limits,
+                move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
+                    " s: " + fault->reason);
   }
 
   /// The move during or before which sample k is.
@@ -313,43 +327,19 @@ class ProgramPlanner {
     return move;
   }
 
-  /// Whether verify() passes the trajectory too, as a check of its file does.
-  bool verify_file() {
-    const Verification found = verify(arm_, motion_.trajectory, program_,
-                                      {.task = options_.task,
-                                       .tolerance = options_.tolerance,
-                                       .orientation_tolerance = options_.orientation_tolerance,
-                                       .budget = budget_.part()});
-    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    if (found) return true;
-    const std::size_t move = move_at(found.sample);
-    return fail(move, MotionStatus::not_proved, move_name(program_, move) + ": " + found.reason);
-  }
-
-  bool prove(const Proved& proved) {
-    const ProgramPart& part = parts_[proved.part];
-    const std::size_t end = proved.begin + proved.path_parameters.size() - 1;
-    const Trajectory samples = samples_between(motion_.trajectory, proved.begin, end);
-    Verification proof = verify(arm_, samples, part.route,
-                                {.task = options_.task,
-                                 .tolerance = options_.tolerance,
-                                 .orientation_tolerance = options_.orientation_tolerance,
-                                 .budget = budget_.part()});
-    const PathDeviation found =
-        proof ? std::move(proof.deviation)
-              : path_deviation(arm_, samples, proved.path_parameters, part.route.path,
-                               *options_.task, budget_.part());
+  /// Whether the tool is proved to stay on the path of a part.
+  bool check_deviation(const Planned& planned) {
+    const ProgramPart& part = parts_[planned.part];
+    const std::size_t end = planned.begin + planned.path_parameters.size() - 1;
+    const Deviation bound =
+        path_deviation(arm_, samples_between(motion_.trajectory, planned.begin, end),
+                       planned.path_parameters, part.route.path, *options_.task, budget_.part())
+            .bound;
     if (!budget_.complete()) return fail_ended(part.first);
-    PathDeviation& whole = motion_.deviation;
-    grow(whole.sampled, found.sampled);
-    grow(whole.measured, found.measured);
-    grow(whole.bound, found.bound);
-    std::copy(found.interval_bounds.begin(), found.interval_bounds.end(),
-              whole.interval_bounds.begin() + static_cast<std::ptrdiff_t>(proved.begin));
-    if (within(found.bound, {options_.tolerance, options_.orientation_tolerance})) return true;
+    if (within(bound, {options_.tolerance, options_.orientation_tolerance})) return true;
     return fail(part.first, MotionStatus::not_proved,
                 part_name(program_, part) + ": the tool is only proved to stay within " +
-                    deviation_text(found.bound) + " of its path; allow a larger tolerance");
+                    deviation_text(bound) + " of its path; allow a larger tolerance");
   }
 
   const Arm& arm_;
@@ -359,7 +349,7 @@ class ProgramPlanner {
   ProgramMotion motion_;
   std::vector<ProgramPart> parts_;
   ProgramTrajectory trajectory_;
-  std::vector<Proved> proved_;
+  std::vector<Planned> planned_;
 };
 
 }  // namespace

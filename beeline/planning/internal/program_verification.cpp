@@ -39,6 +39,7 @@ class ProgramVerifier {
         task_(options.task.value_or(default_task(arm))),
         rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
     options_.task = task_;
+    interval_bounds_.resize(trajectory.size() - 1);
   }
 
   Verification run() {
@@ -54,7 +55,7 @@ class ProgramVerifier {
     }
     if (passed && parts_.empty()) check_rest(0);
     // Last, so that the progress of candidates is copied without them.
-    result_.deviation.interval_bounds.resize(trajectory_.size() - 1);
+    result_.deviation.interval_bounds = std::move(interval_bounds_);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
                                          options_.limit_tolerance);
     if (!options_.budget.part_of->complete()) {
@@ -188,6 +189,8 @@ class ProgramVerifier {
     part_ = progress.part;
     begin_ = progress.begin;
     dwelled_until_ = progress.dwelled_until;
+    std::fill(interval_bounds_.begin() + static_cast<std::ptrdiff_t>(begin_),
+              interval_bounds_.end(), Deviation{});
   }
 
   /// Tries the rests at which a move may end one after the other until one passes. If none does,
@@ -341,6 +344,9 @@ class ProgramVerifier {
     grow(whole.sampled, found.deviation.sampled);
     grow(whole.measured, found.deviation.measured);
     grow(whole.bound, found.deviation.bound);
+    const std::vector<Deviation>& bounds = found.deviation.interval_bounds;
+    std::copy(bounds.begin(), bounds.end(),
+              interval_bounds_.begin() + static_cast<std::ptrdiff_t>(begin_));
     if (found) return true;
     if (found.fault == Fault::none) return end(found.ending, found.reason);
     const std::size_t prefix = sample_prefix(found.time, found.sample).size();
@@ -365,6 +371,7 @@ class ProgramVerifier {
   /// The end of the last dwell, seconds.
   double dwelled_until_ = -std::numeric_limits<double>::infinity();
   Verification result_ = {};
+  std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
 };
 
 }  // namespace

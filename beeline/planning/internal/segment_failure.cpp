@@ -93,15 +93,19 @@ std::string reason_at(const Segment& segment, const Probe& probe) {
          position_text(segment, probe.s) + ", " + probe.answer.reason;
 }
 
-/// Why the pose ahead cannot be reached, and by how much the segment's end misses if that cannot
-/// be reached either: this amount does not depend on how far ahead the search looked.
+/// Why the pose ahead cannot be reached. If the segment's end cannot be reached for the same
+/// reason, the amount is that at the end, as it does not depend on how far ahead the search looked;
+/// if for the other one, each amount stands with its pose.
 std::string unreachable_text(const Segment& segment, const Probe& ahead, const Probe& end) {
   const bool by_position = ahead.answer.status == InverseStatus::unreachable;
-  const Probe& shown = is_unreachable(end.answer) ? end : ahead;
-  const bool rotations_help = shown.answer.status == InverseStatus::orientation_unreachable;
+  const bool same_at_end = end.answer.status == ahead.answer.status;
+  const bool other_at_end = !same_at_end && is_unreachable(end.answer);
+  const bool rotations_help = !by_position && !other_at_end;
   return std::string(by_position ? "the path leaves the arm's workspace; "
                                  : "the arm cannot keep the path's orientation; ") +
-         reason_at(segment, shown) + "; a larger tolerance does not help" +
+         reason_at(segment, same_at_end ? end : ahead) +
+         (other_at_end ? "; " + reason_at(segment, end) : "") +
+         "; a larger tolerance does not help" +
          (rotations_help ? ", a task that leaves rotations free may" : "");
 }
 

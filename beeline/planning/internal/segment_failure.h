@@ -22,8 +22,8 @@ std::string limit_message(const Arm& arm, int coordinate, bool lower);
 
 /// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
 /// inverse kinematics for the poses just ahead, with and without limits. An amount in the reason
-/// stands with the pose to which it belongs: the segment's end if that cannot be reached either,
-/// else the pose ahead.
+/// stands with the pose to which it belongs: the segment's end if that cannot be reached for the
+/// same reason, else the pose ahead.
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget = {});
 

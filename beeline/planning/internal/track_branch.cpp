@@ -10,57 +10,14 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/internal/segment_failure.h>
+#include <beeline/planning/internal/singular_waypoints.h>
 #include <beeline/planning/internal/track_branch.h>
+#include <beeline/planning/internal/track_path.h>
 
 namespace beeline::internal {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-
-/// "line 2 of 3 ", the beginning of a reason.
-std::string segment_number(const ToolPath& path, std::size_t i) {
-  if (!path.names.empty()) return segment_name(path, i) + " ";
-  return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
-         std::to_string(path.segments.size()) + " ";
-}
-
-/// Tracks the path from branch.start. An incomplete branch gets the status not_found and no reason:
-/// see explain(); or the budget's status, if that ended it.
-void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                const BranchOptions& options, BudgetMeter& budget, Branch& branch) {
-  Configuration q = branch.start;
-  std::size_t samples_left = options.max_samples;
-  const auto segments = static_cast<double>(path.segments.size());
-  for (std::size_t i = 0; i < path.segments.size(); ++i) {
-    const auto begin = static_cast<double>(i);
-    if (stands_still(path.segments[i], options.task)) {
-      branch.segments.push_back({{q}, {1}, {}});
-      branch.path_parameter = begin + 1;
-      continue;
-    }
-    TrackOptions track_options{
-        .tolerance = options.tolerance, .max_samples = samples_left, .budget = &budget};
-    if (options.guide) {
-      track_options.guide = [&](double s) { return options.guide(begin + s); };
-    }
-    if (budget.reports()) {
-      track_options.progress = [&](double s) { budget.report((begin + s) / segments); };
-    }
-    branch.segments.push_back(
-        track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
-    const TrackedSegment& tracked = branch.segments.back();
-    branch.path_parameter = begin + tracked.fractions.back();
-    q = tracked.samples.back();
-    if (!tracked.complete()) {
-      branch.status = MotionStatus::not_found;
-      if (!budget.complete()) set_ended(path, budget.ending(), branch);
-      return;
-    }
-    // The sample at the joint of two segments belongs to both.
-    samples_left -= std::min(samples_left, tracked.samples.size() - 1);
-    budget.report((begin + 1) / segments);
-  }
-}
 
 /// The range of a coordinate over the branch.
 struct Range {
@@ -152,65 +109,34 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
                   limit_message(arm, blocking, low);
 }
 
-/// The complete branches from the path's end to its beginning, reversed.
-std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                                      const BranchOptions& options, BudgetMeter& budget) {
-  const ToolPath back = reversed(path);
-  const InverseResult ends = inverse_kinematics(
-      arm, pose_at(back, 0),
-      {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
-  std::vector<Branch> branches;
-  for (const Configuration& end : ends.solutions) {
-    if (!within(bounds, end)) continue;
-    if (budget.ended()) break;
-    Branch branch{.start = end};
-    track_path(arm, back, bounds, options, budget, branch);
-    if (!branch) continue;
-    std::reverse(branch.segments.begin(), branch.segments.end());
-    for (TrackedSegment& segment : branch.segments) {
-      std::reverse(segment.samples.begin(), segment.samples.end());
-      if (segment.samples.size() == 1) continue;
-      std::reverse(segment.fractions.begin(), segment.fractions.end());
-      for (double& fraction : segment.fractions) fraction = 1 - fraction;
-    }
-    branch.start = branch.segments.front().samples.front();
-    branches.push_back(std::move(branch));
-  }
-  return branches;
-}
-
-/// Whether the task's Jacobian has lost rank, to rounding.
-bool is_singular(const Arm& arm, const Task& task, const Configuration& q) {
-  constexpr double lost_rank = 1e-6;
-  return 1 / manipulability_measures(task_jacobian(arm, q, task)).condition < lost_rank;
-}
-
-/// Computes all branches, unsorted, without reasons for those that end inside the limits.
-std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
-                                       const BranchOptions& options, BudgetMeter& budget) {
-  const InverseResult starts = inverse_kinematics(
-      arm, pose_at(path, 0),
-      {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
+/// Moves the periodic coordinates of a branch into their limits, and truncates it where it leaves
+/// them.
+void fit_into_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   const Bounds limits = bounds_of(arm);
-  Bounds bounds = limits;
   for (int k = 0; k < arm.dof(); ++k) {
     if (!is_periodic(arm, k)) continue;
-    bounds.lower[k] = -Limits::none;
-    bounds.upper[k] = Limits::none;
+    add_to_coordinate(branch, k, best_shift(branch, k, limits.lower[k], limits.upper[k]));
   }
+  keep_limits(arm, path, branch);
+}
+
+/// Whether a branch is complete, and remains so.
+bool fits_into_limits(const Arm& arm, const ToolPath& path, const Branch& branch) {
+  if (!branch) return false;
+  Branch fitted = branch;
+  fit_into_limits(arm, path, fitted);
+  return static_cast<bool>(fitted);
+}
+
+/// One branch for each solution at the beginning, before fit_into_limits().
+std::vector<Branch> branches_of(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                                const std::vector<Configuration>& starts,
+                                const BranchOptions& options, BudgetMeter& budget) {
   std::vector<Branch> branches;
-  const auto add = [&](Branch branch) {
-    for (int k = 0; k < arm.dof(); ++k) {
-      if (!is_periodic(arm, k)) continue;
-      add_to_coordinate(branch, k, best_shift(branch, k, limits.lower[k], limits.upper[k]));
-    }
-    keep_limits(arm, path, branch);
-    branches.push_back(std::move(branch));
-  };
-  const auto count = static_cast<double>(starts.solutions.size());
-  for (std::size_t i = 0; i < starts.solutions.size(); ++i) {
-    if (!within(bounds, starts.solutions[i])) continue;
-    Branch branch{.start = starts.solutions[i]};
+  const auto count = static_cast<double>(starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (!within(bounds, starts[i])) continue;
+    Branch branch{.start = starts[i]};
     if (budget.ended()) {
       set_ended(path, budget.ending(), branch);
     } else {
@@ -219,15 +145,47 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
       BudgetMeter one(share);
       track_path(arm, path, bounds, options, one, branch);
     }
-    add(std::move(branch));
+    branches.push_back(std::move(branch));
   }
-  const bool complete = std::any_of(branches.begin(), branches.end(),
-                                    [](const Branch& branch) { return bool(branch); });
-  const auto singular = [&](const Configuration& q) { return is_singular(arm, options.task, q); };
-  if (!complete && std::any_of(starts.solutions.begin(), starts.solutions.end(), singular)) {
-    for (Branch& branch : backward_branches(arm, path, bounds, options, budget))
-      add(std::move(branch));
+  return branches;
+}
+
+/// Tracks `branches` again from waypoints where the arm is singular, and if one of the `starts` is
+/// singular, or none was found, adds the branches that leave the path's beginning and reach
+/// farther.
+void pass_singular_waypoints(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                             const std::vector<Configuration>& starts, const BranchOptions& options,
+                             BudgetMeter& budget, std::vector<Branch>& branches) {
+  SingularWaypoints waypoints(arm, path, bounds, options, budget);
+  const auto fits = [&](const Branch& branch) { return fits_into_limits(arm, path, branch); };
+  double farthest = 0;
+  for (Branch& branch : branches) {
+    waypoints.complete(branch, 1, fits);
+    farthest = std::max(farthest, branch.path_parameter);
   }
+  const auto singular = [&](const Configuration& q) {
+    return is_near_singular(arm, options.task, q);
+  };
+  if (!starts.empty() && std::none_of(starts.begin(), starts.end(), singular)) return;
+  for (Branch& branch : waypoints.branches_from_beginning()) {
+    const bool complete = waypoints.complete(branch, 1, fits);
+    if (complete || branch.path_parameter > farthest) branches.push_back(std::move(branch));
+  }
+}
+
+/// Computes all branches, unsorted, without reasons for those that end inside the limits.
+std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
+                                       const BranchOptions& options, BudgetMeter& budget) {
+  const InverseResult starts = inverse_kinematics(
+      arm, pose_at(path, 0),
+      {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
+  const Bounds bounds = bounds_without_turns(arm);
+  std::vector<Branch> branches = branches_of(arm, path, bounds, starts.solutions, options, budget);
+  if (std::none_of(branches.begin(), branches.end(),
+                   [&](const Branch& branch) { return fits_into_limits(arm, path, branch); })) {
+    pass_singular_waypoints(arm, path, bounds, starts.solutions, options, budget, branches);
+  }
+  for (Branch& branch : branches) fit_into_limits(arm, path, branch);
   return branches;
 }
 
@@ -272,20 +230,6 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
   branch.reason = segment_number(path, w) + failure.reason;
 }
 
-void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
-  branch.status = status_of<MotionStatus>(ending);
-  branch.reason = ended_by(ending);
-  const double end = static_cast<double>(path.segments.size());
-  if (branch.path_parameter == end) {
-    branch.reason += " after it had followed the whole path";
-  } else if (branch.path_parameter > 0) {
-    const auto i = static_cast<std::size_t>(branch.path_parameter);
-    branch.reason += " after it had followed " + segment_number(path, i) + "to " +
-                     percent(branch.path_parameter - static_cast<double>(i));
-  }
-  branch.reason += how_to_continue(ending);
-}
-
 bool better(const Branch& a, const Branch& b) {
   if (a.path_parameter != b.path_parameter) return a.path_parameter > b.path_parameter;
   return std::min(a.limit_margin, a.inverse_condition) >
@@ -297,7 +241,13 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
   check_task(arm, path, options.task);
   BudgetMeter budget(options.budget);
   Branch branch{.start = start};
-  track_path(arm, path, bounds_of(arm), options, budget, branch);
+  const Bounds bounds = bounds_of(arm);
+  track_path(arm, path, bounds, options, budget, branch);
+  if (!branch && !options.guide) {
+    SingularWaypoints(arm, path, bounds, options, budget).complete(branch, 0, [](const Branch&) {
+      return true;
+    });
+  }
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
   measure(arm, options.task, budget, branch);
   return branch;

@@ -10,9 +10,9 @@ namespace beeline::internal {
 ///
 /// Coordinates of joints with a range above 2 pi are tracked without limits. Each then gets the
 /// multiple of 2 pi for which the branch stays within the limits longest, and with the largest
-/// margin. If no branch is complete and a solution at the beginning is singular, and so represents
-/// infinitely many, complete branches are also searched backwards from the path's end. Returns
-/// nothing when inverse kinematics finds no solution. Throws Error as plan_path() does.
+/// margin. If no branch is complete, those that are singular at a waypoint are continued from there
+/// as SingularWaypoints finds them, the path's beginning included. Returns nothing if no branch
+/// begins there. Throws Error as plan_path() does.
 std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
                                    const BranchOptions& options);
 
@@ -22,9 +22,6 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
 
 /// Sets the status and reason of a branch that is incomplete and has no reason yet.
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
-
-/// Sets the status and reason of a branch that the budget ended.
-void set_ended(const ToolPath& path, Ending ending, Branch& branch);
 
 /// Sets limit_margin and inverse_condition from the branch's samples; to 0 where the budget has
 /// ended.

@@ -54,13 +54,18 @@ struct SegmentTracker {
   Deviation ends;    ///< largest deviation of a sample
   double usage = 0;  ///< bound / tolerance of the last step tried; 0 where it had no configuration
 
+  /// The guide's configuration at the fraction `s`; empty where it has none.
+  Configuration guided(double s) const {
+    return options.guide ? options.guide(s) : Configuration();
+  }
+
   /// Returns the configuration at the fraction `s` that continues the last one; nothing if there is
   /// none, or if the deviation of the step is not proved to be within tolerance.
   std::optional<Step> step(const StepEnd& last, double s) {
     const Pose target = pose_at(segment, s);
-    return proved(last, s, target,
-                  options.guide ? options.guide(s)
-                                : predict_configuration(arm, last.q, target, task, bounds));
+    Configuration guess = guided(s);
+    if (guess.size() == 0) guess = predict_configuration(arm, last.q, target, task, bounds);
+    return proved(last, s, target, guess);
   }
 
   /// Does the same from a singular configuration such as a stretched arm, at which the Jacobian
@@ -128,8 +133,9 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   // then uncertain by the rotation of the line over that length.
   const double rotated = std::holds_alternative<Line>(segment) ? 1 + 1 / min_metres_per_radian : 1;
   SegmentTracker tracker{arm, segment, task, bounds, options, exact, {exact, exact * rotated}};
-  TrackedSegment tracked{{start}, {0}, {}};
-  const Deviation at_start = deviation_from(segment, 0, forward_kinematics(arm, start), task);
+  TrackedSegment tracked{{start}, {options.begin}, {}};
+  const Deviation at_start =
+      deviation_from(segment, options.begin, forward_kinematics(arm, start), task);
   check_start(at_start, exact);
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
@@ -147,7 +153,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
     const StepEnd last{q, s_a, tracker.ends};
     auto next = tracker.step(last, s);
     const double factor = tracker.length_factor();
-    const bool guided = options.guide && s - s_a > last_guided_step;
+    const bool guided = s - s_a > last_guided_step && tracker.guided(s).size() > 0;
     if (!next && !guided && tracked.samples.size() == 1) next = tracker.step_aside(last, s);
     length = std::min((s - s_a) * factor, longest);
     if (!next) continue;

@@ -1,5 +1,6 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/model/catalog.h>
@@ -11,10 +12,22 @@
 namespace beeline::internal {
 namespace {
 
-/// The fraction of the line at the pose to which the amounts of a reason belong.
-double place_of_amounts(const std::string& reason) {
-  if (reason.find("at its end, at x ") != std::string::npos) return 1;
-  return std::stod(reason.substr(reason.rfind("after ") + 6)) / 100;
+/// The fraction of the line at the pose to which the amount of a clause belongs.
+double place_of_amount(const std::string& clause) {
+  if (clause.starts_with("at its end, at x ")) return 1;
+  EXPECT_TRUE(clause.starts_with("after ")) << clause;
+  return std::stod(clause.substr(6)) / 100;
+}
+
+/// The parts of a reason between semicolons.
+std::vector<std::string> clauses_of(std::string reason) {
+  std::vector<std::string> clauses;
+  for (std::size_t end = 0; (end = reason.find("; ")) != std::string::npos;) {
+    clauses.push_back(reason.substr(0, end));
+    reason.erase(0, end + 2);
+  }
+  clauses.push_back(reason);
+  return clauses;
 }
 
 /// The number after the words; nothing if the reason does not have them.
@@ -25,16 +38,27 @@ std::optional<double> amount_after(const std::string& reason, const std::string&
 }
 
 /// By how much a pose is missed is the answer of inverse kinematics for the pose that stands with
-/// it.
+/// it; the first amount is of the kind that the reason begins with.
 void expect_amount_of_its_pose(const Arm& arm, const Line& line, const Task& task,
                                const Configuration& q, const std::string& reason) {
-  auto amount = amount_after(reason, "out of reach by ");
-  if (!amount) amount = amount_after(reason, "the nearest that was found is off by ");
-  if (!amount) return;
-  const Pose pose = interpolate(line.from, line.to, place_of_amounts(reason));
-  const InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
-  EXPECT_TRUE(there.solutions.empty()) << reason;
-  EXPECT_NEAR(*amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
+  const bool by_position = reason.find("leaves the arm's workspace") != std::string::npos;
+  const bool by_orientation =
+      reason.find("cannot keep the path's orientation") != std::string::npos;
+  bool first = by_position || by_orientation;
+  for (const std::string& clause : clauses_of(reason)) {
+    auto amount = amount_after(clause, "out of reach by ");
+    if (!amount) amount = amount_after(clause, "the nearest that was found is off by ");
+    if (!amount) continue;
+    const Pose pose = interpolate(line.from, line.to, place_of_amount(clause));
+    const InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
+    EXPECT_TRUE(there.solutions.empty()) << reason;
+    EXPECT_NEAR(*amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
+    EXPECT_GT(*amount, 0) << reason;
+    if (!std::exchange(first, false)) continue;
+    EXPECT_EQ(there.status,
+              by_position ? InverseStatus::unreachable : InverseStatus::orientation_unreachable)
+        << reason;
+  }
 }
 
 // The reason is checked independently at the pose where the line stops.

@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <utility>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/internal/rounded_number.h>
+#include <beeline/planning/internal/track_path.h>
+#include <beeline/planning/internal/track_segment.h>
+
+namespace beeline::internal {
+
+std::string segment_number(const ToolPath& path, std::size_t i) {
+  if (!path.names.empty()) return segment_name(path, i) + " ";
+  return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
+         std::to_string(path.segments.size()) + " ";
+}
+
+void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
+  branch.status = status_of<MotionStatus>(ending);
+  branch.reason = ended_by(ending);
+  const double end = static_cast<double>(path.segments.size());
+  if (branch.path_parameter == end) {
+    branch.reason += " after it had followed the whole path";
+  } else if (branch.path_parameter > 0) {
+    const auto i = static_cast<std::size_t>(branch.path_parameter);
+    branch.reason += " after it had followed " + segment_number(path, i) + "to " +
+                     percent(branch.path_parameter - static_cast<double>(i));
+  }
+  branch.reason += how_to_continue(ending);
+}
+
+void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                const BranchOptions& options, BudgetMeter& budget, Branch& branch,
+                std::function<Configuration(double)> departure) {
+  Configuration q = branch.start;
+  std::size_t samples_left = options.max_samples;
+  // The sample at the joint of two segments belongs to both.
+  for (const TrackedSegment& tracked : branch.segments) {
+    q = tracked.samples.back();
+    samples_left -= std::min(samples_left, tracked.samples.size() - 1);
+  }
+  const auto segments = static_cast<double>(path.segments.size());
+  for (std::size_t i = branch.segments.size(); i < path.segments.size(); ++i) {
+    const auto begin = static_cast<double>(i);
+    if (stands_still(path.segments[i], options.task)) {
+      branch.segments.push_back({{q}, {1}, {}});
+      branch.path_parameter = begin + 1;
+      continue;
+    }
+    TrackOptions track_options{
+        .tolerance = options.tolerance, .max_samples = samples_left, .budget = &budget};
+    if (departure) {
+      track_options.guide = std::exchange(departure, {});
+    } else if (options.guide) {
+      track_options.guide = [&](double s) { return options.guide(begin + s); };
+    }
+    if (budget.reports()) {
+      track_options.progress = [&](double s) { budget.report((begin + s) / segments); };
+    }
+    branch.segments.push_back(
+        track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
+    const TrackedSegment& tracked = branch.segments.back();
+    branch.path_parameter = begin + tracked.fractions.back();
+    q = tracked.samples.back();
+    if (!tracked.complete()) {
+      branch.status = MotionStatus::not_found;
+      if (!budget.complete()) set_ended(path, budget.ending(), branch);
+      return;
+    }
+    samples_left -= std::min(samples_left, tracked.samples.size() - 1);
+    budget.report((begin + 1) / segments);
+  }
+}
+
+}  // namespace beeline::internal

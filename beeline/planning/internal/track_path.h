@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+#include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/planning/branch.h>
+
+namespace beeline::internal {
+
+/// "line 2 of 3 ", the beginning of a reason.
+std::string segment_number(const ToolPath& path, std::size_t i);
+
+/// Sets the status and reason of a branch that the budget ended.
+void set_ended(const ToolPath& path, Ending ending, Branch& branch);
+
+/// Tracks the path from the end of the branch's segments, or from branch.start if it has none.
+/// `departure` returns the initial guess at a fraction of the first segment that moves, or an empty
+/// configuration: see TrackOptions::guide. A branch that remains incomplete gets the status
+/// not_found and no reason: see explain(); or the budget's status, if that ended it.
+void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                const BranchOptions& options, BudgetMeter& budget, Branch& branch,
+                std::function<Configuration(double)> departure = {});
+
+}  // namespace beeline::internal
