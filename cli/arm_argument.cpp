@@ -100,7 +100,11 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   for (const ReadWarning& warning : warnings) warn(sentence(warning, OptionStyle::command));
   hint_at_built_in(text);
   Arm arm = described;
-  if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);
+  if (!tcp.empty()) {
+    const Pose flange_T_tcp = parse_frame_option(described, "--tcp", tcp, unit).pose;
+    warn_of_positions("--tcp", described, std::span(&flange_T_tcp, 1), unit);
+    arm = with_tcp(arm, flange_T_tcp);
+  }
   if (!mount.empty())
     arm = with_mount(arm, parse_frame_option(described, "--mount", mount, unit).pose);
   if (limits.empty()) return arm;

@@ -82,6 +82,8 @@ void warn_of_rows(const BatchArguments& arguments, const BatchReport& report) {
     warn_of_angle(fmt::format("--in {}, row {}", arguments.in, counts.large_angle_row),
                   counts.large_angle, counts.large_angle_form, arguments.unit);
   }
+  warn_of_distance(fmt::format("--in {}, row {}", arguments.in, counts.far_row),
+                   counts.far_distance, arguments.unit);
   if (counts.outside_limits > 0) {
     warn(fmt::format("{} outside the arm's limits; the first is row {}",
                      counted(counts.outside_limits, "row"), counts.first_outside));

@@ -83,15 +83,11 @@ class Configurations {
   Eigen::ArrayXd angles_;  ///< 1 for each angle, 0 for each length
 };
 
-/// The columns of poses that `arm` can have, first those of rows without a header. KUKA's have X, Y
-/// and Z in upper case.
+/// The columns of poses that `arm` can have, first those of rows without a header.
 std::vector<internal::PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
   std::vector<internal::PoseColumns> all;
   for (const internal::PoseColumns& columns : internal::all_pose_columns()) {
     if (!columns.planar || arm.planar()) all.push_back(columns);
-    if (columns.form != PoseForm::abc) continue;
-    all.push_back(columns);
-    all.back().names = {"X", "Y", "Z", "A", "B", "C"};
   }
   std::stable_partition(all.begin(), all.end(), [&](const internal::PoseColumns& columns) {
     return internal::reads_without_names(columns, format);
@@ -114,6 +110,10 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPo
       const WrittenPose pose = in_world(arm, world_T_work, given);
       if (arm.planar() || !columns.oriented) check_pose_form(arm, pose, arguments.inverse.task);
       counts.note_angle(Eigen::Array<double, 1, 1>(given.max_angle), position.row, given.form);
+      if (counts.far_row == 0) {
+        counts.far_distance = distance_in_millimetres(arm, pose.pose);
+        if (counts.far_distance > 0) counts.far_row = position.row;
+      }
       goals.col(i) = pose.pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {

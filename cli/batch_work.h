@@ -34,6 +34,8 @@ struct BatchCounts {
   double large_angle = 0;           ///< the first beyond a revolution
   std::int64_t large_angle_row = 0;
   std::optional<beeline::PoseForm> large_angle_form = {};
+  double far_distance = 0;  ///< of the first pose that is rather in millimetres, m; 0: none is
+  std::int64_t far_row = 0;
   beeline::Ending ending = beeline::Ending::complete;  ///< of the last block
 
   /// Notes the first row with an angle of more than 2 pi.

@@ -32,10 +32,10 @@ int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& diff
 Answer diff_files(const DiffArguments& arguments) {
   const double tolerance = arguments.tolerance.value_or(Limits::none);
   const Arm arm = arguments.arm.read(arguments.unit);
-  const Recording a =
-      arguments.recording.read_unwrapped(arguments.a, arm, arguments.unit, {.joint_map = false});
-  const Recording b = arguments.recording.read_unwrapped(arguments.b, arm, arguments.unit,
-                                                         {.joint_map = !a.mapped});
+  const Recording a = arguments.recording.read_unwrapped(arguments.a, arm, arguments.unit,
+                                                         {.joint_map = false, .time_unit = false});
+  const Recording b = arguments.recording.read_unwrapped(
+      arguments.b, arm, arguments.unit, {.joint_map = !a.mapped, .time_unit = !a.in_time_unit});
   const TrajectoryDifference differences = difference(arm, a.trajectory, b.trajectory);
   const int worst = joint_of_largest_difference(arm, differences);
   const JointDifference& joint = differences.joints[worst];
@@ -63,7 +63,7 @@ Verb diff_verb() {
           "the second recording lasts. The first sample of each recording is at time 0; joints "
           "move linearly between samples; of continuous joints whole revolutions do not count. "
           "The comparison ends with the shorter recording. --joint-map is for the recordings that "
-          "have its names. " +
+          "have its names, --time-unit for tables. " +
           std::string(recording_units),
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("A", "A recorded trajectory, .csv, .json or .yaml.",

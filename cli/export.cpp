@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/record/internal/time_column.h>
@@ -78,7 +78,8 @@ bool is_without_times(const std::string& path) {
   if (trajectory_format(path, file.peek(begin)) != TrajectoryFormat::csv) return false;
   try {
     internal::CsvLines lines(file, max_line);
-    return !internal::names_times(internal::CsvRows(lines, path).columns());
+    return !internal::names_times(
+        internal::CsvRows(lines, path, {{}, internal::names_times}).columns());
   } catch (const Error&) {
     return false;  // the reader of the recording names the mistake
   }

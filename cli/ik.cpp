@@ -189,7 +189,7 @@ Answer ik(const IkArguments& arguments) {
   } catch (const Error& error) {
     throw Error(std::string("--pose: ") + error.what());
   }
-  warn_of_position("--pose", arm, goal.pose, arguments.unit);
+  warn_of_positions("--pose", arm, std::span(&goal.pose, 1), arguments.unit);
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
   if (solved && result.residual > options.tolerance) {

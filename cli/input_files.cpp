@@ -30,11 +30,11 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                    {.pose = list.poses[i], .planar = list.planar, .oriented = list.oriented});
       check_pose_form(arm, pose, task);
       list.poses[i] = pose.pose;
-      if (i == 0) warn_of_position(option + " " + path, arm, pose.pose, unit);
     } catch (const Error& error) {
       throw FileError(path, list.lines[i], error.what());
     }
   }
+  warn_of_positions(option + " " + path, arm, list.poses, unit);
   return list;
 }
 

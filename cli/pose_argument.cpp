@@ -59,16 +59,26 @@ WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const Writ
   return world;
 }
 
-void warn_of_position(const std::string& option, const Arm& arm, const Pose& pose,
-                      const UnitArgument& unit) {
+double distance_in_millimetres(const Arm& arm, const Pose& pose) {
+  constexpr double far = 10;  // times the reach
   const auto& [centre, radius] = arm.reach();
   const double distance = (pose.translation() - centre).norm();
-  constexpr double far = 30;  // times the reach
-  const bool out_of_reach = distance > far * radius;
-  if (unit.millimetres || !out_of_reach) return;
-  if ((pose.translation() / 1000 - centre).norm() > radius) return;
+  const bool fits = (pose.translation() / 1000 - centre).norm() <= radius;
+  return distance > far * radius && fits ? distance : 0;
+}
+
+void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit) {
+  if (unit.millimetres || distance == 0) return;
   warn(fmt::format("{}: a position {} m away is far out of reach; --millimetres reads millimetres",
                    option, number(distance)));
+}
+
+void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
+                       const UnitArgument& unit) {
+  for (const Pose& pose : poses) {
+    const double distance = distance_in_millimetres(arm, pose);
+    if (distance > 0) return warn_of_distance(option, distance, unit);
+  }
 }
 
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <beeline/read/pose_list.h>
@@ -32,10 +33,17 @@ struct WorkArgument {
 beeline::WrittenPose in_world(const beeline::Arm& arm, const beeline::WrittenPose& world_T_work,
                               const beeline::WrittenPose& pose);
 
-/// Warns on stderr of a pose in the world that is far out of the arm's reach in metres and within
-/// it in millimetres.
-void warn_of_position(const std::string& option, const beeline::Arm& arm, const beeline::Pose& pose,
-                      const UnitArgument& unit);
+/// The distance from the arm, m, of a pose in the world that is far out of its reach in metres and
+/// within it in millimetres; 0 for another pose.
+double distance_in_millimetres(const beeline::Arm& arm, const beeline::Pose& pose);
+
+/// Warns on stderr that positions read with `option` are rather in millimetres, as one of them is
+/// this far away; of distance 0 nothing.
+void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit);
+
+/// The same of the first such pose.
+void warn_of_positions(const std::string& option, const beeline::Arm& arm,
+                       std::span<const beeline::Pose> poses, const UnitArgument& unit);
 
 /// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
 /// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar

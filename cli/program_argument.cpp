@@ -12,7 +12,7 @@ namespace {
 /// Gives the poses that are not relative in the world.
 void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& program) {
   const WrittenPose world_T_work = context.work.read(arm, context.unit);
-  double max_angle = 0;
+  double max_angle = 0, distance = 0;
   std::optional<PoseForm> form;  // of all rows
   for (ProgramRow& row : program.rows) {
     if (!row.pose) continue;
@@ -23,11 +23,13 @@ void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& pr
       const WrittenPose pose = relative ? *row.pose : in_world(arm, world_T_work, *row.pose);
       if (!relative || pose.planar) check_pose_form(arm, pose, context.task);
       row.pose = pose;
+      if (distance == 0) distance = distance_in_millimetres(arm, pose.pose);
     } catch (const Error& error) {
       throw FileError(program.path, row.line, error.what());
     }
   }
   warn_of_angle("--through " + program.path, max_angle, form, context.unit);
+  warn_of_distance("--through " + program.path, distance, context.unit);
 }
 
 /// Gives rows from `first` on this blend where they are lines before a line, without a dwell and a

@@ -101,6 +101,7 @@ Answer query(const QueryArguments& arguments) {
       in_world(arm, {.pose = Pose::Identity(), .planar = true},
                parse_frame_option(arm, "--pose", arguments.pose, arguments.unit));
   if (written.oriented) check_pose_form(arm, written, {.offered = false});
+  warn_of_positions("--pose", arm, std::span(&written.pose, 1), arguments.unit);
   const auto p = map.grid().position_of(written.pose.translation());
   if (!p) {
     return {.text = "outside         the box of the map\n",

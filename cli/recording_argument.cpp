@@ -5,8 +5,6 @@
 
 #include <beeline/error.h>
 #include <beeline/model/internal/ranges.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/record/internal/recorded_units.h>
 
 #include "command/streams.h"
 
@@ -39,41 +37,19 @@ void check_size(const std::string& path, const Arm& arm, const std::vector<Confi
   }
 }
 
-/// Reads angles in degrees where only degrees are possible and --degrees is given; otherwise warns.
-void settle_angles(const std::string& path, const Arm& arm, const UnitArgument& unit,
-                   const JointMap& joint_map, Trajectory& recording) {
-  const auto evidence = internal::evidence_of_degrees(arm, recording, joint_map);
-  if (!evidence) return;
-  const std::string value = fmt::format(
-      "joint {} is at {}", arm.joint_of(evidence->coordinate).name, number(evidence->value));
-  if (unit.degrees) {
-    warn(fmt::format("{} is read in degrees: {}, more than a revolution out of range in radians",
-                     path, value));
-    internal::read_as_degrees(arm, joint_map, recording);
-    return;
-  }
-  warn(fmt::format("{}: {}, out of range in radians but not in degrees; --degrees reads degrees",
-                   path, value));
-}
-
-/// Warns of lengths and times that seem to be in a thousandth of their unit.
-void warn_of_thousandths(const std::string& path, const Arm& arm, const JointMap& joint_map,
-                         const Recording& recording) {
-  if (const auto evidence =
-          internal::evidence_of_millimetres(arm, recording.trajectory, joint_map)) {
-    warn(
-        fmt::format("{}: joint {} is at {} m, which is out of range but not in millimetres; the "
-                    "unit mm in a --joint-map file reads millimetres",
-                    path, arm.joint_of(evidence->coordinate).name, number(evidence->value)));
-  }
-  const std::string ending = internal::extension(path);
-  const bool table = ending != "json" && ending != "yaml" && ending != "yml";
-  if (!recording.has_times || !table) return;
-  if (const auto period = internal::evidence_of_milliseconds(arm, recording.trajectory)) {
-    warn(
-        fmt::format("{}: the samples are {} s apart on average, and no joint reaches 0.2 % of its "
-                    "velocity limit; --time-unit reads ms, us or ns",
-                    path, number(*period)));
+/// How the user reads the recording otherwise, to be appended to the note.
+const char* choice_after(RecordingNoteKind kind) {
+  switch (kind) {
+    case RecordingNoteKind::likely_degrees:
+      return "; --degrees reads degrees";
+    case RecordingNoteKind::many_revolutions:
+      return "; the unit deg in a --joint-map file reads degrees";
+    case RecordingNoteKind::likely_millimetres:
+      return "; the unit mm in a --joint-map file reads millimetres";
+    case RecordingNoteKind::likely_milliseconds:
+      return "; --time-unit reads ms, us or ns";
+    default:
+      return "";
   }
 }
 
@@ -97,32 +73,35 @@ std::vector<Option> RecordingArgument::reading_options() {
            .phrases = {"the joint map", "of the joint map"}},
           {.name = "--time-unit",
            .value = "UNIT",
-           .help = "The unit of times in a .csv recording. Default: what the column's name says, "
-                   "as time_ms; otherwise seconds or, for times since 1970, what their size says.",
+           .help = "The unit of times in a .csv recording with one column of times; the unit of "
+                   "other recordings is fixed. Default: what the column's name says, as time_ms; "
+                   "otherwise seconds or, for times since 1970, what their size says.",
            .target = &time_unit,
            .choices = time_unit_names()}};
 }
 
 std::vector<Option> RecordingArgument::options() {
-  return joined({reading_options(),
-                 {{.name = "--no-unwrap",
-                   .help = "Keep the values of continuous joints as recorded. By default, jumps by "
-                           "whole revolutions are taken out where only that keeps the velocity "
-                           "limits; stderr says so.",
-                   .target = &no_unwrap}}});
+  return joined(
+      {reading_options(),
+       {{.name = "--no-unwrap",
+         .help = "Keep the values of continuous joints as recorded. By default, the jumps "
+                 "of values that stay within one revolution, or within two and jump by "
+                 "two, are taken out where only that keeps the velocity limits; stderr "
+                 "says so.",
+         .target = &no_unwrap}}});
 }
 
 Recording RecordingArgument::read(const std::string& path, const Arm& arm, const UnitArgument& unit,
                                   const ReadingNeeds& needs) const {
-  RecordingOptions options{.map_is_optional = !needs.joint_map, .needs_times = needs.times};
+  RecordingOptions options{.map_is_optional = !needs.joint_map,
+                           .time_unit_is_optional = !needs.time_unit,
+                           .needs_times = needs.times,
+                           .detect_degrees = unit.degrees};
   if (!joint_map.empty()) options.match.joint_map = read_joint_map(joint_map, arm);
   if (!time_unit.empty()) options.time_unit = time_unit_named(time_unit);
   Recording recording = read_recording(path, arm, options);
-  for (const std::string& note : recording.notes) warn(note);
-  Trajectory& trajectory = recording.trajectory;
-  if (!recording.mapped) options.match.joint_map.clear();
-  settle_angles(path, arm, unit, options.match.joint_map, trajectory);
-  warn_of_thousandths(path, arm, options.match.joint_map, recording);
+  for (const RecordingNote& note : recording.notes) warn(sentence(note) + choice_after(note.kind));
+  const Trajectory& trajectory = recording.trajectory;
   check_times(path, trajectory.times);
   check_size(path, arm, trajectory.positions, internal::max_position_limit);
   check_size(path, arm, trajectory.velocities, internal::max_rate);

@@ -12,6 +12,7 @@
 struct ReadingNeeds {
   bool times = true;
   bool joint_map = true;  ///< false: only a file that has its names is read by --joint-map
+  bool time_unit = true;  ///< false: only a file whose unit is not fixed is read by --time-unit
 };
 
 /// --joint-map, --time-unit and --no-unwrap: how recordings are read.

@@ -119,15 +119,15 @@ Answer replay_file(const ReplayArguments& arguments) {
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   ReplayOptions options = replay_options(arguments, arm);
   const bool compares = !arguments.measured.empty();
-  const Recording read =
-      arguments.recording.read(arguments.file, arm, arguments.unit, {.joint_map = !compares});
+  const Recording read = arguments.recording.read(arguments.file, arm, arguments.unit,
+                                                  {.joint_map = !compares, .time_unit = !compares});
   const Trajectory& recording = read.trajectory;
   std::optional<Trajectory> measured;
   if (compares) {
-    measured =
-        arguments.recording
-            .read_unwrapped(arguments.measured, arm, arguments.unit, {.joint_map = !read.mapped})
-            .trajectory;
+    measured = arguments.recording
+                   .read_unwrapped(arguments.measured, arm, arguments.unit,
+                                   {.joint_map = !read.mapped, .time_unit = !read.in_time_unit})
+                   .trajectory;
   }
   options.budget = arguments.budget.next();
   const Replay played = replay(arm, recording, options);

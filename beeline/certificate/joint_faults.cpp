@@ -188,9 +188,9 @@ class FaultSearch {
 }  // namespace
 
 std::string name(Fault fault) {
-  constexpr const char* names[] = {"none",        "limits",   "flip",         "deviation",
-                                   "not_through", "velocity", "acceleration", "jerk",
-                                   "moving",      "dwell",    "tool_speed"};
+  constexpr const char* names[] = {"none",      "limits",      "flip",     "deviation",
+                                   "backwards", "not_through", "velocity", "acceleration",
+                                   "jerk",      "moving",      "dwell",    "tool_speed"};
   return names[static_cast<int>(fault)];
 }
 

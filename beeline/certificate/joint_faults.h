@@ -16,6 +16,7 @@ enum class Fault {
   limits,       ///< a joint exceeds its position limits, at a sample or between two
   flip,         ///< a joint rotates by pi or more between two samples
   deviation,    ///< the tool leaves the path, at a sample or possibly between two
+  backwards,    ///< the tool moves back on the path, at a sample or possibly between two
   not_through,  ///< a waypoint is not reached
   velocity,     ///< a velocity limit is exceeded between two samples
   acceleration,

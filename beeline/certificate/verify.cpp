@@ -74,7 +74,7 @@ struct Verifier {
     // Path parameters do not decrease, but the nearest point of a line may lie before s.
     const Deviation back = task_deviation(task, pose_at(route.path, s), world_T_tool[k]);
     if (near(back)) return true;
-    fail(Fault::deviation, k,
+    fail(Fault::backwards, k,
          "the tool moves backwards on " + name_of(i) + " by " + deviation_text(back));
     return false;
   }
@@ -125,7 +125,7 @@ struct Verifier {
                                 ? parameter_decrease(segment, part.interval.s)
                                 : projection_decrease(std::get<Line>(segment), projections);
     if (near(moved)) return;
-    fail(Fault::deviation, k,
+    fail(Fault::backwards, k,
          "up to the next sample the tool moves backwards on " + name_of(part.segment) +
              " by up to " + deviation_text(moved));
   }

@@ -14,12 +14,13 @@ using namespace internal;
 namespace {
 
 /// Throws Error for a duration that is not a whole number of periods.
-void check_duration(const JointMoveOptions& options) {
+void check_whole_periods(const JointMoveOptions& options) {
   constexpr double rounding = 1e-6;  // of a period
   if (!options.duration) return;
   const double periods = *options.duration * options.rate;
-  if (!(*options.duration > 0 && std::isfinite(periods))) {
-    throw Error("duration must be above 0 s, not " + number(*options.duration));
+  if (!std::isfinite(periods)) {
+    throw Error("duration must be shorter at " + number(options.rate) +
+                " samples per second, not " + number(*options.duration) + " s");
   }
   if (std::abs(periods - std::round(periods)) <= rounding * std::max(1.0, periods * 1e-6)) return;
   const double below = std::floor(periods) / options.rate;
@@ -58,7 +59,8 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
   check_configuration(arm, start);
   check_configuration(arm, goal);
   check_rate(options.rate);
-  check_duration(options);
+  check_duration(options.duration);
+  check_whole_periods(options);
   ControlledMotion result;
   result.trajectory = at_rest(arm, start);
   const std::vector<std::string> outside = limit_violations(arm, goal);

@@ -34,7 +34,8 @@ void check_options(const PathMotionOptions& options) {
                 number(value));
   }
   internal::check_options(options.tool_speed, options.rate);
-  check_duration(options.duration, options.rate);
+  check_duration(options.duration);
+  refuse_duration_with_rate(options.duration, options.rate);
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }

@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
-#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
@@ -19,16 +19,7 @@ using internal::in_quotes;
 using internal::PoseColumns;
 using Names = std::vector<std::string>;
 
-/// Throws FileError for a header that does not name columns of a pose, whatever its rows are.
-void check_header(std::string_view text, const std::string& path, const std::vector<Names>& forms) {
-  internal::CsvLines lines(text, path);
-  const internal::CsvRows header(lines, path, forms);
-  try {
-    internal::pose_columns_of(internal::in_known_case(header.columns()));
-  } catch (const Error& error) {
-    throw FileError(path, header.line(), error.what());
-  }
-}
+constexpr std::size_t max_rows = 4'000'000;  // an hour at 1 kHz
 
 /// The forms of rows without a header.
 std::vector<Names> forms_without_names(const PoseFormat& format) {
@@ -110,13 +101,14 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format) {
 }
 
 PoseList poses_from_csv(std::string_view text, const std::string& path, const PoseFormat& format) {
-  const std::vector<Names> forms = forms_without_names(format);
-  check_header(text, path, forms);
-  const internal::CsvTable table = internal::parse_csv(text, path, forms);
-  PoseList list{.lines = table.lines, .has_header = table.has_header};
-  int line = 0;  // unknown for the header: comments may precede it
+  if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) > max_rows) {
+    throw FileError(path, 0, "has more than " + std::to_string(max_rows) + " lines");
+  }
+  internal::CsvLines lines(text, path);
+  internal::CsvRows rows(lines, path, {forms_without_names(format), internal::names_pose});
+  PoseList list{.has_header = rows.has_header()};
   try {
-    const Names header = internal::in_known_case(table.columns);
+    const Names header = internal::in_known_case(rows.columns());
     const PoseColumns& columns = internal::pose_columns_of(header);
     list.columns = columns.names;
     list.planar = columns.planar;
@@ -128,16 +120,18 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
       column_of.push_back(static_cast<std::size_t>(column - header.begin()));
     }
     std::vector<double> values(columns.names.size());
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      line = table.lines[row];
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.rows[row][column_of[i]];
+    for (std::vector<double> row; rows.next(row);) {
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = row[column_of[i]];
       const WrittenPose written = internal::written_pose(values, columns, format);
       list.poses.push_back(checked_pose(written.pose));
+      list.lines.push_back(rows.line());
       if (std::abs(written.max_angle) > std::abs(list.max_angle))
         list.max_angle = written.max_angle;
     }
+  } catch (const FileError&) {
+    throw;
   } catch (const Error& error) {
-    throw FileError(path, line, error.what());
+    throw FileError(path, rows.line(), error.what());
   }
   return list;
 }

@@ -80,9 +80,10 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {}
 
 /// Reads a CSV file whose header names the columns of one form, in any order; upper and lower case
 /// are alike. Without a header, the columns are those of the form with as many, in its order, see
-/// PoseFormat. The separator is a comma, a semicolon, a tab or blanks; unless it is a comma,
-/// numbers may have decimal commas. Throws FileError for a column that is missing or unknown, as
-/// pose_of(), and for a pose farther away than 1e100 m.
+/// PoseFormat, or those that a comment before the first row names. The separator is a comma, a
+/// semicolon, a tab or blanks; unless it is a comma, numbers may have decimal commas. Empty lines
+/// and lines that begin with # are skipped. Throws FileError for a column that is missing or
+/// unknown, as pose_of(), and for a pose farther away than 1e100 m.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,

@@ -3,14 +3,79 @@
 #include <limits>
 #include <variant>
 
+#include <beeline/read/internal/csv_items.h>
+#include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
-#include <beeline/record/internal/csv_rows.h>
+#include <beeline/record/internal/csv_writer.h>
 #include <beeline/record/internal/npy.h>
 #include <beeline/record/number_rows.h>
 
 namespace beeline {
 namespace internal {
+
+/// Rows of a CSV file, whose columns are those of a form in any order. "-" is the standard input.
+class CsvNumbers {
+ public:
+  CsvNumbers(const std::string& path, const RowForms& forms)
+      : file_(path, Dash::standard),
+        lines_(file_, max_line(forms)),
+        rows_(lines_, file_.path(), {forms, [&forms](const auto& names) {
+                                       return std::any_of(
+                                           forms.begin(), forms.end(), [&names](const auto& form) {
+                                             return positions_of(names, form).has_value();
+                                           });
+                                     }}) {
+    for (; form_ < forms.size(); ++form_) {
+      const auto positions = positions_of(rows_.columns(), forms[form_]);
+      if (!positions) continue;
+      if (!std::is_sorted(positions->begin(), positions->end())) position_of_ = *positions;
+      row_.resize(positions->size());
+      return;
+    }
+    std::vector<std::string> quoted;
+    for (const std::string& column : rows_.columns()) quoted.push_back(printable(column));
+    throw FileError(file_.path(), rows_.line(),
+                    "the header has the columns " + listed(quoted) + "; rows are " +
+                        described(forms) + ", in any order, or in this one without a header");
+  }
+
+  std::size_t form() const { return form_; }
+  bool has_header() const { return rows_.has_header(); }
+  const InputFile& file() const { return file_; }
+
+  void read(RowBlock& block, BadRows& bad) {
+    block.positions.clear();
+    while (block.count() < block.numbers.cols() && rows_.advance()) {
+      const RowPosition position{++count_, lines_.number()};
+      double* const numbers = block.numbers.col(block.count()).data();
+      try {
+        rows_.parse(position_of_.empty() ? numbers : row_.data());
+      } catch (const Error& error) {
+        bad.report(bad_row(file_.path(), position, error.what()));
+        continue;
+      }
+      for (std::size_t k = 0; k < position_of_.size(); ++k) numbers[position_of_[k]] = row_[k];
+      block.positions.push_back(position);
+    }
+  }
+
+ private:
+  /// Max length of a line of the forms, including spaces between its numbers.
+  static std::size_t max_line(const RowForms& forms) {
+    std::size_t width = 0;
+    for (const auto& form : forms) width = std::max(width, form.size());
+    return (std::size_t{1} << 20) + 64 * width;
+  }
+
+  InputFile file_;
+  CsvLines lines_;
+  CsvRows rows_;
+  std::size_t form_ = 0;
+  std::vector<std::size_t> position_of_;  ///< of each column in the form; empty: in its order
+  std::vector<double> row_;               ///< in the order of the file
+  std::int64_t count_ = 0;                ///< rows reached
+};
 
 /// Rows of an .npy file: chooses the form by the width and checks that numbers are finite.
 class NpyRows {
@@ -73,7 +138,7 @@ class NpyRows {
 };
 
 struct RowSource {
-  using Reader = std::variant<CsvReader, NpyRows>;
+  using Reader = std::variant<CsvNumbers, NpyRows>;
   Reader reader;
 
   const InputFile& file() const {

@@ -49,8 +49,9 @@ using RowForms = std::vector<std::vector<std::string>>;
 std::string described(const RowForms& forms);
 
 /// The format of a table of numbers, given by the ending of its path:
-///   .csv   a header of names, which may be missing when read, then rows of numbers; also "-", the
-///          standard input or output
+///   .csv   a header of names, which may be missing when read, then rows of numbers, in all forms
+///   of
+///          CSV that read_poses() reads; also "-", the standard input or output
 ///   .npy   an array of numpy, of N rows
 enum class RowFormat { csv, npy };
 
@@ -59,7 +60,8 @@ enum class RowFormat { csv, npy };
 RowFormat row_format(const std::string& path);
 
 /// Reads a table of any length block by block: rows of finite numbers, in the order of one of the
-/// forms. The columns of a CSV file may be in any order. All functions throw FileError.
+/// forms. The columns of a CSV file may be in any order, their names in upper or lower case. All
+/// functions throw FileError.
 class RowReader {
  public:
   RowReader(const std::string& path, const RowForms& forms);

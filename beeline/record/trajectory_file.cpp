@@ -2,7 +2,6 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
-#include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/text_encoding.h>
 #include <beeline/record/internal/controller_form.h>
@@ -12,7 +11,6 @@
 #include <beeline/record/internal/setpoints.h>
 #include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/internal/trajectory_json.h>
-#include <beeline/record/internal/trajectory_yaml.h>
 #include <beeline/record/trajectory_file.h>
 
 namespace beeline {
@@ -60,58 +58,6 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
   return "";
 }
 
-Recording recording_in_file(const std::string& path, const internal::TableOptions& options) {
-  trajectory_format(path, "");  // refuses another ending before the file is read
-  internal::InputFile file(path);
-  constexpr std::size_t begin = 4096;  // of a file without an ending
-  switch (trajectory_format(path, file.peek(begin))) {
-    case TrajectoryFormat::json:
-      return {.trajectory = internal::trajectory_from_json(file)};
-    case TrajectoryFormat::yaml:
-      return {.trajectory = internal::trajectory_from_yaml(file)};
-    default:
-      return internal::recording_from_csv(file, options);
-  }
-}
-
-Recording recording_in(std::string_view text, const std::string& path,
-                       const internal::TableOptions& options) {
-  switch (trajectory_format(path, text)) {
-    case TrajectoryFormat::json:
-      return {.trajectory = internal::trajectory_from_json(text, path)};
-    case TrajectoryFormat::yaml:
-      return {.trajectory = internal::trajectory_from_yaml(text, path)};
-    default:
-      return internal::recording_from_csv(text, path, options);
-  }
-}
-
-internal::TableOptions table_options(const Arm& arm, const RecordingOptions& options) {
-  return {.joint_names = arm.joint_names(),
-          .time_unit = options.time_unit,
-          .needs_times = options.needs_times};
-}
-
-Recording matched(Recording recording, const std::string& path, const Arm& arm,
-                  const RecordingOptions& options) {
-  MatchOptions match = options.match;
-  const std::vector<std::string>& names = recording.trajectory.joint_names;
-  const auto is_in_file = [&names](const MappedJoint& joint) {
-    return std::find(names.begin(), names.end(), joint.name) != names.end();
-  };
-  if (options.map_is_optional &&
-      std::none_of(match.joint_map.begin(), match.joint_map.end(), is_in_file)) {
-    match.joint_map.clear();
-  }
-  recording.mapped = !match.joint_map.empty();
-  try {
-    recording.trajectory = matched_to(arm, recording.trajectory, match);
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
-  return recording;
-}
-
 }  // namespace
 
 TrajectoryFormat trajectory_format(const std::string& path) {
@@ -146,23 +92,6 @@ std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat forma
 
 void write_trajectory(const std::string& path, const Trajectory& trajectory) {
   internal::write_file(path, trajectory_text(trajectory, trajectory_format(path)));
-}
-
-Trajectory read_trajectory(const std::string& path) {
-  return recording_in_file(path, {}).trajectory;
-}
-
-Trajectory parse_trajectory(std::string_view text, const std::string& path) {
-  return recording_in(text, path, {}).trajectory;
-}
-
-Recording read_recording(const std::string& path, const Arm& arm, const RecordingOptions& options) {
-  return matched(recording_in_file(path, table_options(arm, options)), path, arm, options);
-}
-
-Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
-                          const RecordingOptions& options) {
-  return matched(recording_in(text, path, table_options(arm, options)), path, arm, options);
 }
 
 std::string name(ControllerForm form) { return description(form).name; }

@@ -54,18 +54,50 @@ struct RecordingOptions {
   /// A file that has none of the joint map's names is matched by name, as if there was no map.
   bool map_is_optional = false;
   /// Of the times of a .csv file. Default: what the column's name says, as time_ms; else seconds
-  /// or, for times since 1970, the unit that their size gives.
+  /// or, for times since 1970, the unit that their size gives. Refused, unless it is seconds, for a
+  /// file without times and for one whose format gives their unit: messages of ROS, as .json,
+  /// .yaml, or with columns of seconds and nanoseconds.
   std::optional<TimeUnit> time_unit = std::nullopt;
+  /// Such a file is read as if there was no time unit.
+  bool time_unit_is_optional = false;
   bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
+  /// A recording whose angles are out of range in radians, but not in degrees, is read in degrees;
+  /// otherwise a note says so. Applies if `match.angle_unit` is 1.
+  bool detect_degrees = false;
 };
+
+/// How a recording was read where the file does not say, and what its numbers suggest.
+enum class RecordingNoteKind {
+  no_header,            ///< the columns of a table without a header are read as `columns`
+  times_since_1970,     ///< the times in `columns`, in `unit`, count from the first sample
+  read_in_degrees,      ///< because `joint` is at `value`: RecordingOptions::detect_degrees
+  likely_degrees,       ///< `joint` is at `value`, out of range in radians but not in degrees
+  many_revolutions,     ///< `joint`, without limits, is at `value`: perhaps degrees
+  likely_millimetres,   ///< `joint` is at `value`, out of range in metres but not in millimetres
+  likely_milliseconds,  ///< the samples are `value` seconds apart, and no joint is fast
+};
+std::string name(RecordingNoteKind kind);
+
+/// A note of the reader: data, from which sentence() makes the text.
+struct RecordingNote {
+  RecordingNoteKind kind = RecordingNoteKind::no_header;
+  std::string path = {};  ///< of the file
+  std::vector<std::string> columns = {};
+  std::string unit = {};   ///< of times: ns; s and ns
+  std::string joint = {};  ///< of the arm
+  double value = 0;        ///< as recorded, with the signs and offsets of a joint map
+};
+
+/// Returns one sentence without a full stop, which begins with the path.
+std::string sentence(const RecordingNote& note);
 
 /// A trajectory as a program of any kind has recorded it.
 struct Recording {
-  Trajectory trajectory;                ///< of the arm: see matched_to()
-  bool has_times = true;                ///< false for a path
-  bool mapped = false;                  ///< by the joint map
-  std::vector<std::string> notes = {};  ///< how the file was read, where it does not say: one
-                                        ///< sentence each, with the file's name
+  Trajectory trajectory;      ///< of the arm: see matched_to()
+  bool has_times = true;      ///< false for a path
+  bool mapped = false;        ///< by the joint map
+  bool in_time_unit = false;  ///< by RecordingOptions::time_unit
+  std::vector<RecordingNote> notes = {};
 };
 
 /// Reads a recording of an arm. A .csv file may have any of these:

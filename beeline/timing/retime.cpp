@@ -120,7 +120,8 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
-  internal::check_duration(options.duration, options.rate);
+  internal::check_duration(options.duration);
+  internal::refuse_duration_with_rate(options.duration, options.rate);
   const Trajectory trajectory = path_of(arm, recorded, options, timed.unwrapped);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);

@@ -9,9 +9,9 @@ namespace beeline::python {
 
 template <>
 inline std::vector<Fault> choices() {
-  return {Fault::none,        Fault::limits,   Fault::flip,         Fault::deviation,
-          Fault::not_through, Fault::velocity, Fault::acceleration, Fault::jerk,
-          Fault::moving,      Fault::dwell,    Fault::tool_speed};
+  return {Fault::none,      Fault::limits,      Fault::flip,     Fault::deviation,
+          Fault::backwards, Fault::not_through, Fault::velocity, Fault::acceleration,
+          Fault::jerk,      Fault::moving,      Fault::dwell,    Fault::tool_speed};
 }
 
 template <>

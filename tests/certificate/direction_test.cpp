@@ -56,7 +56,7 @@ double retreat(const LineMotion& motion) {
 bool is_refused(const LineMotion& motion, double tolerance) {
   const Verification found = verify(motion.arm, motion.trajectory, std::vector{motion.to},
                                     {.tolerance = tolerance, .orientation_tolerance = 3});
-  const bool backwards = found.reason.find("backwards") != std::string::npos;
+  const bool backwards = found.fault == Fault::backwards;
   EXPECT_EQ(backwards, !found) << found.reason;
   return backwards;
 }

@@ -17,7 +17,7 @@ FILES = [
     ("too large", GOOD + "1,2,1e400\n", ["q.csv:2", "joint3", "range"]),
     ("bad first row", "1,x,3\n", ["q.csv:1", "row 1", "joint2"]),
     ("other names", "q1,q2,q3\n1,2,3\n", ["q.csv:1", "q1, q2, q3", "joint1, joint2, joint3"]),
-    ("name twice", "joint1,joint1,joint3\n1,2,3\n", ["q.csv:1", "joint1, joint1"]),
+    ("name twice", "joint1,joint1,joint3\n1,2,3\n", ["q.csv:1", "joint1", "given twice"]),
     ("empty", "", ["q.csv", "empty"]),
     ("header alone", "joint1,joint2,joint3\n", ["q.csv", "no rows"]),
     ("comments", "# nothing\n\n", ["q.csv", "empty"]),
@@ -95,7 +95,7 @@ POSES = [
     ("reflection", "1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1\n", ["p.csv:1", "right-handed"]),
     ("last row", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2\n", ["p.csv:1", "0, 0, 0, 1"]),
     ("header alone", "x,y,z,qw,qx,qy,qz\n", ["p.csv", "no rows"]),
-    ("count", "1,2,3,4\n", ["p.csv:1", "4 items", "roll"]),
+    ("count", "1,2,3,4\n", ["p.csv:1", "4 numbers", "roll"]),
     ("planar", "x,y,theta\n1,2,3\n", ["p.csv:1", "x, y, theta", "qw"]),
 ]
 

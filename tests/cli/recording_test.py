@@ -105,6 +105,42 @@ def test_a_table_without_a_header(beeline, tmp_path):
     assert positions(tmp_path / "out.csv") == [row[1:] for row in motion()]
 
 
+DIALECTS = {
+    "upper case": ("{},{},{}\n", "4,1.5,0.25\n"),
+    "semicolons and decimal commas": ("{};{};{}\n", "4;1,5;0,25\n"),
+    "blanks": ("{} {}  {}\n", " 4   1.5 0.25\n"),
+    "tabs, quotes, a mark, CRLF": ('\ufeff"{}"\t"{}"\t"{}"\r\n', '"4"\t1.5\t0.25\r\n'),
+    "CR alone": ("{},{},{}\r", "4,1.5,0.25\r"),
+    "the header in a comment": ("# by hand\n# {} {} {}\n", "4 1.5 0.25\n"),
+    "no header": ("", "4 1,5 0,25\n"),
+}
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_all_readers_have_the_same_dialects(beeline, tmp_path, dialect):
+    """Poses of `line`, `check` and `batch ik`, configurations of `batch fk`, and recordings."""
+    header, row = DIALECTS[dialect]
+
+    def write(file, *names):
+        names = [name.upper() for name in names] if dialect == "upper case" else names
+        (tmp_path / file).write_bytes((header.format(*names) + row).encode())
+
+    write("p.csv", "x", "y", "theta")
+    line = beeline("line", "rrr", "--from", "0.2,0.3,0.4", "--through", "p.csv", "--out", "m.csv", "--json")
+    assert line.code == 0, line.err
+    assert beeline("check", "rrr", "m.csv", "--through", "p.csv").code == 0
+    solved = beeline("batch", "ik", "rrr", "--in", "p.csv", "--out", "q.csv", "--json")
+    assert solved.code == 0 and solved.json["solved"] == 1, solved.err
+    write("q.csv", "joint1", "joint2", "joint3")
+    placed = beeline("batch", "fk", "rrr", "--in", "q.csv", "--out", "-", "--layout", "planar")
+    assert placed.code == 0, placed.err
+    expected = beeline("fk", "rrr", "--q", "4,1.5,0.25", "--json").json["pose"]["translation"]
+    assert [float(x) for x in placed.out.splitlines()[1].split(",")][:2] == pytest.approx(expected[:2], abs=1e-12)
+    write("m.csv", "t", "joint1", "joint2")
+    recorded = beeline("diff", "RR:1,1", "m.csv", "m.csv", "--json")
+    assert recorded.code == 0, recorded.err
+
+
 @pytest.mark.parametrize("unit, factor, options", [("time_ms", 1e3, ()), ("time", 1e3, ("--time-unit", "ms")), ("t_ns", 1e9, ())])
 def test_units_of_times(beeline, tmp_path, unit, factor, options):
     rows = [[round(factor * row[0]), *row[1:]] for row in motion()]
@@ -112,6 +148,32 @@ def test_units_of_times(beeline, tmp_path, unit, factor, options):
     answer = beeline("replay", "ur5e", "log.csv", *options, "--json")
     assert answer.code == 0 and not answer.err, answer.err
     assert answer.json["duration"] == pytest.approx(1.9)
+
+
+def test_a_time_unit_is_refused_where_the_format_has_one(beeline, refused, tmp_path):
+    (tmp_path / "log.csv").write_text(table(["t"] + JOINTS, motion()))
+    for form in ("out.yaml", "out.json"):
+        assert beeline("replay", "ur5e", "log.csv", "--out", form).code == 0
+        refused(3, "replay", "ur5e", form, "--time-unit", "ms", says=[form, "times in seconds and nanoseconds", "--time-unit"])
+        assert beeline("replay", "ur5e", form, "--time-unit", "s").code == 0
+    stamped = [[int(row[0]), round(1e9 * (row[0] % 1)), *row[1:]] for row in motion()]
+    (tmp_path / "stamp.csv").write_text(table(["sec", "nanosec"] + JOINTS, stamped))
+    refused(3, "replay", "ur5e", "stamp.csv", "--time-unit", "ms", says=["stamp.csv", "sec and nanosec are seconds and nanoseconds"])
+    (tmp_path / "path.csv").write_text(table(JOINTS, [row[1:] for row in motion()]))
+    refused(3, "retime", "ur5e", "path.csv", "--time-unit", "ms", says=["path.csv", "has no times"])
+    (tmp_path / "ms.csv").write_text(table(["t"] + JOINTS, [[1000 * row[0], *row[1:]] for row in motion()]))
+    for pair in (("ms.csv", "out.json"), ("out.json", "ms.csv")):
+        assert beeline("diff", "ur5e", *pair, "--time-unit", "ms", "--tolerance", "1e-9").code == 0
+    refused(3, "diff", "ur5e", "out.json", "out.yaml", "--time-unit", "ms", says=["out.yaml", "--time-unit"])
+
+
+def test_epochs_of_messages_get_the_same_note(beeline, tmp_path):
+    rows = [[1_700_000_000 + int(row[0]), round(1e9 * (row[0] % 1)), *row[1:]] for row in motion()]
+    lines = [",".join(["sec", "nanosec"] + JOINTS)] + [",".join(map(repr, row)) for row in rows]
+    (tmp_path / "epoch.csv").write_text("\n".join(lines) + "\n")
+    answer = beeline("replay", "ur5e", "epoch.csv", "--json")
+    assert answer.code == 0 and answer.json["duration"] == pytest.approx(1.9)
+    assert "columns sec, nanosec have times since 1970 in s and ns, which count from the first sample" in answer.err
 
 
 def test_times_in_another_unit_get_a_hint(beeline, tmp_path):
@@ -189,12 +251,23 @@ def test_recordings_in_degrees(beeline, tmp_path):
 
 def test_joints_without_limits_may_turn_often(beeline, tmp_path):
     """Their values show no unit: radians are never taken for degrees, nor many revolutions for a wrap."""
-    (tmp_path / "turns.csv").write_text("t,joint1,joint2\n0,90,0\n50,112,-20\n")
+    (tmp_path / "turns.csv").write_text("t,joint1,joint2\n0,0,0\n150,112,-20\n")
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "RR:1,1", "turns.csv", "--out", "out.csv", "--json", *options)
         assert answer.json["status"] == "reached" and answer.json["unwrapped"] == [] and not answer.err
         last = (tmp_path / "out.csv").read_text().splitlines()[-1].split(",")
         assert [float(value) for value in last[1:3]] == pytest.approx([112, -20])
+
+
+@pytest.mark.parametrize("rows", ["0,90,0\n50,112,-20\n", "0,170,0\n1,-95,0\n"], ids=["slow, far from zero", "fast"])
+def test_degrees_of_joints_without_limits_get_a_hint(beeline, tmp_path, rows):
+    (tmp_path / "deg.csv").write_text("t,joint1,joint2\n" + rows)
+    for options in ((), ("--degrees",)):
+        hint = beeline("replay", "RR:1,1", "deg.csv", "--out", "out.csv", *options)
+        assert "rad, more than two revolutions, but degrees of one; the unit deg in a --joint-map file reads degrees" in hint.err
+    (tmp_path / "map.json").write_text('{"joint1": {"unit": "deg"}, "joint2": {"unit": "deg"}}')
+    read = beeline("replay", "RR:1,1", "deg.csv", "--joint-map", "map.json", "--speed", "0.2", "--out", "out.csv")
+    assert read.code == 0 and "degrees" not in read.err
 
 
 def test_a_slow_recording_in_degrees_is_not_guessed(beeline, tmp_path):
@@ -217,5 +290,14 @@ def test_millimetres_get_a_hint(beeline, tmp_path):
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n400,200,300,3.1,0,0\n400,-200,300,3.1,0,0\n")
     answer = beeline("line", "ur5e", "--through", "poses.csv")
     assert answer.code == 1 and "--millimetres reads millimetres" in answer.err
+    (tmp_path / "later.csv").write_text("x,y,z,roll,pitch,yaw\n0.4,0.2,0.3,3.1,0,0\n400,-200,300,3.1,0,0\n")
+    (tmp_path / "program.csv").write_text("motion,x,y,z,roll,pitch,yaw\nline,400,200,300,3.1,0,0\n")
+    (tmp_path / "rest.csv").write_text(table(["t"] + JOINTS, motion()))
+    for command in (("line", "ur5e", "--through", "later.csv"), ("line", "ur5e", "--through", "program.csv"),
+                    ("check", "ur5e", "rest.csv", "--through", "poses.csv"), ("check", "ur5e", "rest.csv", "--through", "program.csv"),
+                    ("batch", "ik", "ur5e", "--in", "later.csv", "--out", "q.csv"),
+                    ("ik", "ur5e", "--pose", "400,200,300,3.1,0,0"), ("fk", "ur5e", "--q", "0,0,0,0,0,0", "--tcp", "0,0,100"),
+                    ("draw", "ur5e", "rest.csv", "--through", "poses.csv", "--out", "o.svg")):
+        assert "--millimetres reads millimetres" in beeline(*command).err, command
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n4,2,3,3.1,0,0\n")
     assert "millimetres" not in beeline("line", "ur5e", "--through", "poses.csv").err

@@ -77,7 +77,8 @@ TEST(PoseList, MistakesAreNamed) {
   EXPECT_REFUSED(read("x;y;theta\n1\n"), "a.csv:2: this row has 1 items; the header has 3");
   EXPECT_REFUSED(read("1,2,3,4\n"),
                  "a.csv:1: the first line must be a header of names; it has 4 numbers, and a row "
-                 "without a header has one of 3, 6, 7, 12, 16, 2");
+                 "without a header has one of 3 (x, y, theta), 6 (x, y, z, roll, pitch, yaw), 7 "
+                 "(x, y, z, qw, qx, qy, qz), 12 (m11, m12, ..., m34), 16 (m11, m12, ..., m44), 2");
   EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");
   EXPECT_REFUSED(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n"),
                  "a.csv:3: quaternion qw,qx,qy,qz = 1,1,0,0 has length 1.41421; it must be 1");
@@ -129,6 +130,27 @@ TEST(PoseList, SemicolonsSeparateToo) {
   for (const char* text : {"x;y;theta\n1,5;2,5;0\n", "1,5;2,5;0\n", "x y theta\n1,5 2,5 0\n"}) {
     EXPECT_EQ(poses_from_csv(text, "a.csv").poses.at(0).translation(), Vector3(1.5, 2.5, 0));
   }
+}
+
+TEST(PoseList, DialectsAreThoseOfRecordings) {
+  const Vector3 expected(1.5, 2, 3);
+  for (const char* text :
+       {"# x,y,z\n1.5,2,3\n", "X Y Z\n1,5 2 3\n", "# by hand\n# Z Y X\n3 2 1.5\n",
+        "x\ty\tz\r1.5\t2\t3\r", "\xef\xbb\xbf\"X\";\"Y\";\"Z\"\r\n\r\n#\r\n1,5;2;3\r\n"}) {
+    const PoseList list = poses_from_csv(text, "a.csv");
+    EXPECT_EQ(list.poses.at(0).translation(), expected) << text;
+    EXPECT_TRUE(list.has_header);
+    EXPECT_FALSE(list.oriented);
+  }
+  EXPECT_REFUSED(poses_from_csv("x,X,y\n1,2,3\n", "a.csv"),
+                 "a.csv:1: column \"x\" is given twice, in upper and lower case");
+  EXPECT_REFUSED(poses_from_csv("1,2,x\n", "a.csv"),
+                 "a.csv:1: column theta: \"x\" is not a number");
+}
+
+TEST(PoseList, EndlessFilesAreRefused) {
+  const std::string rows(4'000'001, '\n');
+  EXPECT_REFUSED(poses_from_csv("x,y\n" + rows, "a.csv"), "a.csv: has more than 4000000 lines");
 }
 
 TEST(PoseList, TheLargestAngleIsReported) {

@@ -48,6 +48,23 @@ TEST(ProgramRows, AFileIsAProgramByItsHeader) {
   EXPECT_FALSE(is_program("t,joint1,dwell_vel\n"));
 }
 
+TEST(ProgramRows, DialectsAreThoseOfPoses) {
+  for (const char* text : {"Motion;X;Y;THETA;Speed\nline;1,5;2;0;0,25\n",
+                           "# motion,x,y,theta,speed\nline,1.5,2,0,0.25\n",
+                           "motion x y theta speed\rline 1.5 2 0 0.25\r"}) {
+    EXPECT_TRUE(is_program(text)) << text;
+    const ProgramRows program = rows_of(text);
+    ASSERT_EQ(program.rows.size(), 1u) << text;
+    EXPECT_EQ(program.rows[0].motion, "line");
+    EXPECT_EQ(program.rows[0].speed, 0.25);
+    ASSERT_TRUE(program.rows[0].pose);
+    EXPECT_EQ(program.rows[0].pose->pose.translation(), Vector3(1.5, 2, 0));
+  }
+  EXPECT_REFUSED(rows_of("motion;x;y;theta\nline;1,5;2;0\nline;1.5;2;0\n"),
+                 "p.csv:3: this row has decimal commas where others");
+  EXPECT_REFUSED(rows_of("motion,x,X,y\n"), "p.csv:1: column \"x\" is given twice");
+}
+
 TEST(ProgramRows, MistakesAreNamedWithTheirLine) {
   const std::string head = "motion,relative,x,y,theta,speed\n";
   EXPECT_REFUSED(rows_of(head + "lin,,1,2,3,\n"), "p.csv:2: unknown motion \"lin\"");

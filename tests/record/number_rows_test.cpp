@@ -90,22 +90,37 @@ TEST(NumberRows, TheHeaderOrTheCountSelectsTheForm) {
   EXPECT_EQ(sample.parse("1,2,3\n", forms), Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(sample.parse("z,y,x\n1,2,3\n", forms), Eigen::Vector3d(3, 2, 1));
   EXPECT_REFUSED(sample.parse("1,2,3,4\n", forms),
-                 "a.csv:1: row 1: it has 4 items; rows are a, b or x, y, z");
+                 "a.csv:1: the first line must be a header of names; it has 4 numbers, and a row "
+                 "without a header has one of 2 (a, b), 3 (x, y, z)");
   EXPECT_REFUSED(sample.parse("# a\nx,y\n1,2\n", forms),
                  "a.csv:2: the header has the columns x, y; rows are a, b or x, y, z");
+}
+
+TEST(NumberRows, DialectsAreThoseOfPoses) {
+  Sample sample;
+  const Eigen::Matrix2d both{{1.5, 3}, {2, 4}};
+  for (const char* text :
+       {"A,B\n1.5,2\n3,4\n", "B;A\n2;1,5\n4;3\n", "a b\n1.5   2\n3 4\n", "a\tb\n1,5\t2\n3\t4\n",
+        "# b a\n2 1.5\n4 3\n", "1,5;2\n3;4\n", "a,b\r1.5,2\r3,4\r"}) {
+    EXPECT_EQ(sample.parse(text), both) << text;
+  }
+  EXPECT_REFUSED(sample.parse("a;b\n1,5;2.5\n"), "a.csv:2: row 1: this row has decimal commas");
+  EXPECT_EQ(sample.parse("a,A\n1,2\n", {{"A", "a"}}), Eigen::Vector2d(2, 1));
 }
 
 TEST(NumberRows, ABadRowIsNamedByLineAndRow) {
   Sample sample;
   const std::string start = "a,b\n1,2\n# remark\n\n";
-  EXPECT_REFUSED(sample.parse(start + "3\n"), "a.csv:5: row 2: it has 1 items; a row has 2: a, b");
-  EXPECT_REFUSED(sample.parse(start + "3,4,5\n"), "a.csv:5: row 2: it has 3 items");
+  EXPECT_REFUSED(sample.parse(start + "3\n"),
+                 "a.csv:5: row 2: this row has 1 items; the header has 2");
+  EXPECT_REFUSED(sample.parse(start + "3,4,5\n"), "a.csv:5: row 2: this row has 3 items");
   EXPECT_REFUSED(sample.parse(start + "3,\n"), "a.csv:5: row 2: column b: a number is missing");
   EXPECT_REFUSED(sample.parse(start + "x,4\n"), "a.csv:5: row 2: column a: \"x\" is not a number");
   EXPECT_REFUSED(sample.parse(start + "3,nan\n"), "column b: \"nan\" must be finite");
   EXPECT_REFUSED(sample.parse(start + "-inf,3\n"), "column a: \"-inf\" must be finite");
   EXPECT_REFUSED(sample.parse(start + "1e999,3\n"), "out of the range");
-  EXPECT_REFUSED(sample.parse(start + "1;2\n"), "row 2: it has 1 items");
+  EXPECT_REFUSED(sample.parse(start + "1;2\n"),
+                 "row 2: this row has 1 items; the header has 2; write the same separator in");
   EXPECT_REFUSED(sample.parse(start + "\"1,2\n"), "row 2: a quotation mark is not closed");
   EXPECT_REFUSED(sample.parse("x,2\n3,4\n"), "a.csv:1: row 1: column a: \"x\" is not a number");
   EXPECT_REFUSED(sample.parse("nan,2\n"), "row 1: column a: \"nan\" must be finite");
@@ -118,6 +133,7 @@ TEST(NumberRows, BadRowsAreLeftOutAndCounted) {
   const Eigen::MatrixXd rows = sample.parse("x,1\n1,2\n3\n\n4,nan\n5,6\n7,8\n,\n");
   EXPECT_EQ(rows, (Eigen::MatrixXd(2, 3) << 1, 5, 7, 2, 6, 8).finished());
   EXPECT_EQ(sample.bad.count, 4);
+  EXPECT_EQ(sample.parse("1\n5,6\n").cols(), 1) << "a bad row in the place of a header";
   EXPECT_NE(sample.bad.first.find("a.csv:1: row 1: column a"), std::string::npos);
 }
 

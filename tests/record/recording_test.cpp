@@ -19,6 +19,13 @@ const Arm& rrr() {
   return arm;
 }
 
+/// The arm with these names of joints.
+Arm renamed(const Arm& arm, const std::vector<std::string>& names) {
+  std::vector<Joint> joints = arm.joints();
+  for (std::size_t i = 0; i < joints.size(); ++i) joints[i].name = names[i];
+  return {arm.name(), joints};
+}
+
 Recording parse(const std::string& text, const RecordingOptions& options = {}) {
   return parse_recording(text, "a.csv", rrr(), options);
 }
@@ -153,9 +160,85 @@ TEST(Recording, TimesAreInTheUnitOfTheirColumnOrOption) {
   EXPECT_EQ(times("time", "-1700000000123456789", "1700000000123456790").front(), 0);
   const Recording noted =
       parse("time;joint1;joint2;joint3\n1700000000123;0;0;0\n1700000000124;0;0;1\n");
-  EXPECT_EQ(noted.notes, (std::vector<std::string>{
-                             "a.csv: column time has times since 1970 in ms, which count from the "
-                             "first sample"}));
+  ASSERT_EQ(noted.notes.size(), 1u);
+  EXPECT_EQ(sentence(noted.notes[0]),
+            "a.csv: column time has times since 1970 in ms, which count from the first sample");
+  // However the unit is known.
+  const std::string rows = ";joint1;joint2;joint3\n1700000000123;0;0;0\n1700000000124;0;0;1\n";
+  EXPECT_EQ(parse("time_ms" + rows).notes.size(), 1u);
+  EXPECT_EQ(parse("t" + rows, {.time_unit = TimeUnit::milliseconds}).notes.size(), 1u);
+  EXPECT_EQ(parse("t;joint1;joint2;joint3\n1700000000;0;0;0\n").notes.size(), 0u);
+}
+
+TEST(Recording, ATimeUnitIsRefusedWhereTheFormatHasOne) {
+  const RecordingOptions ms{.time_unit = TimeUnit::milliseconds};
+  const RecordingOptions seconds{.time_unit = TimeUnit::seconds};
+  RecordingOptions optional = ms;
+  optional.time_unit_is_optional = true;
+  const Trajectory trajectory{
+      rrr().joint_names(), {0.5, 1.5}, {Vector3(0, 0, 0), Vector3(1, 1, 1)}, {}, {}};
+  const std::string json = trajectory_text(trajectory, TrajectoryFormat::json);
+  for (const char* path : {"a.json", "a.yaml"}) {
+    const auto read = [&](const RecordingOptions& options) {
+      return parse_recording(json, path, rrr(), options);
+    };
+    EXPECT_REFUSED(read(ms), std::string(path) +
+                                 ": has times in seconds and nanoseconds; a time unit (time_unit, "
+                                 "--time-unit) is for tables with one column of times");
+    EXPECT_EQ(read(seconds).trajectory.times, trajectory.times);
+    EXPECT_TRUE(read(seconds).in_time_unit);
+    EXPECT_EQ(read(optional).trajectory.times, trajectory.times);
+    EXPECT_FALSE(read(optional).in_time_unit);
+  }
+  const std::string stamped = "sec,nanosec,joint1,joint2,joint3\n1,5,0,0,0\n";
+  EXPECT_REFUSED(parse(stamped, ms),
+                 "a.csv: columns sec and nanosec are seconds and nanoseconds; a time unit");
+  EXPECT_EQ(parse(stamped, seconds).trajectory.times, parse(stamped).trajectory.times);
+  EXPECT_EQ(parse(stamped, optional).trajectory.times, parse(stamped).trajectory.times);
+  EXPECT_FALSE(parse(stamped, optional).in_time_unit);
+  EXPECT_TRUE(parse("t,joint1,joint2,joint3\n1,0,0,0\n", optional).in_time_unit);
+  RecordingOptions path = ms;
+  path.needs_times = false;
+  EXPECT_REFUSED(parse("joint1,joint2,joint3\n0,0,0\n", path), "a.csv: has no times; a time unit");
+}
+
+TEST(Recording, NamesOfColumnsAreInUpperOrLowerCase) {
+  const Recording read = parse(
+      "TIME,JOINT2,Joint1,JOINT3,JOINT2_VEL,Joint1_Vel,JOINT3_vel\n"
+      "0,2,1,3,5,4,6\n");
+  EXPECT_EQ(read.trajectory.joint_names, rrr().joint_names());
+  EXPECT_EQ(read.trajectory.positions[0], Vector3(1, 2, 3));
+  EXPECT_EQ(read.trajectory.velocities[0], Vector3(4, 5, 6));
+  EXPECT_EQ(parse("T,JOINT1,JOINT2,JOINT3\n0.5,1,2,3\n").trajectory.times[0], 0.5);
+  EXPECT_EQ(parse("Time,/JS/JOINT1/Position,/JS/JOINT2/Position,/JS/JOINT3/Position\n0,1,2,3\n")
+                .trajectory.positions[0],
+            Vector3(1, 2, 3));
+  const Arm pair("pair", {rrr().joints()[0], rrr().joints()[1]});
+  const Arm cases = renamed(pair, {"a", "A"});
+  EXPECT_EQ(parse_recording("t,A,a\n0,1,2\n", "a.csv", cases).trajectory.positions[0],
+            Eigen::Vector2d(2, 1));
+}
+
+TEST(Recording, NotesOnUnitsAreData) {
+  const Arm ur5e = built_in("ur5e");
+  const std::string header = "t,joint1,joint2,joint3,joint4,joint5,joint6\n";
+  const std::string text = header + "0,-90,-45,90,10,20,30\n1,-91,-45,90,10,20,30\n";
+  const auto read = [&](const RecordingOptions& options) {
+    return parse_recording(text, "a.csv", ur5e, options);
+  };
+  const Recording hinted = read({});
+  ASSERT_EQ(hinted.notes.size(), 1u);
+  EXPECT_EQ(hinted.notes[0].kind, RecordingNoteKind::likely_degrees);
+  EXPECT_EQ(hinted.notes[0].joint, "joint1");
+  EXPECT_EQ(hinted.notes[0].value, -91);
+  EXPECT_EQ(hinted.trajectory.positions[0][0], -90);
+  const Recording detected = read({.detect_degrees = true});
+  ASSERT_EQ(detected.notes.size(), 1u);
+  EXPECT_EQ(detected.notes[0].kind, RecordingNoteKind::read_in_degrees);
+  const Recording said = read({.match = {.angle_unit = std::numbers::pi / 180}});
+  EXPECT_TRUE(said.notes.empty());
+  EXPECT_EQ(said.trajectory.positions, detected.trajectory.positions);
+  EXPECT_NEAR(said.trajectory.positions[0][0], -std::numbers::pi / 2, 1e-15);
 }
 
 TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
@@ -169,6 +252,13 @@ TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
     };
     EXPECT_EQ(times("1"), (std::vector<double>{1.999999999, 15.000000001}));
     EXPECT_EQ(times("170000000").front(), 0.999999999);
+    const Recording since = parse(names + ",joint1,joint2,joint3\n1700000000,5,0,0,0\n");
+    ASSERT_EQ(since.notes.size(), 1u);
+    EXPECT_EQ(sentence(since.notes[0]), "a.csv: columns " + names.substr(0, names.find(',')) +
+                                            ", " + names.substr(names.find(',') + 1) +
+                                            " have times since 1970 in s and ns, which count from "
+                                            "the first sample");
+    EXPECT_TRUE(parse(names + ",joint1,joint2,joint3\n1,5,0,0,0\n").notes.empty());
   }
 }
 
@@ -223,7 +313,8 @@ TEST(Recording, MistakesAreNamed) {
                  "timestamp, with a unit as in time_ms");
   EXPECT_REFUSED(parse("0,1\n1,2\n"),
                  "a.csv:1: the first line must be a header of names; it has 2 numbers, and a row "
-                 "without a header has one of 4, 7, 10");
+                 "without a header has one of 4 (t, joint1, joint2, joint3), 7 (t, joint1, joint2, "
+                 "joint3, joint1_vel, joint2_vel, joint3_vel), 10 (t, joint1, ..., joint3_acc)");
   EXPECT_REFUSED(parse("time,joint1,joint2,joint3\n1,0,0,0\n0.5,0,0,0\n"),
                  "a.csv:3: column time: time 0.5 is not after 1; times must increase");
   EXPECT_REFUSED(read_recording("a.xyz", rrr()), "known are .csv, .json, .yaml and, read as .csv");

@@ -105,6 +105,27 @@ TEST(Unwrapped, LeavesJumpsThatKeepTheLimitOrCannotKeepIt) {
   EXPECT_TRUE(joints(with_speed_scale(unknown, 0.1), 6, 7).empty());
 }
 
+/// What --no-unwrap says of the default.
+TEST(Unwrapped, TakesJumpsOfValuesWithinAsManyRevolutions) {
+  const auto last = [](const std::vector<double>& values) {
+    Trajectory recorded{{"a", "b"}, {}, {}, {}, {}};
+    for (const double q : values) {
+      recorded.times.push_back(0.1 * static_cast<double>(recorded.size()));
+      recorded.positions.push_back(Eigen::Vector2d(q, 0));
+    }
+    return unwrapped(arm(), recorded).trajectory.positions.back()[0];
+  };
+  EXPECT_NEAR(last({0.5, 0.5 + revolution}), 0.5, 1e-12) << "exactly one, at rest";
+  EXPECT_NEAR(last({-revolution, revolution}), -revolution, 1e-12) << "exactly two";
+  EXPECT_NEAR(last({6.2, 6.28 - 2 * revolution}), 6.28, 1e-12) << "a sensor of two";
+  EXPECT_NEAR(last({3.1, 3.1 - revolution, 3.1, 3.1 - revolution}), 3.1, 1e-12) << "in a row";
+  EXPECT_NEAR(last({6.2, 6.2 - revolution, 6.2 - 2 * revolution}), 6.2 - 2 * revolution, 1e-12)
+      << "jumps by one of values within two";
+  EXPECT_NEAR(last({9.0, 3.1, 3.15 - revolution}), 3.15 - revolution, 1e-12)
+      << "the first sample is outside of one revolution";
+  EXPECT_NEAR(last({0.5, 0.5 + 3 * revolution}), 0.5 + 3 * revolution, 1e-12) << "three";
+}
+
 TEST(Unwrapped, FollowsAMotionThatIsFasterThanItsLimit) {
   Trajectory fast{{"a", "b"}, {}, {}, {}, {}};
   for (int k = 0; k < 200; ++k) {

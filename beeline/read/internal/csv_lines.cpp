@@ -29,10 +29,21 @@ void CsvLines::read_more() {
   unread_ = {buffer_.data(), kept + count};
 }
 
+/// Decides by the first line: a CR that no LF follows ends it alone.
+void CsvLines::find_line_end() {
+  if (unread_.empty() && !ended_) read_more();
+  const std::size_t first = unread_.find_first_of("\r\n");
+  const std::size_t after =
+      first == std::string_view::npos ? first : unread_.find_first_not_of('\r', first);
+  const bool alone = after != std::string_view::npos && unread_[after] != '\n';
+  line_end_ = alone && unread_[first] == '\r' ? '\r' : '\n';
+}
+
 bool CsvLines::next_raw(std::string_view& line) {
+  if (line_end_ == '\0') find_line_end();
   std::size_t searched = 0;  // bytes of `unread_` that hold no line break
   for (;;) {
-    const std::size_t end = unread_.find('\n', searched);
+    const std::size_t end = unread_.find(line_end_, searched);
     if (end != std::string_view::npos || (ended_ && !unread_.empty())) {
       line = unread_.substr(0, end);
       unread_.remove_prefix(std::min(line.size() + 1, unread_.size()));

@@ -10,7 +10,8 @@
 namespace beeline::internal {
 
 /// Iterates over the lines of a CSV text that hold data: skips empty lines, comments (lines that
-/// begin with #); removes blanks around each line. The text begins as text_in() describes.
+/// begin with #); removes blanks around each line. The text begins as text_in() describes. Its
+/// lines end in LF or CRLF, or all in CR.
 class CsvLines {
  public:
   /// Lines of `text`, which must outlive this object. `path` names its file in messages.
@@ -29,11 +30,13 @@ class CsvLines {
  private:
   bool next_raw(std::string_view& line);
   void read_more();
+  void find_line_end();
 
   InputFile* file_ = nullptr;  ///< null: all text is present
   std::vector<char> buffer_;
   std::string_view unread_;
-  bool ended_ = true;  ///< no text follows `unread_`
+  bool ended_ = true;     ///< no text follows `unread_`
+  char line_end_ = '\0';  ///< unknown before the first line
   std::int64_t number_ = 0;
   std::string comment_;
   bool in_front_ = true;  ///< no line of data has been returned

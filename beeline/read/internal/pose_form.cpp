@@ -1,9 +1,11 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
+#include <unordered_set>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 #include <beeline/read/internal/name.h>
@@ -26,12 +28,6 @@ Names missing_from(const Names& present, const Names& wanted) {
     if (!contains(present, name)) missing.push_back(name);
   }
   return missing;
-}
-
-bool same_ignoring_case(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 /// The rotation of a rotation vector. Of a very long one so3_exp() would overflow.
@@ -158,14 +154,32 @@ const PoseColumns& pose_columns_of(const Names& header) {
 }
 
 Names in_known_case(Names header) {
-  for (std::string& name : header) {
+  static const std::unordered_map<std::string, std::string> known = [] {
+    std::unordered_map<std::string, std::string> names;
     for (const PoseColumns& columns : all_pose_columns()) {
-      for (const std::string& known : columns.names) {
-        if (same_ignoring_case(name, known)) name = known;
-      }
+      for (const std::string& name : columns.names) names.emplace(lower_case(name), name);
+    }
+    for (const std::string& name : program_columns()) names.emplace(name, name);
+    return names;
+  }();
+  std::unordered_set<std::string> seen;
+  for (std::string& name : header) {
+    const auto found = known.find(lower_case(name));
+    if (found != known.end()) name = found->second;
+    if (!seen.insert(name).second) {
+      throw Error("column " + in_quotes(name) + " is given twice, in upper and lower case");
     }
   }
   return header;
+}
+
+bool names_pose(const Names& header) {
+  try {
+    pose_columns_of(in_known_case(header));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& columns,

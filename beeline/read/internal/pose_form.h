@@ -40,8 +40,12 @@ const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
 /// one that is missing or does not belong to the others.
 const PoseColumns& pose_columns_of(const std::vector<std::string>& header);
 
-/// Returns the header with each name of a column in lower or upper case as in all_pose_columns().
+/// Returns the header with each name of a column in lower or upper case as in all_pose_columns()
+/// and program_columns(). Throws Error if two are the same then.
 std::vector<std::string> in_known_case(std::vector<std::string> header);
+
+/// Whether these are the columns of a form, in any order, upper or lower case.
+bool names_pose(const std::vector<std::string>& header);
 
 /// The pose given by numbers in the order of `columns`. Throws Error as pose_of().
 WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& columns,

@@ -2,7 +2,7 @@
 #include <array>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
@@ -36,18 +36,15 @@ struct ProgramColumns {
   std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
   const internal::PoseColumns* form = nullptr;      ///< none: all rows have joint values
-  std::size_t count = 0;
 };
 
 ProgramColumns program_columns_of(const Columns& header) {
-  ProgramColumns columns{.named = {}, .pose = {}, .count = header.size()};
+  ProgramColumns columns{.named = {}, .pose = {}};
   const auto index_of = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
   };
   Columns others;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    internal::check_name(header[i], "the name of column " + std::to_string(i + 1));
-    if (index_of(header[i]) < i) throw Error("column " + in_quotes(header[i]) + " is given twice");
     if (!has(program_columns(), header[i])) others.push_back(header[i]);
   }
   for (std::size_t i = 0; i < program_columns().size(); ++i) {
@@ -60,12 +57,23 @@ ProgramColumns program_columns_of(const Columns& header) {
   return columns;
 }
 
-std::optional<double> optional_number(const std::string& item, const std::string& column) {
-  if (item.empty()) return std::nullopt;
-  return internal::parse_number(item, "column " + column);
+/// Whether the names are those of a pose or of a program.
+bool are_known(const Columns& names) {
+  try {
+    program_columns_of(internal::in_known_case(names));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
-std::optional<WrittenPose> pose_in(const std::vector<std::string>& items,
+std::optional<double> optional_number(internal::CsvRows& rows, const std::string& item,
+                                      const std::string& column) {
+  if (item.empty()) return std::nullopt;
+  return rows.number(item, column);
+}
+
+std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<std::string>& items,
                                    const ProgramColumns& columns, const Columns& header,
                                    const PoseFormat& format) {
   if (columns.form == nullptr) return std::nullopt;
@@ -73,7 +81,7 @@ std::optional<WrittenPose> pose_in(const std::vector<std::string>& items,
   const auto is_empty = [&](std::size_t i) { return items[i].empty(); };
   if (std::all_of(columns.pose.begin(), columns.pose.end(), is_empty)) return std::nullopt;
   for (const std::size_t i : columns.pose) {
-    numbers.push_back(internal::parse_number(items[i], "column " + header[i]));
+    numbers.push_back(rows.number(items[i], header[i]));
   }
   WrittenPose written = internal::written_pose(numbers, *columns.form, format);
   written.pose = checked_pose(written.pose);
@@ -105,32 +113,22 @@ void check_row(const ProgramRow& row) {
   }
 }
 
-ProgramRow row_in(const std::vector<std::string>& items, const ProgramColumns& columns,
-                  const Columns& header, const PoseFormat& format) {
-  if (items.size() != columns.count) {
-    throw Error("this row has " + std::to_string(items.size()) + " items; the header has " +
-                std::to_string(columns.count));
-  }
+ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const Columns& header,
+                  const PoseFormat& format) {
+  std::vector<std::string> items;
+  rows.items(items);
   const auto text = [&](std::size_t i) {
     return columns.named[i] ? items[*columns.named[i]] : std::string();
   };
   ProgramRow row{.motion = text(0),
                  .relative = text(1),
-                 .pose = pose_in(items, columns, header, format),
+                 .pose = pose_in(rows, items, columns, header, format),
                  .q = text(2),
-                 .speed = optional_number(text(3), "speed"),
-                 .blend = optional_number(text(4), "blend"),
-                 .dwell = optional_number(text(5), "dwell")};
+                 .speed = optional_number(rows, text(3), "speed"),
+                 .blend = optional_number(rows, text(4), "blend"),
+                 .dwell = optional_number(rows, text(5), "dwell")};
   check_row(row);
   return row;
-}
-
-/// The items of the header; empty for a text without lines.
-Columns header_of(internal::CsvLines& lines, char& separator) {
-  std::string_view line;
-  if (!lines.next(line)) return {};
-  separator = internal::csv_separator(line);
-  return internal::in_known_case(internal::csv_items(line, separator));
 }
 
 }  // namespace
@@ -141,10 +139,11 @@ const Columns& program_columns() {
 }
 
 bool is_program(std::string_view text) {
-  char separator = ',';
   try {
-    internal::CsvLines lines(text, "");
-    const Columns header = header_of(lines, separator);
+    const std::string path;
+    internal::CsvLines lines(text, path);
+    const internal::CsvRows rows(lines, path, {{}, are_known});
+    const Columns header = internal::in_known_case(rows.columns());
     return std::any_of(header.begin(), header.end(),
                        [](const std::string& name) { return has(program_columns(), name); });
   } catch (const Error&) {  // its reader says what is wrong
@@ -155,20 +154,20 @@ bool is_program(std::string_view text) {
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
                                   const PoseFormat& format) {
   internal::CsvLines lines(text, path);
+  internal::CsvRows rows(lines, path, {{}, are_known});
   ProgramRows program{.path = path, .rows = {}};
   try {
-    char separator = ',';
-    const Columns header = header_of(lines, separator);
+    const Columns header = internal::in_known_case(rows.columns());
     const ProgramColumns columns = program_columns_of(header);
-    for (std::string_view line; lines.next(line);) {
-      program.rows.push_back(row_in(internal::csv_items(line, separator), columns, header, format));
-      program.rows.back().line = static_cast<int>(lines.number());
+    while (rows.advance()) {
+      program.rows.push_back(row_in(rows, columns, header, format));
+      program.rows.back().line = rows.line();
       if (program.rows.size() > max_program_rows) {
         throw Error("a program has at most " + std::to_string(max_program_rows) + " rows");
       }
     }
   } catch (const Error& error) {
-    throw FileError(path, static_cast<int>(lines.number()), error.what());
+    throw FileError(path, rows.line(), error.what());
   }
   if (program.rows.empty()) throw FileError(path, 0, "has a header but no rows below it");
   return program;

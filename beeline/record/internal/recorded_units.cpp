@@ -42,7 +42,51 @@ bool fits(const Trajectory& recording, const Limits& limits, int k, double unit,
                      });
 }
 
+bool has_two_limits(const Limits& limits) {
+  return std::isfinite(limits.lower) && std::isfinite(limits.upper);
+}
+
+/// Whether coordinate k keeps its velocity limit between all samples, in these units.
+bool keeps_velocity(const Arm& arm, const Trajectory& recording, int k, double unit) {
+  const double limit = velocity_limit_of(arm.limits(k)) / arm.limits(k).speed_scale;
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    const double step = recording.positions[i][k] - recording.positions[i - 1][k];
+    if (std::abs(unit * step) > limit * (recording.times[i] - recording.times[i - 1])) return false;
+  }
+  return true;
+}
+
+/// Whether the values of coordinate k, of a joint without two limits, are rather degrees.
+bool is_rather_in_degrees(const Arm& arm, const Trajectory& recording, int k, bool has_times) {
+  double smallest = Limits::none, largest = 0;
+  for (const Configuration& q : recording.positions) {
+    smallest = std::min(smallest, std::abs(q[k]));
+    largest = std::max(largest, std::abs(q[k]));
+  }
+  constexpr double degrees_of_one = 361;
+  if (largest <= 2 * revolution || largest > degrees_of_one) return false;
+  if (smallest > revolution) return true;
+  return has_times && !keeps_velocity(arm, recording, k, 1) &&
+         keeps_velocity(arm, recording, k, degree);
+}
+
 }  // namespace
+
+std::optional<UnitEvidence> evidence_of_revolutions(const Arm& arm, const Trajectory& recording,
+                                                    const JointMap& joint_map, bool has_times) {
+  if (recording.size() == 0) return std::nullopt;
+  std::optional<UnitEvidence> evidence;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits(k);
+    if (slides(arm, k) || has_unit(joint_map, k)) continue;
+    if (has_two_limits(limits)) {
+      if (!fits(recording, limits, k, degree, 0)) return std::nullopt;
+    } else if (!evidence && is_rather_in_degrees(arm, recording, k, has_times)) {
+      evidence = largest(recording, {}, k, 0);
+    }
+  }
+  return evidence;
+}
 
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map) {
@@ -51,7 +95,7 @@ std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits(k);
     if (slides(arm, k) || has_unit(joint_map, k)) continue;
-    if (!std::isfinite(limits.lower) || !std::isfinite(limits.upper)) continue;
+    if (!has_two_limits(limits)) continue;
     if (!fits(recording, limits, k, degree, 0)) return std::nullopt;
     const UnitEvidence found = largest(recording, limits, k, 0);
     if (!evidence && excess(limits, found.value, 0) > revolution) evidence = found;
@@ -72,15 +116,6 @@ std::optional<UnitEvidence> evidence_of_millimetres(const Arm& arm, const Trajec
     if (!evidence && excess(limits, found.value, longest) > slack) evidence = found;
   }
   return evidence;
-}
-
-void read_as_degrees(const Arm& arm, const JointMap& joint_map, Trajectory& recording) {
-  for (int k = 0; k < arm.dof(); ++k) {
-    if (slides(arm, k) || has_unit(joint_map, k)) continue;
-    for (auto* column : {&recording.positions, &recording.velocities, &recording.accelerations}) {
-      for (Configuration& values : *column) values[k] *= degree;
-    }
-  }
 }
 
 std::optional<double> evidence_of_milliseconds(const Arm& arm, const Trajectory& recording) {

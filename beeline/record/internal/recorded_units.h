@@ -19,12 +19,17 @@ struct UnitEvidence {
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map);
 
-/// The same for the positions of prismatic joints and millimetres.
+/// Returns the evidence that the values of joints without two limits, such as 170 and -95, are in
+/// degrees: one is more than two revolutions as radians, all are at most one as degrees, and as
+/// radians the joint either stays beyond a revolution or, if there are times, exceeds its velocity
+/// limit, known or assumed, which it keeps as degrees. None if the values of a joint with limits
+/// are out of range in degrees. It is weaker than the evidence of limits: spindles turn often.
+std::optional<UnitEvidence> evidence_of_revolutions(const Arm& arm, const Trajectory& recording,
+                                                    const JointMap& joint_map, bool has_times);
+
+/// The same as evidence_of_degrees() for the positions of prismatic joints and millimetres.
 std::optional<UnitEvidence> evidence_of_millimetres(const Arm& arm, const Trajectory& recording,
                                                     const JointMap& joint_map);
-
-/// Multiplies the angles whose unit the joint map does not give, and their rates, by pi / 180.
-void read_as_degrees(const Arm& arm, const JointMap& joint_map, Trajectory& recording);
 
 /// The mean time between samples, seconds, if the joints move so slowly that times of a thousandth
 /// are likely: a second or more, with less than 1 / 500 of each velocity limit, known or assumed.

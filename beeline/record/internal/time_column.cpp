@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/record/internal/time_column.h>
 
 namespace beeline {
@@ -38,14 +39,9 @@ std::optional<TimeUnit> unit_called(std::string_view name) {
   return std::nullopt;
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  return text;
-}
-
 /// A name as its message and the last part, in lower case: `/joint_states/header/` and `stamp`.
 std::pair<std::string, std::string> parts_of(const std::string& name) {
-  const std::string text = lower_case(name);
+  const std::string text = internal::lower_case(name);
   const std::size_t end = text.find_last_of("/.");
   std::string last = end == std::string::npos ? text : text.substr(end + 1);
   last.erase(0, std::min(last.find_first_not_of("%_ "), last.size()));
@@ -132,6 +128,11 @@ std::optional<TimeColumns> time_columns(const std::vector<std::string>& names) {
     }
   }
   std::optional<TimeColumns> stamp = stamp_columns(names);
+  if (!found && !stamp) {
+    const auto upper = std::find(names.begin(), names.end(), "T");
+    if (upper == names.end()) return std::nullopt;
+    return TimeColumns{.index = static_cast<std::size_t>(upper - names.begin())};
+  }
   if (!found || !stamp) return found ? found : stamp;
   found->others.push_back(stamp->index);
   if (stamp->nanoseconds) found->others.push_back(*stamp->nanoseconds);
@@ -139,6 +140,11 @@ std::optional<TimeColumns> time_columns(const std::vector<std::string>& names) {
 }
 
 bool names_times(const std::vector<std::string>& names) { return time_columns(names).has_value(); }
+
+bool is_since_1970(double seconds) {
+  constexpr double year_1973 = 1e8;
+  return std::abs(seconds) >= year_1973;
+}
 
 TimeUnit unit_of_times(double first) {
   // Times since 1970 of the years 1973 to 5138, the ranges of the units do not overlap.

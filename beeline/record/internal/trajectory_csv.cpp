@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/csv.h>
+#include <beeline/internal/letter_case.h>
+#include <beeline/read/internal/csv_items.h>
+#include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/record/internal/recordable.h>
@@ -20,13 +23,32 @@ constexpr std::string_view acceleration_suffix = "_acc";
 using Indices = std::vector<std::size_t>;
 using Columns = std::unordered_map<std::string, std::size_t>;
 
+bool ends_with_ignoring_case(std::string_view text, std::string_view suffix) {
+  return text.size() >= suffix.size() &&
+         same_ignoring_case(text.substr(text.size() - suffix.size()), suffix);
+}
+
 /// Returns the joint whose velocity or acceleration the column would be; empty for a name without
 /// suffix.
 std::string joint_of_rate(const std::string& column) {
   for (const std::string_view suffix : {velocity_suffix, acceleration_suffix}) {
-    if (column.ends_with(suffix)) return column.substr(0, column.size() - suffix.size());
+    if (ends_with_ignoring_case(column, suffix)) {
+      return column.substr(0, column.size() - suffix.size());
+    }
   }
   return {};
+}
+
+/// Returns the header with the suffixes of velocities and accelerations in lower case.
+std::vector<std::string> with_known_suffixes(std::vector<std::string> header) {
+  std::unordered_set<std::string> names(header.begin(), header.end());
+  for (std::string& name : header) {
+    const std::string joint = joint_of_rate(name);
+    if (joint.empty() || !names.contains(joint)) continue;
+    const std::string known = joint + lower_case(name.substr(joint.size()));
+    if (names.insert(known).second) name = known;
+  }
+  return header;
 }
 
 /// Returns the columns of the joints' names with this suffix: one for every joint, or none.
@@ -64,6 +86,18 @@ struct Layout {
   Indices positions = {}, velocities = {}, accelerations = {};
 };
 
+/// Throws Error for a time unit where the table's columns give another one, or there are no times.
+void check_time_unit(const Layout& layout, const TableOptions& options,
+                     const std::vector<std::string>& header) {
+  if (!options.time_unit || options.time_unit_is_optional) return;
+  if (layout.times && !layout.times->nanoseconds) return;
+  if (!layout.times) throw Error(std::string("has no times; ") + time_unit_refusal);
+  if (*options.time_unit == TimeUnit::seconds) return;
+  throw Error("columns " + printable(header[layout.times->index]) + " and " +
+              printable(header[*layout.times->nanoseconds]) + " are seconds and nanoseconds; " +
+              time_unit_refusal);
+}
+
 /// The times of the rows of a table.
 class RowTimes {
  public:
@@ -71,33 +105,39 @@ class RowTimes {
       : columns_(columns), rows_(rows), given_(options.time_unit) {
     if (!columns_) return;
     if (!given_) given_ = columns_->unit;
+    if (columns_->nanoseconds) given_ = TimeUnit::seconds;
     rows_.count_from_first(columns_->index);
   }
 
   /// Decides by the first row how times are read.
   void start(const std::vector<double>& row, const std::string& path,
-             std::vector<std::string>& notes) {
+             std::vector<RecordingNote>& notes) {
     if (!columns_) return;
-    constexpr double year_1973 = 1e8;  // seconds since 1970
     const std::string& column = rows_.columns()[columns_->index];
     const double first = row[columns_->index];
     unit_ = given_.value_or(column == "t" ? TimeUnit::seconds : unit_of_times(first));
-    since_1970_ = std::abs(first) * seconds_per(unit_) >= year_1973;
-    if (given_ || unit_ == TimeUnit::seconds) return;
-    notes.push_back(path + ": column " + printable(column) + " has times since 1970 in " +
-                    name(unit_) + ", which count from the first sample");
+    // The digits of a double do not suffice for a time since 1970 in small units.
+    const bool small = unit_ != TimeUnit::seconds || columns_->nanoseconds;
+    counts_ = small && is_since_1970(first * seconds_per(unit_));
+    if (!counts_) return;
+    RecordingNote note{.kind = RecordingNoteKind::times_since_1970,
+                       .path = path,
+                       .columns = {column},
+                       .unit = name(unit_)};
+    if (columns_->nanoseconds) {
+      note.columns.push_back(rows_.columns()[*columns_->nanoseconds]);
+      note.unit += " and " + name(TimeUnit::nanoseconds);
+    }
+    notes.push_back(note);
   }
 
   /// The time of the last row that was read, in seconds.
   double time(const std::vector<double>& row, std::size_t sample) const {
     if (!columns_) return static_cast<double>(sample);
-    const double value = row[columns_->index];
-    if (columns_->nanoseconds) {
-      const double whole = since_1970_ ? rows_.from_first() : value;
-      return (whole * 1e9 + row[*columns_->nanoseconds]) / 1e9;
-    }
+    const double value = counts_ ? rows_.from_first() : row[columns_->index];
+    if (columns_->nanoseconds) return (value * 1e9 + row[*columns_->nanoseconds]) / 1e9;
     if (unit_ == TimeUnit::seconds) return value;
-    return (since_1970_ ? rows_.from_first() : value) / std::round(1 / seconds_per(unit_));
+    return value / std::round(1 / seconds_per(unit_));
   }
 
  private:
@@ -105,7 +145,7 @@ class RowTimes {
   CsvRows& rows_;
   std::optional<TimeUnit> given_;
   TimeUnit unit_ = TimeUnit::seconds;
-  bool since_1970_ = false;  // digits of a double do not suffice for them and a smaller unit
+  bool counts_ = false;  ///< times count from the first
 };
 
 void append_row(const std::vector<double>& row, double time, const Layout& layout,
@@ -162,12 +202,23 @@ bool has_texts(const std::string& column) {
   return last == "name" || last == "frame_id" || last == "child_frame_id";
 }
 
+/// The columns of times. In a path T is a joint, if the arm has one of this name.
+std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
+                                    const TableOptions& options) {
+  std::optional<TimeColumns> times = time_columns(header);
+  const auto& joints = options.joint_names;
+  const bool has_joint = std::find(joints.begin(), joints.end(), "T") != joints.end();
+  if (times && header[times->index] == "T" && has_joint && !options.needs_times) return {};
+  return times;
+}
+
 /// Reads the header of a trajectory, whose joints' names are `names` then.
 Layout layout_of(CsvRows& rows, const TableOptions& options, std::vector<std::string>& names) {
-  const std::vector<std::string>& header = rows.columns();
+  const std::vector<std::string> header = with_known_suffixes(rows.columns());
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
-  Layout layout{.times = time_columns(header)};
+  Layout layout{.times = times_in(header, options)};
+  check_time_unit(layout, options, header);
   if (!layout.times && options.needs_times) {
     throw Error(
         "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
@@ -218,17 +269,20 @@ void append(std::string& text, const Configuration& values) {
 
 Recording recording_from_lines(CsvLines& lines, const std::string& path,
                                const TableOptions& options) {
-  CsvRows rows(lines, path, forms_of(options), names_times);
+  CsvRows rows(lines, path, {forms_of(options), names_times});
   Recording recording;
   Trajectory& trajectory = recording.trajectory;
   if (!rows.has_header()) {
-    recording.notes.push_back(path + " has no header; its columns are read as " +
-                              listed(rows.columns()));
+    recording.notes.push_back(
+        {.kind = RecordingNoteKind::no_header, .path = path, .columns = rows.columns()});
   }
   int line = 0;
   try {
     const Layout layout = layout_of(rows, options, trajectory.joint_names);
     recording.has_times = layout.times.has_value();
+    recording.in_time_unit =
+        options.time_unit && layout.times &&
+        (!layout.times->nanoseconds || *options.time_unit == TimeUnit::seconds);
     const std::string column = layout.times ? rows.columns()[layout.times->index] : "";
     RowTimes times(layout.times, options, rows);
     for (std::vector<double> row; rows.next(row);) {

@@ -14,6 +14,7 @@ namespace beeline::internal {
 struct TableOptions {
   std::vector<std::string> joint_names = {};  ///< of a table without a header; none: refused
   std::optional<TimeUnit> time_unit = std::nullopt;
+  bool time_unit_is_optional = false;
   bool needs_times = true;  ///< otherwise rows without times are at 0, 1, 2, ... s
 };
 
@@ -21,7 +22,8 @@ struct TableOptions {
 /// known, in any order. A column is a velocity if its name without `_vel` is also a column. Columns
 /// of names and frames, texts, are skipped. The unit of times is that of the options, else that in
 /// the column's name, else, unless the column is `t`, unit_of_times(); in a smaller unit than
-/// seconds, times since 1970 count from the first. Times must increase.
+/// seconds, or with nanoseconds beside, times since 1970 count from the first. Times must increase.
+/// Names of columns and endings are in upper or lower case.
 /// Without a header there is a row of t and the joints' positions or, three times as long, their
 /// velocities and accelerations too. The memory is that of the numbers and of one row. Throws
 /// FileError that names the line and the column.

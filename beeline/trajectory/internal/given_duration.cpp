@@ -8,12 +8,13 @@
 
 namespace beeline::internal {
 
-void check_duration(const std::optional<double>& duration, double rate) {
-  if (!duration) return;
-  if (!(*duration > 0 && std::isfinite(*duration))) {
-    throw Error("duration must be above 0 s, not " + number(*duration));
-  }
-  if (rate > 0) {
+void check_duration(const std::optional<double>& duration) {
+  if (!duration || (*duration > 0 && std::isfinite(*duration))) return;
+  throw Error("duration must be above 0 s, not " + number(*duration));
+}
+
+void refuse_duration_with_rate(const std::optional<double>& duration, double rate) {
+  if (duration && rate > 0) {
     throw Error("duration cannot be combined with a rate, at which sections last whole periods");
   }
 }

@@ -7,9 +7,11 @@
 
 namespace beeline::internal {
 
-/// Throws Error unless a duration is above 0, and where it is given together with a rate: samples
-/// at a rate last whole periods.
-void check_duration(const std::optional<double>& duration, double rate);
+/// Throws Error unless a duration, if it is given, is finite and above 0.
+void check_duration(const std::optional<double>& duration);
+
+/// Throws Error for a duration together with a rate, at which sections last whole periods.
+void refuse_duration_with_rate(const std::optional<double>& duration, double rate);
 
 /// Why a duration cannot be kept: the shortest within the limits is longer.
 std::string too_short(double duration, double shortest);

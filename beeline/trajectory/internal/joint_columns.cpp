@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/model/catalog.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 
@@ -67,6 +68,31 @@ void find_affixes(const Names& names, const Index& index, const Names& naming,
   }
 }
 
+/// The same for all namings.
+std::vector<Affixes> affixes_in(const Names& names, const Index& index,
+                                const std::vector<Names>& namings) {
+  std::vector<Affixes> found;
+  for (const Names& naming : namings) find_affixes(names, index, naming, found);
+  // Without an ending all columns are joints, so that another one is a joint too many.
+  std::erase_if(found, [&](const Affixes& affixes) {
+    return affixes.ending == 0 && names.size() != affixes.naming->size();
+  });
+  return found;
+}
+
+Index index_of(const Names& names) {
+  Index index;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    index.emplace(names[i], static_cast<Eigen::Index>(i));
+  }
+  return index;
+}
+
+Names lower_case(Names names) {
+  for (std::string& name : names) name = internal::lower_case(name);
+  return names;
+}
+
 [[noreturn]] void refuse_names(const Arm& arm, const Names& names) {
   std::vector<std::string> missing, unknown = names;
   for (const std::string& joint : arm.joint_names()) {
@@ -112,18 +138,16 @@ JointColumns joint_columns(const Arm& arm, const Names& names, const JointMap& j
     for (Eigen::Index k = 0; k < arm.dof(); ++k) same.positions.push_back(k);
     return same;
   }
-  Index index;
-  for (const std::string& name : names) {
-    index.emplace(name, static_cast<Eigen::Index>(index.size()));
-  }
+  Index index = index_of(names);
   if (!joint_map.empty()) return mapped_columns(arm, names, index, joint_map);
-  const std::vector<Names> namings = namings_of(arm);
-  std::vector<Affixes> found;
-  for (const Names& naming : namings) find_affixes(names, index, naming, found);
-  // Without an ending all columns are joints, so that another one is a joint too many.
-  std::erase_if(found, [&](const Affixes& affixes) {
-    return affixes.ending == 0 && names.size() != own.size();
-  });
+  std::vector<Names> namings = namings_of(arm);
+  std::vector<Affixes> found = affixes_in(names, index, namings);
+  if (found.empty()) {
+    const Names lower = lower_case(names);
+    index = index_of(lower);
+    for (Names& naming : namings) naming = lower_case(naming);
+    if (index.size() == names.size()) found = affixes_in(lower, index, namings);
+  }
   if (found.size() != 1) refuse_names(arm, names);
   const auto& [naming, front, ending, positions] = found.front();
   JointColumns columns{positions, {}, {}};

@@ -45,7 +45,7 @@ TEST(RecordedUnits, DegreesAreRecognisedAndRadiansAreNot) {
       Trajectory recorded = scaled(motion, arm, JointKind::revolute, 1 / degree);
       const auto evidence = evidence_of_degrees(arm, recorded, {});
       recognised += evidence.has_value();
-      read_as_degrees(arm, {}, recorded);
+      recorded = matched_to(arm, recorded, {.angle_unit = degree});
       for (std::size_t k = 0; k < motion.size(); ++k) {
         ASSERT_LT((recorded.positions[k] - motion.positions[k]).norm(), 1e-12);
         ASSERT_LT((recorded.velocities[k] - motion.velocities[k]).norm(), 1e-12);
@@ -62,9 +62,58 @@ TEST(RecordedUnits, AnglesWithAUnitInTheJointMapDoNotCount) {
   for (const std::string& name : arm.joint_names()) map.push_back({.name = name, .unit = 1});
   Trajectory recorded = scaled(random_motion(random, arm), arm, JointKind::revolute, 1 / degree);
   EXPECT_FALSE(evidence_of_degrees(arm, recorded, map));
-  const Trajectory before = recorded;
-  read_as_degrees(arm, map, recorded);
-  EXPECT_EQ(recorded.positions, before.positions);
+  const Trajectory read = matched_to(arm, recorded, {.joint_map = map, .angle_unit = degree});
+  EXPECT_EQ(read.positions, recorded.positions);
+}
+
+/// ur5e, or another arm, without the limits of positions, and with 3 rad/s.
+Arm without_position_limits(const Arm& arm) {
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) joint.limits = {.velocity = 3};
+  return {arm.name(), joints};
+}
+
+TEST(RecordedUnits, DegreesOfJointsWithoutLimitsAreRecognised) {
+  testing::Random random;
+  const Arm arm = built_in("ur5e"), free = without_position_limits(arm);
+  int recognised = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Configuration a = random.configuration(arm) / 2, b = random.configuration(arm) / 2;
+    Trajectory motion{free.joint_names(), {}, {}, {}, {}};
+    for (int k = 0; k <= 20; ++k) {
+      motion.times.push_back(0.2 * k);
+      motion.positions.push_back(a + (b - a) * k / 20);
+    }
+    EXPECT_FALSE(evidence_of_revolutions(free, motion, {}, true));
+    const Trajectory recorded = scaled(motion, free, JointKind::revolute, 1 / degree);
+    EXPECT_FALSE(evidence_of_degrees(free, recorded, {})) << "its limits are not known";
+    const auto evidence = evidence_of_revolutions(free, recorded, {}, true);
+    recognised += evidence.has_value();
+    if (!evidence) continue;
+    EXPECT_GT(std::abs(evidence->value), 4 * std::numbers::pi);
+    JointMap map;
+    for (const std::string& name : free.joint_names())
+      map.push_back({.name = name, .unit = degree});
+    EXPECT_FALSE(evidence_of_revolutions(free, recorded, map, true));
+  }
+  EXPECT_GT(recognised, 45);
+}
+
+TEST(RecordedUnits, ASpindleIsNotTakenForDegrees) {
+  const Arm arm = without_position_limits(built_in("rrr"));
+  Trajectory motion{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k < 100; ++k) {  // from 0, within 3 rad/s, to 297 rad
+    motion.times.push_back(k);
+    motion.positions.push_back(Configuration::Constant(3, 2.99 * k));
+  }
+  EXPECT_FALSE(evidence_of_revolutions(arm, motion, {}, true));
+  motion.times.back() += 1;
+  motion.positions.back().setConstant(400);
+  EXPECT_FALSE(evidence_of_revolutions(arm, motion, {}, true))
+      << "more than a revolution in degrees";
+  Trajectory wrapped{arm.joint_names(), {0, 0.1}, {}, {}, {}};
+  wrapped.positions = {Configuration::Constant(3, 3.1), Configuration::Constant(3, -3.1)};
+  EXPECT_FALSE(evidence_of_revolutions(arm, wrapped, {}, true));
 }
 
 TEST(RecordedUnits, MillimetresAreRecognised) {

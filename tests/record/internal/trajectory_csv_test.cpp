@@ -49,6 +49,7 @@ TEST(TrajectoryCsv, NamesThatWouldBeReadAsAnotherColumnAreNotWritten) {
       "joint \"a_vel\" cannot be written to a .csv file, where this is the name of a column of "
       "joint \"a\"; write .json instead");
   EXPECT_REFUSED(write({"a_acc", "a"}), "joint \"a_acc\" cannot be written");
+  EXPECT_REFUSED(write({"a", "a_VEL"}), "joint \"a_VEL\" cannot be written");
   EXPECT_REFUSED(write({"a\nb"}), "contains a control character");
   EXPECT_REFUSED(write({"a", "a"}), "two joints of the trajectory have the name \"a\"");
 }

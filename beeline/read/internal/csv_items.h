@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beeline::internal {
+
+/// Returns the separator of a text from its first line, by the characters outside of quotes: a
+/// comma; a semicolon if there are no commas, or only those of decimal numbers; a tab if there is
+/// neither; a blank, which stands for any number of them, if there are no other separators. A
+/// single item has a comma.
+char csv_separator(std::string_view line);
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Removes the first item and its separator from `line`; returns false when it was the last item.
+/// The item is without the blanks and quotes around it. Throws Error for a quotation mark at the
+/// wrong position.
+bool take_item(std::string_view& line, std::string& item, char separator);
+
+/// Returns the items of one line. Throws Error as take_item().
+std::vector<std::string> csv_items(std::string_view line, char separator = ',');
+
+/// Returns a name as a CSV header holds it: in quotes where necessary.
+std::string csv_name(const std::string& name);
+
+/// Returns the index in `names` of each name of `header`; none unless `header` has every name once.
+/// Upper and lower case are alike, except between names that differ only in it.
+std::optional<std::vector<std::size_t>> positions_of(const std::vector<std::string>& header,
+                                                     const std::vector<std::string>& names);
+
+}  // namespace beeline::internal
