@@ -136,7 +136,7 @@ CsvRows::CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms
     : lines_(lines), path_(path) {
   std::string_view first;
   if (!lines_.next(first)) throw FileError(path_, 0, "is empty; it needs a header and rows");
-  if (!is_utf8(first)) throw FileError(path_, line(), "the header " + std::string(not_utf8));
+  if (!is_utf8(first)) throw FileError(path_, line(), "the header " + not_utf8(first));
   try {
     read_columns(first, forms);
   } catch (const Error& error) {
