@@ -122,6 +122,7 @@ class YamlBuilder final : public YAML::EventHandler {
   void add_key(Open& map, const Yaml& key) {
     const auto* text = std::get_if<std::string>(&key.value);
     if (text == nullptr) refuse(key.line, "a key must be a name, not a list or a map");
+    if (!is_utf8(*text)) refuse(key.line, "the key " + in_quotes(*text) + " " + not_utf8(*text));
     if (!map.keys.insert(*text).second) {
       refuse(key.line, "the key " + in_quotes(*text) + " is given twice");
     }

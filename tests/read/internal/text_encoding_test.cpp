@@ -125,6 +125,9 @@ TEST(TextEncoding, Latin1IsNamedWhereItMatters) {
                                 "e\n1,2,3\n",
                                 "a.csv"),
                  "a.csv:2: the header is not UTF-8 text (byte 0xf6), perhaps Latin-1");
+  EXPECT_REFUSED(joint_limits_from_text("joint_limits:\n  j\xf6int1:\n    max_velocity: 1\n",
+                                        "a.yaml", built_in("panda")),
+                 "a.yaml:2: the key \"j?int1\" is not UTF-8 text (byte 0xf6)");
   EXPECT_EQ(poses_from_csv("# 90 \xb0\nx,y,theta\n1,2,3\n", "a.csv").poses.size(), 1u);
   EXPECT_EQ(joint_limits_from_text("# Gr\xf6\xdf"
                                    "e\n" +
