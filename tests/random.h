@@ -71,20 +71,8 @@ class Random {
     return pose;
   }
 
-  /// Uniform within the limits; an unlimited side counts as pi away (radians) or 1 (metres).
-  Configuration configuration(const Arm& arm) {
-    Configuration q(arm.dof());
-    for (int k = 0; k < arm.dof(); ++k) {
-      const Limits& limits = arm.limits(k);
-      const double far = kind(arm.joint_of(k)) == JointKind::prismatic ? 1 : 3.14159265358979;
-      const double lower =
-          std::isfinite(limits.lower) ? limits.lower : std::min(-far, limits.upper - far);
-      const double upper =
-          std::isfinite(limits.upper) ? limits.upper : std::max(far, limits.lower + far);
-      q[k] = uniform(lower, upper);
-    }
-    return q;
-  }
+  /// random_configuration().
+  Configuration configuration(const Arm& arm) { return random_configuration(arm, engine_); }
 
  private:
   static std::uint64_t seed_from_environment() {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -271,6 +272,21 @@ Configuration middle_configuration(const Arm& arm) {
     const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
     q[k] = bounded ? std::midpoint(limits.lower, limits.upper)
                    : std::clamp(0.0, limits.lower, limits.upper);
+  }
+  return q;
+}
+
+Configuration random_configuration(const Arm& arm, std::mt19937_64& engine) {
+  Configuration q(arm.dof());
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double half = kind(arm.joint_of(k)) == JointKind::prismatic ? 1 : std::numbers::pi;
+    auto [lower, upper] = std::pair(arm.limits(k).lower, arm.limits(k).upper);
+    const bool below = std::isfinite(lower), above = std::isfinite(upper);
+    if (!below) lower = above ? upper - 2 * half : -half;
+    if (!above) upper = below ? lower + 2 * half : half;
+    // The standard library's distributions differ between systems; the engine does not.
+    const double fraction = static_cast<double>(engine() >> 11) * 0x1p-53;
+    q[k] = std::min(upper, lower + (upper - lower) * fraction);
   }
   return q;
 }

@@ -33,18 +33,9 @@ struct Motions {
   explicit Motions(double way) {
     Engine engine(20240501);
     for (int n = 0; n < 4096; ++n) {
-      from.push_back(configuration(engine));
-      to.push_back(from.back() + way * (configuration(engine) - from.back()));
+      from.push_back(random_configuration(arm, engine));
+      to.push_back(from.back() + way * (random_configuration(arm, engine) - from.back()));
     }
-  }
-
-  Configuration configuration(Engine& engine) const {
-    Configuration q(arm.dof());
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const Limits& limits = arm.limits(k);
-      q[k] = uniform(engine, limits.lower, limits.upper);
-    }
-    return q;
   }
 
   std::size_t next() { return place = (place + 1) % from.size(); }

@@ -2,7 +2,7 @@
 
 #include "bindings.h"
 #include "interruption.h"
-#include "trajectory_fields.h"
+#include "recording_fields.h"
 
 namespace beeline::python {
 
@@ -53,57 +53,6 @@ States sampled_states(const Trajectory& trajectory, nb::handle t, nb::handle sid
     }
   }
   return states;
-}
-
-/// A joint map as text, for read_joint_map(), or a list of names and joints.
-JointMap joint_map_from(const Arm& arm, nb::handle value) {
-  if (value.is_none()) return {};
-  if (PyUnicode_Check(value.ptr())) {
-    return read_joint_map(Value<std::string>::from(value, "joint_map"), arm);
-  }
-  if (!nb::isinstance<nb::list>(value) && !nb::isinstance<nb::tuple>(value)) {
-    raise_type("joint_map", "a text or a list", value);
-  }
-  JointMap map;
-  for (nb::handle item : nb::borrow(value)) {
-    map.push_back(PyUnicode_Check(item.ptr())
-                      ? mapped_joint(Value<std::string>::from(item, "joint_map"))
-                      : Value<MappedJoint>::from(item, "joint_map"));
-  }
-  return map;
-}
-
-MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle unit) {
-  return {.joint_map = joint_map_from(arm, joint_map),
-          .angle_unit = to_radians(1, Value<AngleUnit>::from(unit, "unit"))};
-}
-
-/// Adds the keywords of matching() to a signature.
-void takes_matching(Signature& signature) {
-  signature.keywords()
-      .takes("joint_map", "str | collections.abc.Sequence[str | MappedJoint] | None",
-             "The trajectory's joints in the arm's order, a minus in front of those with the "
-             "opposite direction, as a list or separated by commas, or a .json file; other columns "
-             "are dropped. None: by name.",
-             "None")
-      .takes("unit", Value<AngleUnit>::type(), "Of angles in the trajectory.", "'radians'");
-}
-
-Trajectory loaded(const std::string& file, nb::handle arm, nb::handle joint_map, nb::handle unit,
-                  const std::optional<TimeUnit>& time_unit) {
-  const Arm* known = nullptr;
-  if (!arm.is_none() && !nb::try_cast<const Arm*>(arm, known)) raise_type("arm", "an Arm", arm);
-  if (known == nullptr) {
-    const bool plain = joint_map.is_none() && !time_unit &&
-                       Value<AngleUnit>::from(unit, "unit") == AngleUnit::radians;
-    if (!plain) throw Error("joint_map, unit and time_unit need an arm");
-    const LockRelease release;
-    return read_trajectory(file);
-  }
-  const RecordingOptions options{.match = matching(*known, joint_map, unit),
-                                 .time_unit = time_unit};
-  const LockRelease release;
-  return read_recording(file, *known, options).trajectory;
 }
 
 void bind_samples(nb::class_<Trajectory>& trajectory) {
@@ -157,29 +106,6 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
 }
 
 void bind_files(nb::class_<Trajectory>& trajectory) {
-  Signature load(
-      "load", "Trajectory",
-      "Reads a trajectory from a file: .csv, with columns t, then the joints' names, NAME_vel and "
-      "NAME_acc where known; .json and .yaml, the message trajectory_msgs/JointTrajectory of ROS. "
-      "Tables of other programs are read too: the times in a column time or timestamp, other "
-      "separators and decimal commas. With an arm the trajectory is matched_to() it; only then may "
-      "a table have no header. Raises FileError for invalid lines, which it names.");
-  load.takes("path", path_like, "Its ending determines the format.")
-      .takes("arm", "Arm | None", "The arm.", "None");
-  takes_matching(load);
-  load.takes("time_unit", Value<std::optional<TimeUnit>>::argument_type(),
-             "Of times in a table; None: by the column's name, or else by their size.", "None");
-  define_static(
-      trajectory,
-      [](nb::handle path, nb::handle arm, nb::handle joint_map, nb::handle unit,
-         nb::handle time_unit) {
-        const std::string file = path_from(path, "path");
-        return loaded(file, arm, joint_map, unit,
-                      Value<std::optional<TimeUnit>>::from(time_unit, "time_unit"));
-      },
-      load, nb::arg("path"), nb::arg("arm") = nb::none(), nb::kw_only(),
-      nb::arg("joint_map") = nb::none(), nb::arg("unit") = "radians",
-      nb::arg("time_unit") = nb::none());
   Signature save("save", "None",
                  "Writes the trajectory to a .csv, .json or .yaml file, which is replaced as a "
                  "whole. Numbers read back exactly, times of the latter two to the nanosecond.");
@@ -289,7 +215,9 @@ void bind_trajectories(nb::module_& m) {
          nb::arg("positions"), nb::arg("velocities") = nb::none(),
          nb::arg("accelerations") = nb::none());
   bind_samples(trajectory);
+  bind_loading(trajectory);
   bind_files(trajectory);
+  bind_recordings(m);
   bind_record<UnwrappedJoint>(m);
   bind_record<Unwrapped>(m);
   bind_record<JointDifference>(m);

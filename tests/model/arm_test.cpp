@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 #include <beeline/model/arm.h>
@@ -239,6 +240,38 @@ TEST(MiddleConfiguration, IsTheMiddleOrElseTheValueNearestToZero) {
     const Arm arm = built_in(name);
     EXPECT_TRUE(limit_violations(arm, middle_configuration(arm), 0).empty()) << name;
   }
+}
+
+TEST(RandomConfiguration, IsUniformWithinTheLimits) {
+  const Limits limits[] = {{-1, 3}, {-inf, 2}, {5, inf}, {}, {1, 1}};
+  std::vector<Joint> joints;
+  for (const Limits& of_joint : limits) {
+    joints.push_back(turning("j" + std::to_string(joints.size())));
+    joints.back().limits = of_joint;
+  }
+  const Arm arm("arm", joints);
+  const double ranges[][2] = {{-1, 3},
+                              {2 - 2 * std::numbers::pi, 2},
+                              {5, 5 + 2 * std::numbers::pi},
+                              {-std::numbers::pi, std::numbers::pi},
+                              {1, 1}};
+  std::mt19937_64 engine(7), again(7), other(8);
+  constexpr int count = 4000;
+  Configuration mean = Configuration::Zero(arm.dof());
+  for (int i = 0; i < count; ++i) {
+    const Configuration q = random_configuration(arm, engine);
+    ASSERT_EQ(q, random_configuration(arm, again));
+    for (int k = 0; k < arm.dof(); ++k) {
+      ASSERT_GE(q[k], ranges[k][0]);
+      ASSERT_LE(q[k], ranges[k][1]);
+    }
+    mean += q / count;
+  }
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double width = ranges[k][1] - ranges[k][0];  // the mean has a deviation of 0.0046 widths
+    EXPECT_NEAR(mean[k], (ranges[k][0] + ranges[k][1]) / 2, 0.03 * width + 1e-12);
+  }
+  EXPECT_NE(random_configuration(arm, engine), random_configuration(arm, other));
 }
 
 TEST(OutsideLimits, ListsTheCoordinatesBeyondTheSlack) {

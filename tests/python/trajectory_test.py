@@ -213,6 +213,34 @@ def test_joint_maps(tmp_path, rng):
         given.matched_to(arm, joint_map=3)
 
 
+def test_notes_of_recordings_are_data_and_warnings(tmp_path):
+    arm = beeline.Arm.load("ur5e")
+    names = ",".join(f"joint{i}" for i in range(1, 7))
+    path = tmp_path / "log.csv"
+    path.write_text(f"sec,nanosec,{names}\n1700000000,5,-90,-45,90,10,20,30\n1700000001,5,-91,-45,90,10,20,30\n")
+    with pytest.warns(beeline.RecordingWarning) as issued:
+        recording = beeline.read_recording(path, arm)
+    assert [note.kind for note in recording.notes] == ["times_since_1970", "likely_degrees"]
+    epoch, degrees = recording.notes
+    assert epoch.columns == ["sec", "nanosec"] and epoch.unit == "s and ns" and epoch.path == str(path)
+    assert degrees.joint == "joint1" and degrees.value == -91
+    assert [warning.message.note for warning in issued] == recording.notes
+    assert "count from the first sample" in str(issued[0].message)
+    assert str(issued[1].message).endswith('out of range in radians but not in degrees; unit="degrees" reads degrees')
+    assert recording.has_times and not recording.mapped and not recording.in_time_unit
+    with pytest.warns(beeline.RecordingWarning) as issued:
+        loaded = beeline.Trajectory.load(path, arm)
+    assert len(issued) == 2 and np.array_equal(loaded.positions, recording.trajectory.positions)
+    with pytest.warns(beeline.RecordingWarning, match="is read in degrees"):
+        detected = beeline.read_recording(path, arm, detect_degrees=True)
+    with pytest.warns(beeline.RecordingWarning) as issued:
+        given = beeline.read_recording(path, arm, unit="degrees")
+    assert [note.kind for note in given.notes] == ["times_since_1970"]
+    assert np.allclose(given.trajectory.positions, detected.trajectory.positions, rtol=0, atol=1e-15)
+    with pytest.raises(beeline.FileError, match="sec and nanosec are seconds and nanoseconds"):
+        beeline.read_recording(path, arm, time_unit="ms")
+
+
 def test_wrapped_values_are_unwrapped():
     arm = beeline.Arm.from_string("RR:1,1")
     q = np.stack([2.9 + 0.05 * np.arange(21), np.zeros(21)], axis=1)

@@ -144,8 +144,10 @@ TEST(PoseForm, OfNumbersWithoutNamesIsTheOneAskedFor) {
   }
   EXPECT_REFUSED(pose_of(Numbers(7), {.pose_form = PoseForm::rotvec}),
                  "a pose of 7 numbers; pose_form rotvec has x,y,z,rx,ry,rz");
-  EXPECT_REFUSED(poses_from_csv("0,0,0,1,0,0,0\n", "a.csv", {.pose_form = PoseForm::abc}),
-                 "it has 7 numbers, and a row without a header has one of 3, 6, 2");
+  EXPECT_REFUSED(
+      poses_from_csv("0,0,0,1,0,0,0\n", "a.csv", {.pose_form = PoseForm::abc}),
+      "it has 7 numbers, and a row without a header has one of 3 (x, y, theta), 6 (x, y, z, A, B, "
+      "C), 2 (x, y)");
   EXPECT_REFUSED(pose_form_named("euler"), "unknown pose_form \"euler\"");
 }
 

@@ -1,0 +1,174 @@
+#include "bindings.h"
+#include "interruption.h"
+#include "recording_fields.h"
+
+namespace beeline::python {
+namespace {
+
+/// A joint map as text, for read_joint_map(), or a list of names and joints.
+JointMap joint_map_from(const Arm& arm, nb::handle value) {
+  if (value.is_none()) return {};
+  if (PyUnicode_Check(value.ptr())) {
+    return read_joint_map(Value<std::string>::from(value, "joint_map"), arm);
+  }
+  if (!nb::isinstance<nb::list>(value) && !nb::isinstance<nb::tuple>(value)) {
+    raise_type("joint_map", "a text or a list", value);
+  }
+  JointMap map;
+  for (nb::handle item : nb::borrow(value)) {
+    map.push_back(PyUnicode_Check(item.ptr())
+                      ? mapped_joint(Value<std::string>::from(item, "joint_map"))
+                      : Value<MappedJoint>::from(item, "joint_map"));
+  }
+  return map;
+}
+
+/// How the user reads the recording otherwise, to be appended to the warning.
+const char* choice_after(RecordingNoteKind kind) {
+  switch (kind) {
+    case RecordingNoteKind::likely_degrees:
+    case RecordingNoteKind::many_revolutions:
+      return "; unit=\"degrees\" reads degrees";
+    case RecordingNoteKind::likely_millimetres:
+      return "; the unit 0.001 in a joint_map reads millimetres";
+    case RecordingNoteKind::likely_milliseconds:
+      return "; time_unit reads ms, us or ns";
+    default:
+      return "";
+  }
+}
+
+/// The category of warnings about recordings.
+nb::object recording_warning() {
+  static PyObject* const type = PyErr_NewExceptionWithDoc(
+      "beeline._core.RecordingWarning",
+      "How a recording was read where the file does not say, or what its numbers suggest: its "
+      "text, with the attribute note, a RecordingNote.",
+      PyExc_UserWarning, nullptr);
+  return nb::borrow(type);
+}
+
+/// Reads a recording and issues its notes as warnings.
+Recording recording_in(const std::string& file, const Arm& arm, const RecordingOptions& options) {
+  Recording recording;
+  {
+    const LockRelease release;
+    recording = read_recording(file, arm, options);
+  }
+  for (const RecordingNote& note : recording.notes) {
+    nb::object instance = recording_warning()(sentence(note) + choice_after(note.kind));
+    instance.attr("note") = Value<RecordingNote>::to(note);
+    nb::module_::import_("warnings").attr("warn")(instance);
+  }
+  return recording;
+}
+
+/// The keywords of a reader of recordings.
+struct ReadingKeywords {
+  nb::handle joint_map, unit, time_unit;
+
+  RecordingOptions options(const Arm& arm) const {
+    return {.match = matching(arm, joint_map, unit),
+            .time_unit = Value<std::optional<TimeUnit>>::from(time_unit, "time_unit")};
+  }
+};
+
+void takes_reading(Signature& signature) {
+  takes_matching(signature);
+  signature.takes("time_unit", Value<std::optional<TimeUnit>>::argument_type(),
+                  "Of times in a table with one column of them; None: by the column's name, or "
+                  "else by their size.",
+                  "None");
+}
+
+Trajectory loaded(const std::string& file, nb::handle arm, const ReadingKeywords& keywords) {
+  const Arm* known = nullptr;
+  if (!arm.is_none() && !nb::try_cast<const Arm*>(arm, known)) raise_type("arm", "an Arm", arm);
+  if (known != nullptr) return recording_in(file, *known, keywords.options(*known)).trajectory;
+  const bool plain = keywords.joint_map.is_none() && keywords.time_unit.is_none() &&
+                     Value<AngleUnit>::from(keywords.unit, "unit") == AngleUnit::radians;
+  if (!plain) throw Error("joint_map, unit and time_unit need an arm");
+  const LockRelease release;
+  return read_trajectory(file);
+}
+
+constexpr const char* tables =
+    "Tables of other programs are read too: the times in a column time or timestamp, other "
+    "separators and decimal commas, names in upper or lower case.";
+
+}  // namespace
+
+MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle unit) {
+  return {.joint_map = joint_map_from(arm, joint_map),
+          .angle_unit = to_radians(1, Value<AngleUnit>::from(unit, "unit"))};
+}
+
+void takes_matching(Signature& signature) {
+  signature.keywords()
+      .takes("joint_map", "str | collections.abc.Sequence[str | MappedJoint] | None",
+             "The trajectory's joints in the arm's order, a minus in front of those with the "
+             "opposite direction, as a list or separated by commas, or a .json file; other columns "
+             "are dropped. None: by name.",
+             "None")
+      .takes("unit", Value<AngleUnit>::type(), "Of angles in the trajectory.", "'radians'");
+}
+
+void bind_loading(nb::class_<Trajectory>& trajectory) {
+  static const std::string text =
+      std::string(
+          "Reads a trajectory from a file: .csv, with columns t, then the joints' names, NAME_vel "
+          "and NAME_acc where known; .json and .yaml, the message trajectory_msgs/JointTrajectory "
+          "of ROS. ") +
+      tables +
+      " With an arm the trajectory is matched_to() it; only then may a table have no header, and "
+      "a RecordingWarning is issued for each note of read_recording(). Raises FileError for "
+      "invalid lines, which it names.";
+  Signature load("load", "Trajectory", text.c_str());
+  load.takes("path", path_like, "Its ending determines the format.")
+      .takes("arm", "Arm | None", "The arm.", "None");
+  takes_reading(load);
+  define_static(
+      trajectory,
+      [](nb::handle path, nb::handle arm, nb::handle joint_map, nb::handle unit,
+         nb::handle time_unit) {
+        return loaded(path_from(path, "path"), arm, {joint_map, unit, time_unit});
+      },
+      load, nb::arg("path"), nb::arg("arm") = nb::none(), nb::kw_only(),
+      nb::arg("joint_map") = nb::none(), nb::arg("unit") = "radians",
+      nb::arg("time_unit") = nb::none());
+}
+
+void bind_recordings(nb::module_& m) {
+  m.attr("RecordingWarning") = recording_warning();
+  bind_record<RecordingNote>(m);
+  bind_record<Recording>(m);
+  static const std::string text =
+      std::string(
+          "Reads a recording of an arm, as Trajectory.load() does with an arm, and returns the "
+          "notes on how it was read too. A RecordingWarning is issued for each. ") +
+      tables + " Raises FileError for invalid lines, which it names.";
+  Signature read("read_recording", "Recording", text.c_str());
+  read.takes("path", path_like, "Its ending determines the format.")
+      .takes("arm", "Arm", "The arm.");
+  takes_reading(read);
+  read.takes("detect_degrees", "bool",
+             "Read a recording in degrees if an angle is more than a revolution out of its limits "
+             "in radians, and none in degrees.",
+             "False")
+      .takes("needs_times", "bool", "False: a table may be a path, with a row each second.",
+             "True");
+  define(
+      m,
+      [](nb::handle path, const Arm& arm, nb::handle joint_map, nb::handle unit,
+         nb::handle time_unit, nb::handle detect_degrees, nb::handle needs_times) {
+        RecordingOptions options = ReadingKeywords{joint_map, unit, time_unit}.options(arm);
+        options.detect_degrees = Value<bool>::from(detect_degrees, "detect_degrees");
+        options.needs_times = Value<bool>::from(needs_times, "needs_times");
+        return recording_in(path_from(path, "path"), arm, options);
+      },
+      read, nb::arg("path"), nb::arg("arm"), nb::kw_only(), nb::arg("joint_map") = nb::none(),
+      nb::arg("unit") = "radians", nb::arg("time_unit") = nb::none(),
+      nb::arg("detect_degrees") = false, nb::arg("needs_times") = true);
+}
+
+}  // namespace beeline::python
