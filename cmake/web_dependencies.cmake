@@ -36,8 +36,9 @@ function(beeline_compiled name)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 set(hwy ${sources}/highway)
+file(GLOB abort ${hwy}/hwy/abort.cc)  # a file of its own since 1.2
 beeline_compiled(hwy::hwy INCLUDE ${hwy}
-  SOURCES ${hwy}/hwy/aligned_allocator.cc ${hwy}/hwy/per_target.cc ${hwy}/hwy/targets.cc)
+  SOURCES ${hwy}/hwy/aligned_allocator.cc ${hwy}/hwy/per_target.cc ${hwy}/hwy/targets.cc ${abort})
 beeline_compiled(tinyxml2::tinyxml2 INCLUDE ${sources}/tinyxml2 SOURCES ${sources}/tinyxml2/tinyxml2.cpp)
 file(GLOB yaml ${sources}/yaml-cpp/src/*.cpp)
 beeline_compiled(yaml-cpp INCLUDE ${sources}/yaml-cpp/include SOURCES ${yaml})
