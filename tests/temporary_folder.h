@@ -27,8 +27,10 @@ class TemporaryFolder {
 
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a file by the standard library alone, and returns its path.
+  /// Writes a file by the standard library alone, and returns its path. One that exists is deleted
+  /// first: a file system may wait for the disk when a file is truncated and written again.
   std::string write(const std::string& name, const std::string& content) const {
+    std::filesystem::remove(file(name));
     std::ofstream(file(name), std::ios::binary) << content;
     return file(name);
   }

@@ -283,9 +283,9 @@ def test_a_urdf_states_them_by_its_links_base_and_tool0(beeline, written, tables
         assert_assumptions(moves.note, root=not HALF_TURN.items() <= links.items(),
                            flange=not FLANGE.items() <= links.items())
         note = moves.note
-        options = ("--tip", "l6", "--mount", "1,2,3,0,0,0.5", "--tcp", "0,0,0.1")
+        options = ("--tip", "l6", "--mount", "0.05,0,-0.05,0,0,0.2", "--tcp", "0,0,0.02")
         assert beeline("show", "r.urdf", *options, "--out", "r.json").code == 0
-        assert_assumptions(exported(beeline, tmp_path, "r.json", form, "p.csv", "--mount=0,0,-3").note,
+        assert_assumptions(exported(beeline, tmp_path, "r.json", form, "p.csv", "--mount=0,0,-0.05").note,
                            root="root" in assumed_in(note), flange="flange" in assumed_in(note))
 
 

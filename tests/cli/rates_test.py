@@ -95,13 +95,13 @@ def test_rates_above_a_limit_are_named(beeline):
 
 
 def test_joints_without_a_known_limit_are_named(beeline, written):
-    answer = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST, "--json").json
-    known = [j["limits"]["velocity"] is not None for j in beeline("show", "ur5", "--json").json["joints"]]
+    answer = beeline("jacobian", "puma560", "--q", Q["puma560"], "--rates-of", TWIST, "--json").json
+    known = [j["limits"]["velocity"] is not None for j in beeline("show", "puma560", "--json").json["joints"]]
     assert answer["without_limit"] == [name for name, there in zip(answer["columns"], known) if not there] != []
-    text_answer = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST).out
+    text_answer = beeline("jacobian", "puma560", "--q", Q["puma560"], "--rates-of", TWIST).out
     assert f"not compared     {', '.join(answer['without_limit'])}   (their velocity limits are not known)" in text_answer
     written("l.json", '{"joint3": {"velocity": 1}}')
-    some = beeline("jacobian", "ur5", "--q", Q["ur5"], "--rates-of", TWIST, "--limits", "l.json", "--json").json
+    some = beeline("jacobian", "puma560", "--q", Q["puma560"], "--rates-of", TWIST, "--limits", "l.json", "--json").json
     assert some["without_limit"] == [name for name in answer["without_limit"] if name != "joint3"]
     panda = ("jacobian", "panda", "--q", Q["panda"], "--rates-of", TWIST)
     assert beeline(*panda, "--json").json["without_limit"] == []

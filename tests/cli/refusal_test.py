@@ -47,7 +47,7 @@ USAGE = [
     (("show", "rrr", "--out", "a.txt"), ["a.txt", "json"]),
     (("show", "rrr", "--out", ""), ["--out", "empty"]),
     (("draw", "rrr", "--azimuth", "nan", "--out", "a.svg"), ["--azimuth"]),
-    (("jacobian", "rrr", *Q3, "--task", "111110:tool"), [":tool", "--frame"]),
+    (("jacobian", "rrr", *Q3, "--task", "111110:tool", "--frame", "base"), [":tool", "--frame"]),
     (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--out", "a.csv", "--draw", "a.csv"),
      ["a.csv"]),
     (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--draw", "a.svg", "--plot", "./a.svg"),

@@ -143,9 +143,9 @@ def test_joint_rates_name_what_is_lost_and_what_is_exceeded():
 
 
 def test_rates_without_a_known_limit_are_named():
-    ur5 = beeline.arms.ur5()
-    unknown = [k for k, limit in enumerate(ur5.velocity) if np.isinf(limit)]
-    assert beeline.joint_rates(ur5, [0.3, -1, 1, 0.4, 0.5, 0.2], np.ones(6)).without_limit == unknown != []
+    puma = beeline.arms.puma560()
+    unknown = [k for k, limit in enumerate(puma.velocity) if np.isinf(limit)]
+    assert beeline.joint_rates(puma, [0.3, -1, 1, 0.4, 0.5, 0.2], np.ones(6)).without_limit == unknown != []
     assert beeline.joint_rates(PANDA, PANDA.middle, np.ones(6)).without_limit == []
     tool = beeline.joint_rates(PANDA, PANDA.middle, [0, 0, 0.1], task="position:tool")
     assert np.array_equal(tool.rates, beeline.joint_rates(PANDA, PANDA.middle, [0, 0, 0.1], task="position:tool", frame="tool").rates)

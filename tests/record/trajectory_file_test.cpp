@@ -93,7 +93,10 @@ TEST(TrajectoryFile, ManyJointsAreRefusedAtOnce) {
 }
 
 TEST(TrajectoryFile, EndlessFilesAreRefused) {
-  EXPECT_REFUSED(read_trajectory("/dev/zero"), "line 1 is longer than");
+  EXPECT_REFUSED(read_trajectory("/dev/zero"), "/dev/zero:1: has a byte of 0");
+  const testing::TemporaryFolder folder;
+  internal::write_file(folder.file("a.csv"), std::string(5 << 20, '1'));
+  EXPECT_REFUSED(read_trajectory(folder.file("a.csv")), "line 1 is longer than");
 }
 
 TEST(TrajectoryFile, NothingHalfMadeIsLeft) {

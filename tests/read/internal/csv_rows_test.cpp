@@ -91,7 +91,7 @@ TEST(CsvRows, MistakesAreNamedWithTheirLine) {
   EXPECT_REFUSED(table_of("1,2\n3,4\n"), "a.csv:1: the first line must be a header");
   EXPECT_REFUSED(table_of("\"x,y\n1,2\n"), "a.csv:1: a quotation mark is not closed");
   EXPECT_REFUSED(table_of("\"x\"y\n1\n"), "a.csv:1: \"y\" follows a closing");
-  EXPECT_REFUSED(table_of(std::string("x\n1\0\n", 5)), "is not a number");
+  EXPECT_REFUSED(table_of(std::string("x\n1\0\n", 5)), "a.csv:2: has a byte of 0");
 }
 
 TEST(CsvRows, SemicolonsSeparateWhereTheFirstLineHasNoComma) {
