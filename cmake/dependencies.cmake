@@ -50,6 +50,11 @@ if(TARGET yaml-cpp::yaml-cpp)  # its name since 0.8
 endif()
 beeline_require(CLI11 2.1 libcli11-dev)
 beeline_require(fmt 9 libfmt-dev)
+# Clang 20 and later find the format strings in the headers of fmt 9 and 10 not constant.
+if(TARGET fmt::fmt-header-only AND fmt_VERSION VERSION_LESS 11
+   AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 20)
+  target_compile_definitions(fmt::fmt-header-only INTERFACE FMT_CONSTEVAL=)
+endif()
 set(beeline_fmt fmt::fmt)
 if(SKBUILD)  # a wheel needs no library of it
   set(beeline_fmt fmt::fmt-header-only)
