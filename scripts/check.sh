@@ -30,7 +30,7 @@ tests_of() {  # in a pattern, * stands for folders too
 }
 
 mapfile -t folders < <(for file in "${changed[@]}"; do tests_of "$file"; done | grep -vx else | sort -u)
-targets=(beeline _core)
+targets=(beeline stubs)
 for folder in "${folders[@]}"; do
   if find "tests/${folder/#house/.}" -maxdepth 1 -name '*_test.cpp' | grep -q .; then targets+=("${folder}_test"); fi
 done
