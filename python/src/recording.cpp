@@ -114,7 +114,7 @@ void takes_matching(Signature& signature) {
 }
 
 void bind_loading(nb::class_<Trajectory>& trajectory) {
-  static const std::string text =
+  const std::string text =
       std::string(
           "Reads a trajectory from a file: .csv, with columns t, then the joints' names, NAME_vel "
           "and NAME_acc where known; .json and .yaml, the message trajectory_msgs/JointTrajectory "
@@ -123,7 +123,7 @@ void bind_loading(nb::class_<Trajectory>& trajectory) {
       " With an arm the trajectory is matched_to() it; only then may a table have no header, and "
       "a RecordingWarning is issued for each note of read_recording(). Raises FileError for "
       "invalid lines, which it names.";
-  Signature load("load", "Trajectory", text.c_str());
+  Signature load("load", "Trajectory", text);
   load.takes("path", path_like, "Its ending determines the format.")
       .takes("arm", "Arm | None", "The arm.", "None");
   takes_reading(load);
@@ -142,12 +142,12 @@ void bind_recordings(nb::module_& m) {
   m.attr("RecordingWarning") = recording_warning();
   bind_record<RecordingNote>(m);
   bind_record<Recording>(m);
-  static const std::string text =
+  const std::string text =
       std::string(
           "Reads a recording of an arm, as Trajectory.load() does with an arm, and returns the "
           "notes on how it was read too. A RecordingWarning is issued for each. ") +
       tables + " Raises FileError for invalid lines, which it names.";
-  Signature read("read_recording", "Recording", text.c_str());
+  Signature read("read_recording", "Recording", text);
   read.takes("path", path_like, "Its ending determines the format.")
       .takes("arm", "Arm", "The arm.");
   takes_reading(read);
