@@ -101,9 +101,9 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   hint_at_built_in(text);
   Arm arm = described;
   if (!tcp.empty()) {
-    const Pose flange_T_tcp = parse_frame_option(described, "--tcp", tcp, unit).pose;
-    warn_of_positions("--tcp", described, std::span(&flange_T_tcp, 1), unit);
-    arm = with_tcp(arm, flange_T_tcp);
+    const Pose tool_T_tcp = parse_frame_option(described, "--tcp", tcp, unit).pose;
+    warn_of_positions("--tcp", described, std::span(&tool_T_tcp, 1), unit);
+    arm = with_tcp(arm, tool_T_tcp);
   }
   if (!mount.empty())
     arm = with_mount(arm, parse_frame_option(described, "--mount", mount, unit).pose);

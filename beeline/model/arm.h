@@ -163,9 +163,9 @@ std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef
 /// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
 Configuration middle_configuration(const Arm& arm);
 
-/// Returns a configuration uniform within the position limits. Of a coordinate with one limit, a
-/// revolution or two metres beside it count; without limits, as many about zero. An engine with the
-/// same seed gives the same configurations on every machine.
+/// Returns a configuration uniform within the position limits. A coordinate with one limit is
+/// within one revolution or two metres of it; without limits, within half of that of zero. An
+/// engine with the same seed gives the same configurations on every machine.
 Configuration random_configuration(const Arm& arm, std::mt19937_64& engine);
 
 /// The limits of joint i (from 0): those of its coordinate, or a mimic joint's own.

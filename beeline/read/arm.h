@@ -28,7 +28,7 @@ enum class ReadWarningKind {
   xacro_tag,           ///< `element`, in `joint` if it has one, which xacro should have replaced
   unknown_link,        ///< `joint` connects by `element`, <parent> or <child>, the unknown `link`;
                        ///< `others` are the known links, none if there are more than 10,000
-  two_parents,         ///< `joint` is above `link`, as another one, `others`, is
+  two_parents,         ///< `link` has two parents: `joint` and the joint in `others`
   cycle,               ///< `joint` closes a cycle at `link`
   repeated_name,       ///< the name of `joint` or `link` is given twice
   unconnected_link,    ///< no joint connects `link`
@@ -41,16 +41,16 @@ enum class ElementFault {
   none,
   missing_attribute,  ///< it needs `attribute`
   missing_end,        ///< `joint` has no `element`, which is <parent> or <child>
-  empty_name,         ///< the name `value` of `attribute` is empty, longer than 1000 bytes, has
-  long_name,          ///< control characters, or bytes that are not UTF-8
-  control_character,
-  not_utf8,
+  empty_name,         ///< `attribute`, a name, is empty
+  long_name,          ///< the name `value` of `attribute` is longer than 1000 bytes
+  control_character,  ///< the name `value` of `attribute` has control characters
+  not_utf8,           ///< the name `value` of `attribute` is not UTF-8
   not_three_numbers,  ///< `attribute` has `count` numbers
-  missing_number,     ///< `value`, a number of `attribute`, is empty, is none, exceeds the range of
-  not_a_number,       ///< numbers, is not finite, or, a limit, is NaN
-  out_of_range,
-  not_finite,
-  not_a_limit
+  missing_number,     ///< a number of `attribute` is missing
+  not_a_number,       ///< `value`, of `attribute`, is not a number
+  out_of_range,       ///< the number `value` of `attribute` exceeds the range of numbers
+  not_finite,         ///< the number `value` of `attribute` is not finite
+  not_a_limit         ///< the limit `value` of `attribute` is NaN
 };
 std::string name(ElementFault fault);
 

@@ -19,7 +19,7 @@ using internal::in_quotes;
 using internal::PoseColumns;
 using Names = std::vector<std::string>;
 
-constexpr std::size_t max_rows = 4'000'000;  // an hour at 1 kHz
+constexpr std::ptrdiff_t max_rows = 4'000'000;  // an hour at 1 kHz
 
 /// The forms of rows without a header.
 std::vector<Names> forms_without_names(const PoseFormat& format) {
@@ -101,7 +101,8 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format) {
 }
 
 PoseList poses_from_csv(std::string_view text, const std::string& path, const PoseFormat& format) {
-  if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) > max_rows) {
+  if (std::max(std::count(text.begin(), text.end(), '\n'),
+               std::count(text.begin(), text.end(), '\r')) > max_rows) {
     throw FileError(path, 0, "has more than " + std::to_string(max_rows) + " lines");
   }
   internal::CsvLines lines(text, path);

@@ -49,9 +49,8 @@ using RowForms = std::vector<std::vector<std::string>>;
 std::string described(const RowForms& forms);
 
 /// The format of a table of numbers, given by the ending of its path:
-///   .csv   a header of names, which may be missing when read, then rows of numbers, in all forms
-///   of
-///          CSV that read_poses() reads; also "-", the standard input or output
+///   .csv   a header of names, which may be missing when read, then rows of numbers, in all
+///          forms of CSV that read_poses() reads; also "-", the standard input or output
 ///   .npy   an array of numpy, of N rows
 enum class RowFormat { csv, npy };
 

@@ -83,8 +83,9 @@ struct MatchOptions {
 /// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same
 /// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and
 /// `acceleration`, behind it, as /joint_states/joint1/position; other columns are dropped only in
-/// the last case; in upper or lower case. Throws Error as check_trajectory() does, for joints that
-/// are missing or that the arm does not have, and for a joint map of another length, sign or unit.
+/// the last case. Upper and lower case are alike. Throws Error as check_trajectory() does, for
+/// joints that are missing or that the arm does not have, and for a joint map of another length,
+/// sign or unit.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
                       const MatchOptions& options = {});
 

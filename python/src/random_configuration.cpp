@@ -35,7 +35,7 @@ void bind_random_configurations(nb::module_& m) {
       "random_configuration", array_type,
       "Returns a configuration, or `count` of them, uniform within the position limits. "
       "A joint without limits turns within a revolution, from -pi to pi; a slide moves "
-      "within 2 m, from -1 to 1; with one limit they move as far beside it.");
+      "within 2 m, from -1 to 1; with one limit they are within one revolution or 2 m of it.");
   drawn.takes("arm", "Arm", "The arm.")
       .takes("count", "int | None", "Number of rows; None: one configuration.", "None")
       .keywords()

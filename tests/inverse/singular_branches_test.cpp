@@ -248,6 +248,19 @@ TEST(RightAngles, AreAmongCompleteSolutions) {
   }
 }
 
+/// Where several solutions coincide, all configurations within the root of rounding solve the pose.
+TEST(CoincidingSolutions, AreGivenOnce) {
+  for (const char* name : {"gen3_lite", "crx10ia", "puma560"}) {
+    const Arm arm = built_in(name);
+    const Configuration zero = Configuration::Zero(arm.dof());
+    const InverseResult result =
+        inverse_kinematics(arm, forward_kinematics(arm, zero), {.all = true});
+    const auto near_zero = [](const Configuration& q) { return q.cwiseAbs().maxCoeff() < 1e-3; };
+    EXPECT_EQ(std::count_if(result.solutions.begin(), result.solutions.end(), near_zero), 1)
+        << name;
+  }
+}
+
 /// The seed solves the pose, and the closed form loses it to rounding next to a singularity.
 TEST(SeedThatIsASolution, ComesFirst) {
   Random random;

@@ -149,8 +149,10 @@ TEST(PoseList, DialectsAreThoseOfRecordings) {
 }
 
 TEST(PoseList, EndlessFilesAreRefused) {
-  const std::string rows(4'000'001, '\n');
-  EXPECT_REFUSED(poses_from_csv("x,y\n" + rows, "a.csv"), "a.csv: has more than 4000000 lines");
+  for (const char end : {'\n', '\r'}) {
+    const std::string rows(4'000'001, end);
+    EXPECT_REFUSED(poses_from_csv("x,y\n" + rows, "a.csv"), "a.csv: has more than 4000000 lines");
+  }
 }
 
 TEST(PoseList, TheLargestAngleIsReported) {

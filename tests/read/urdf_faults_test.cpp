@@ -84,7 +84,7 @@ TEST(UrdfFaults, ThatMayShortenTheChainAreErrorsWithoutATip) {
   for (const Fault& fault : faults()) {
     const std::string text = arm + fault.elements;
     if (fault.moves) {
-      EXPECT_REFUSED(read(text), "; --tip selects a chain beside it");
+      EXPECT_REFUSED(read(text), "; the option tip selects a chain beside it");
       continue;
     }
     // A frame of a tip's body, and one of the base.
@@ -144,8 +144,9 @@ TEST(UrdfFaults, OfAnyNumberAreCounted) {
   ASSERT_EQ(result.warnings.size(), 11u);
   EXPECT_EQ(result.kinds.front(), ReadWarningKind::xacro_tag);
   EXPECT_EQ(result.warnings.back().count, 20'200u - 10);
-  EXPECT_REFUSED(read(text + arm + "<joint name=\"lost\" type=\"revolute\"/>" + text),
-                 "joint \"lost\" needs a <parent link=...>; --tip selects a chain beside it");
+  EXPECT_REFUSED(
+      read(text + arm + "<joint name=\"lost\" type=\"revolute\"/>" + text),
+      "joint \"lost\" needs a <parent link=...>; the option tip selects a chain beside it");
   EXPECT_REFUSED(read(text + arm + text + link("b"), {.tip = "c"}), "two links have the name b");
   std::string repeated;
   for (int i = 0; i < 10'100; ++i) repeated += link("x");
@@ -193,7 +194,7 @@ TEST(UrdfFaults, AreData) {
   for (const Case& wrong : std::vector<Case>{
            {"<link/>\n", ElementFault::missing_attribute, "<link>", "name", ""},
            {link(""), ElementFault::empty_name, "<link>", "name", ""},
-           {link("a\tb"), ElementFault::control_character, "<link>", "name", "a?b"},
+           {link("a\tb"), ElementFault::control_character, "<link>", "name", "a\tb"},
            {link("\xfc\xc3\xbc"), ElementFault::not_utf8, "<link>", "name", "\\xfc\xc3\xbc"},
            {"<joint name=\"f\" type=\"fixed\"><parent link=\"a\"/></joint>\n",
             ElementFault::missing_end, "<child>", "", ""},

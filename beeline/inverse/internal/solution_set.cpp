@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -6,6 +9,47 @@
 #include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {
+namespace {
+
+/// Whether two solutions are one to the tolerance: the configuration halfway between them nearly
+/// solves the pose too. So it is where several solutions coincide.
+bool coincide(const Request& request, const Configuration& a, const Configuration& b) {
+  constexpr double near = 0.01;        // radians or metres
+  constexpr double of_tolerance = 10;  // the solutions themselves have up to one
+  Configuration difference = b - a;
+  for (int k = 0; k < a.size(); ++k) {
+    if (is_periodic(request.arm, k)) {
+      difference[k] = std::remainder(difference[k], 2 * std::numbers::pi);
+    }
+    if (std::abs(difference[k]) > near) return false;
+  }
+  return error_at(request, a + difference / 2) <= of_tolerance * request.tolerance;
+}
+
+/// Sorts the solutions by their distance from the seed.
+void sort(const Request& request, std::vector<Configuration>& solutions) {
+  std::sort(solutions.begin(), solutions.end(),
+            [&request](const Configuration& a, const Configuration& b) {
+              const double to_a = distance_from_seed(request, a);
+              const double to_b = distance_from_seed(request, b);
+              if (to_a != to_b) return to_a < to_b;
+              return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+            });
+}
+
+/// Keeps the first of the solutions that coincide.
+void merge(const Request& request, std::vector<Configuration>& solutions) {
+  std::vector<Configuration> kept;
+  for (Configuration& q : solutions) {
+    const bool again = std::any_of(kept.begin(), kept.end(), [&](const Configuration& other) {
+      return coincide(request, other, q);
+    });
+    if (!again) kept.push_back(std::move(q));
+  }
+  solutions = std::move(kept);
+}
+
+}  // namespace
 
 double error_at(const Request& request, const Configuration& q) {
   const Deviation error =
@@ -45,20 +89,17 @@ void add_solution(const Request& request, const Configuration& q, InverseResult&
 
 void finish(const Request& request, InverseResult& result) {
   result.status = InverseStatus::solved;
+  sort(request, result.solutions);
+  const bool finitely_many = request.arm.dof() <= request.task.size();
+  if (request.options.all && finitely_many) merge(request, result.solutions);
   if (request.options.every_turn) {
     result.solutions = every_representative(request.arm, result.solutions, request.bounds);
     std::erase_if(result.solutions,
                   [&request](const Configuration& q) {  // rounding of many turns
                     return error_at(request, q) > request.tolerance;
                   });
+    sort(request, result.solutions);
   }
-  std::sort(result.solutions.begin(), result.solutions.end(),
-            [&request](const Configuration& a, const Configuration& b) {
-              const double to_a = distance_from_seed(request, a);
-              const double to_b = distance_from_seed(request, b);
-              if (to_a != to_b) return to_a < to_b;
-              return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-            });
   if (!request.options.all) result.solutions.resize(1);
   result.residual = 0;
   for (const Configuration& q : result.solutions) {

@@ -13,8 +13,8 @@ inline constexpr double planning_share = 0.5;  ///< of the progress of a motion
 Deviation part_of_tolerance(const PathMotionOptions& options, double fraction);
 
 /// Plans, times and proves a motion, or returns the reason why there is none. Ignores
-/// options.duration and options.suggest. Where the best branch is not proved, and no start is
-/// given, tries other complete ones.
+/// options.duration and options.suggest. Where the best branch is not proved, and neither a start
+/// nor a rate is given, tries other complete ones.
 PathMotion planned_motion(const Arm& arm, const std::optional<Configuration>& start,
                           const Route& route, const BranchOptions& planning,
                           const PathMotionOptions& options, BudgetMeter& budget);

@@ -189,8 +189,8 @@ class ProgramVerifier {
     part_ = progress.part;
     begin_ = progress.begin;
     dwelled_until_ = progress.dwelled_until;
-    std::fill(interval_bounds_.begin() + static_cast<std::ptrdiff_t>(begin_),
-              interval_bounds_.end(), Deviation{});
+    for (std::size_t i = begin_; i < bounds_end_; ++i) interval_bounds_[i] = {};
+    bounds_end_ = begin_;
   }
 
   /// Tries the rests at which a move may end one after the other until one passes. If none does,
@@ -347,6 +347,7 @@ class ProgramVerifier {
     const std::vector<Deviation>& bounds = found.deviation.interval_bounds;
     std::copy(bounds.begin(), bounds.end(),
               interval_bounds_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    bounds_end_ = std::max(bounds_end_, begin_ + bounds.size());
     if (found) return true;
     if (found.fault == Fault::none) return end(found.ending, found.reason);
     const std::size_t prefix = sample_prefix(found.time, found.sample).size();
@@ -372,6 +373,7 @@ class ProgramVerifier {
   double dwelled_until_ = -std::numeric_limits<double>::infinity();
   Verification result_ = {};
   std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
+  std::size_t bounds_end_ = 0;                   // of those that the last attempt wrote
 };
 
 }  // namespace

@@ -101,7 +101,7 @@ const std::vector<TrackedSegment>& SingularWaypoints::departures(std::size_t seg
     inside = inverse_kinematics(
         arm_, pose_at(forward, s),
         {.task = options_.task, .all = true, .ignore_limits = true, .budget = budget_.part()});
-    if (inside.solutions.empty() || !inside.singular) break;
+    if (!inside.solutions.empty() && !inside.singular) break;
   }
   const Segment backward = reversed(forward);
   const Bounds bounds = bounds_without_turns(arm_);

@@ -243,7 +243,8 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
   Branch branch{.start = start};
   const Bounds bounds = bounds_of(arm);
   track_path(arm, path, bounds, options, budget, branch);
-  if (!branch && !options.guide) {
+  const bool redundant = arm.dof() > options.task.size();
+  if (!branch && !options.guide && !redundant) {
     SingularWaypoints(arm, path, bounds, options, budget).complete(branch, 0, [](const Branch&) {
       return true;
     });

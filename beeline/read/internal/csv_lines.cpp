@@ -29,14 +29,12 @@ void CsvLines::read_more() {
   unread_ = {buffer_.data(), kept + count};
 }
 
-/// Decides by the first line: a CR that no LF follows ends it alone.
+/// Lines end at CR alone where the text, or the first block of a file, has no LF.
 void CsvLines::find_line_end() {
   if (unread_.empty() && !ended_) read_more();
-  const std::size_t first = unread_.find_first_of("\r\n");
-  const std::size_t after =
-      first == std::string_view::npos ? first : unread_.find_first_not_of('\r', first);
-  const bool alone = after != std::string_view::npos && unread_[after] != '\n';
-  line_end_ = alone && unread_[first] == '\r' ? '\r' : '\n';
+  const bool alone =
+      unread_.find('\n') == std::string_view::npos && unread_.find('\r') != std::string_view::npos;
+  line_end_ = alone ? '\r' : '\n';
 }
 
 bool CsvLines::next_raw(std::string_view& line) {

@@ -20,6 +20,17 @@ constexpr std::size_t max_columns = 100'000;  // bounds the memory that a header
 constexpr const char* one_separator =
     "; separate them by commas or by semicolons, and write decimal points";
 
+void check_column_count(std::size_t count) {
+  if (count <= max_columns) return;
+  throw Error("there are more than " + std::to_string(max_columns) + " columns");
+}
+
+std::size_t item_count(std::string_view line, char separator) {
+  std::size_t count = 1;
+  for (std::string item; take_item(line, item, separator);) ++count;
+  return count;
+}
+
 Names parse_header(std::string_view line, char separator) {
   Names columns;
   std::unordered_set<std::string> seen;
@@ -29,9 +40,7 @@ Names parse_header(std::string_view line, char separator) {
     check_name(item, "the name of column " + std::to_string(columns.size() + 1));
     if (!seen.insert(item).second) throw Error("column " + in_quotes(item) + " is given twice");
     columns.push_back(item);
-    if (columns.size() > max_columns) {
-      throw Error("there are more than " + std::to_string(max_columns) + " columns");
-    }
+    check_column_count(columns.size());
   }
   return columns;
 }
@@ -149,6 +158,7 @@ CsvRows::CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms
 void CsvRows::read_columns(std::string_view first, const CsvForms& forms) {
   separator_ = csv_separator(first);
   const FirstLine items = first_line(first, separator_);
+  check_column_count(items.count);
   const auto is_known = [&] {
     return forms.accepts != nullptr && forms.accepts(csv_items(first, separator_));
   };
@@ -214,15 +224,15 @@ void CsvRows::parse(double* numbers) {
   for (bool more = true; more; ++index) {
     double value = 0;
     std::string_view digits;
+    const bool ignored = index < ignored_.size() && ignored_[index];
     if (take_plain_number(rest, digits, value, more, separator_)) {
-      if (separator_ != ',' && !marks.points) {
+      if (separator_ != ',' && !marks.points && !ignored) {
         marks.points = digits.find('.') != std::string_view::npos;
       }
     } else {
       more = take_item(rest, item_, separator_);
       if (index >= columns_.size()) continue;
       if (index == 0 && !more && columns_.size() > 1) refuse_count(1);  // perhaps all of the row
-      const bool ignored = index < ignored_.size() && ignored_[index];
       if (!ignored) value = number_in(item_, columns_[index], marks);
       digits = item_;
     }
@@ -237,8 +247,9 @@ void CsvRows::parse(double* numbers) {
 }
 
 void CsvRows::items(std::vector<std::string>& texts) const {
+  const std::size_t count = item_count(row_, separator_);
+  if (count != columns_.size()) refuse_count(count);
   texts = csv_items(row_, separator_);
-  if (texts.size() != columns_.size()) refuse_count(texts.size());
 }
 
 void CsvRows::refuse_count(std::size_t count) const {
@@ -246,7 +257,7 @@ void CsvRows::refuse_count(std::size_t count) const {
                      (has_header_ ? "the header has " + std::to_string(columns_.size())
                                   : "rows have " + form_text(columns_));
   const char other = csv_separator(row_);
-  if (count == 1 && other != separator_ && csv_items(row_, other).size() == columns_.size()) {
+  if (count == 1 && other != separator_ && item_count(row_, other) == columns_.size()) {
     text += "; write the same separator in all lines";
   }
   throw Error(text);

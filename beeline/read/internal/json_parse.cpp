@@ -142,6 +142,7 @@ class Builder {
   /// Whether the characters at which the parser stopped, control characters in it as <U+000A>,
   /// begin NaN, nan, Infinity, -Infinity or inf.
   static bool is_not_finite(const std::string& text) {
+    if (text.starts_with('"')) return false;
     const std::string token = text.substr(text.find_last_of(" ,:[{>") + 1);
     return token == "N" || token == "na" || token == "I" || token == "-I" || token == "i" ||
            token == "-i";

@@ -57,7 +57,7 @@ void check_faults(const UrdfFile& file, const UrdfTree& tree, const Chain& chain
   if (const UrdfFault* fault = tree.first_fault_on(chain)) throw error_of(file, *fault);
   if (tip_is_given) return;
   for (const UrdfFault& fault : tree.faults()) {
-    if (fault.moves) throw error_of(file, fault, "; --tip selects a chain beside it");
+    if (fault.moves) throw error_of(file, fault, "; the option tip selects a chain beside it");
   }
 }
 

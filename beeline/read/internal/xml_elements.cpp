@@ -66,7 +66,7 @@ void XmlElements::refuse(const XMLElement& element, const char* attribute, Eleme
                   .element = described(element),
                   .element_fault = fault,
                   .attribute = attribute,
-                  .value = printable(with_escaped_bytes(value))});
+                  .value = with_escaped_bytes(value)});
 }
 
 std::string XmlElements::needed_text(const XMLElement& element, const char* attribute) const {

@@ -120,6 +120,7 @@ class RowTimes {
     const bool small = unit_ != TimeUnit::seconds || columns_->nanoseconds;
     counts_ = small && is_since_1970(first * seconds_per(unit_));
     if (!counts_) return;
+    if (columns_->nanoseconds) first_nanoseconds_ = row[*columns_->nanoseconds];
     RecordingNote note{.kind = RecordingNoteKind::times_since_1970,
                        .path = path,
                        .columns = {column},
@@ -135,7 +136,9 @@ class RowTimes {
   double time(const std::vector<double>& row, std::size_t sample) const {
     if (!columns_) return static_cast<double>(sample);
     const double value = counts_ ? rows_.from_first() : row[columns_->index];
-    if (columns_->nanoseconds) return (value * 1e9 + row[*columns_->nanoseconds]) / 1e9;
+    if (columns_->nanoseconds) {
+      return (value * 1e9 + (row[*columns_->nanoseconds] - first_nanoseconds_)) / 1e9;
+    }
     if (unit_ == TimeUnit::seconds) return value;
     return value / std::round(1 / seconds_per(unit_));
   }
@@ -145,7 +148,8 @@ class RowTimes {
   CsvRows& rows_;
   std::optional<TimeUnit> given_;
   TimeUnit unit_ = TimeUnit::seconds;
-  bool counts_ = false;  ///< times count from the first
+  bool counts_ = false;           ///< times count from the first
+  double first_nanoseconds_ = 0;  ///< of the first sample, where times count from it
 };
 
 void append_row(const std::vector<double>& row, double time, const Layout& layout,
