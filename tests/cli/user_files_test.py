@@ -56,7 +56,7 @@ def test_without_a_tip_a_chain_that_lost_a_joint_is_refused(beeline, written, re
     answer = beeline("show", "wheel.urdf", "--json")
     assert answer.code == 0 and len(answer.json["joints"]) == 2 and "chassis" in warnings(answer)[0]
     written("cut.urdf", robot(LINKS, joint("j1", "revolute", "a", "b"), joint("j2", "revolute", "bb", "c")))
-    refused(3, "show", "cut.urdf", says=["joint j2", 'unknown parent link "bb"', 'did you mean "b"', "--tip"])
+    refused(3, "show", "cut.urdf", says=["joint j2", 'unknown parent link "bb"', 'did you mean "b"', "the option tip"])
 
 
 def test_a_floating_root_names_the_base(beeline, written):
