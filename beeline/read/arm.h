@@ -26,7 +26,7 @@ enum class ReadWarningKind {
   below_free_joint,    ///< the chain begins at `link`, below `joint`, which is floating or planar
   malformed,           ///< `element`, of `joint` if it has one, cannot be read: see ElementFault
   xacro_tag,           ///< `element`, in `joint` if it has one, which xacro should have replaced
-  unknown_link,        ///< `joint` connects by `element`, <parent> or <child>, the unknown `link`;
+  unknown_link,        ///< `joint` connects by `element`, `parent` or `child`, the unknown `link`;
                        ///< `others` are the known links, none if there are more than 10,000
   two_parents,         ///< `link` has two parents: `joint` and the joint in `others`
   cycle,               ///< `joint` closes a cycle at `link`
@@ -40,7 +40,7 @@ std::string name(ReadWarningKind kind);
 enum class ElementFault {
   none,
   missing_attribute,  ///< it needs `attribute`
-  missing_end,        ///< `joint` has no `element`, which is <parent> or <child>
+  missing_end,        ///< `joint` has no `element`, which is `parent` or `child`
   empty_name,         ///< `attribute`, a name, is empty
   long_name,          ///< the name `value` of `attribute` is longer than 1000 bytes
   control_character,  ///< the name `value` of `attribute` has control characters
