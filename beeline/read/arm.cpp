@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 #include <beeline/read/arm.h>
@@ -70,9 +71,7 @@ const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) 
 /// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
 /// string such as RRR is not a name, although an arm is called rrr.
 std::string built_in_name(const std::string& text) {
-  std::string lower = text;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string lower = internal::lower_case(text);
   const std::vector<std::string> names = built_in_names();
   const bool known = std::find(names.begin(), names.end(), lower) != names.end();
   return known && (lower == text || !is_joint_string(text)) ? lower : "";

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <beeline/inverse/internal/solution_set.h>
@@ -16,14 +14,9 @@ namespace {
 bool coincide(const Request& request, const Configuration& a, const Configuration& b) {
   constexpr double near = 0.01;        // radians or metres
   constexpr double of_tolerance = 10;  // the solutions themselves have up to one
-  Configuration difference = b - a;
-  for (int k = 0; k < a.size(); ++k) {
-    if (is_periodic(request.arm, k)) {
-      difference[k] = std::remainder(difference[k], 2 * std::numbers::pi);
-    }
-    if (std::abs(difference[k]) > near) return false;
-  }
-  return error_at(request, a + difference / 2) <= of_tolerance * request.tolerance;
+  if (!same_posture(request.arm, a, b, near)) return false;
+  const Configuration beside = nearest_representative(request.arm, b, a, no_bounds(request.arm));
+  return error_at(request, (a + beside) / 2) <= of_tolerance * request.tolerance;
 }
 
 /// Sorts the solutions by their distance from the seed.

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -57,12 +55,9 @@ std::function<Configuration(double)> guide_along(const TrackedSegment& departure
 
 /// Adds the multiples of 2 pi for which the samples begin nearest to q.
 void begin_near(const Arm& arm, const Configuration& q, TrackedSegment& tracked) {
-  constexpr double full_turn = 2 * std::numbers::pi;
-  for (int k = 0; k < arm.dof(); ++k) {
-    if (!is_periodic(arm, k)) continue;
-    const double turns = std::round((q[k] - tracked.samples.front()[k]) / full_turn);
-    for (Configuration& sample : tracked.samples) sample[k] += full_turn * turns;
-  }
+  const Configuration first = tracked.samples.front();
+  const Configuration shift = nearest_representative(arm, first, q, no_bounds(arm)) - first;
+  for (Configuration& sample : tracked.samples) sample += shift;
 }
 
 }  // namespace

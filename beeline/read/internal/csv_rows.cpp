@@ -247,9 +247,15 @@ void CsvRows::parse(double* numbers) {
 }
 
 void CsvRows::items(std::vector<std::string>& texts) const {
-  const std::size_t count = item_count(row_, separator_);
+  texts.clear();
+  std::string_view rest = trimmed(row_);
+  std::string item;
+  std::size_t count = 0;
+  for (bool more = true; more; ++count) {
+    more = take_item(rest, item, separator_);
+    if (count < columns_.size()) texts.push_back(item);
+  }
   if (count != columns_.size()) refuse_count(count);
-  texts = csv_items(row_, separator_);
 }
 
 void CsvRows::refuse_count(std::size_t count) const {

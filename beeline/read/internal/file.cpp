@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
 
@@ -59,11 +60,7 @@ void write_files(const std::vector<NewFile>& files) {
 std::string extension(std::string_view path) {
   const std::string_view name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.find_last_of('.');
-  std::string text(dot == std::string_view::npos ? "" : name.substr(dot + 1));
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return text;
+  return dot == std::string_view::npos ? "" : lower_case(name.substr(dot + 1));
 }
 
 }  // namespace beeline::internal

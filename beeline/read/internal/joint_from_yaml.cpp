@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/joint_from_yaml.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
@@ -174,9 +175,7 @@ class YamlJoint {
     const YamlMember* member = find(key);
     if (member == nullptr) return std::nullopt;
     const auto* text = std::get_if<std::string>(&member->value.value);
-    std::string lower = text == nullptr || member->value.tag == "!" ? "" : *text;
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string lower = text == nullptr || member->value.tag == "!" ? "" : lower_case(*text);
     if (lower == "true" || lower == "yes" || lower == "on") return true;
     if (lower == "false" || lower == "no" || lower == "off") return false;
     refuse(member->line, key, "must be true or false");

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/numbers.h>
 
@@ -13,9 +14,7 @@ NumberFault read_limit(std::string_view text, double& value) {
   const bool negative = digits.starts_with('-');
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::string lower(digits.substr(0, 16));
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string lower = lower_case(digits.substr(0, 16));
   if (lower == "nan" || lower == ".nan") return NumberFault::not_a_limit;
   bool infinite = lower == "inf" || lower == "infinity" || lower == ".inf";
   if (!infinite) {

@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/urdf_gripper.h>
 
 namespace beeline::internal {
 namespace {
 
-bool contains_any(std::string text, std::initializer_list<const char*> words) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+bool contains_any(const std::string& text, std::initializer_list<const char*> words) {
+  const std::string lower = lower_case(text);
   return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return text.find(word) != std::string::npos; });
+                     [&](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <tinyxml2.h>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/internal/xml.h>
@@ -75,9 +76,8 @@ std::string reason(const tinyxml2::XMLDocument& document) {
 /// Whether the XML declaration at the front of the text names Latin-1 as its encoding.
 bool declares_latin1(std::string_view text) {
   if (!text.starts_with("<?xml")) return false;
-  std::string declaration(text.substr(0, std::min(text.find("?>"), std::size_t{200})));
-  std::transform(declaration.begin(), declaration.end(), declaration.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string declaration =
+      lower_case(text.substr(0, std::min(text.find("?>"), std::size_t{200})));
   const std::size_t encoding = declaration.find("encoding");
   if (encoding == std::string::npos) return false;
   const std::string value = declaration.substr(encoding);
