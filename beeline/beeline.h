@@ -58,8 +58,6 @@
 #include <beeline/planning/nearby_path.h>
 #include <beeline/planning/program.h>
 #include <beeline/planning/status.h>
-#include <beeline/pose/angle.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
@@ -80,6 +78,7 @@
 #include <beeline/read/joint_string.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/read/urdf.h>
+#include <beeline/reason.h>
 #include <beeline/record/number_rows.h>
 #include <beeline/record/trajectory_file.h>
 #include <beeline/timing/point_to_point.h>

@@ -222,5 +222,5 @@ Option joint_values_option(std::string name, std::string help, std::string* targ
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {
-  for (const std::string& sentence : limit_violations(arm, q)) warn(sentence);
+  for (const Reason& outside : limit_violations(arm, q)) warn(sentence(outside));
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/record/number_rows.h>
 
@@ -125,11 +124,11 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   return document;
 }
 
-std::string ended_reason(const BatchReport& report, bool rows_on_stdout) {
-  const Ending ending = report.counts.ending;
-  return fmt::format("{} after {}{}{}", internal::ended_by(ending), counted(report.rows, "row"),
-                     rows_on_stdout ? "" : "; no file is written",
-                     internal::how_to_continue(ending));
+std::string ended_sentence(const BatchReport& report, bool rows_on_stdout) {
+  return sentence({ReasonCode::ended_in_batch,
+                   {{ReasonField::ending, report.counts.ending},
+                    {ReasonField::count, static_cast<std::size_t>(report.rows)},
+                    {ReasonField::without_file, !rows_on_stdout}}});
 }
 
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
@@ -154,7 +153,7 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
           .yes = complete && (kind != "ik" || unsolved == 0),
           .reason = complete ? fmt::format("{} of {} poses without a solution: their rows are nan",
                                            unsolved, report.rows)
-                             : ended_reason(report, rows_on_stdout),
+                             : ended_sentence(report, rows_on_stdout),
           .text_on_stderr = rows_on_stdout};
 }
 

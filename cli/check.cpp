@@ -13,6 +13,7 @@
 #include "command/streams.h"
 #include "format.h"
 #include "input_files.h"
+#include "json_reason.h"
 #include "motion_report.h"
 #include "path_argument.h"
 #include "program_argument.h"
@@ -83,7 +84,7 @@ Json check_document(const CheckArguments& arguments, const Trajectory& trajector
   document.add(deviation_members(complete ? std::optional(verification.deviation) : std::nullopt,
                                  arguments.unit));
   document.add("samples", trajectory.size());
-  document.add("reason", verification.reason);
+  document.add(json_reason(verification.reason));
   Json arrivals = Json::list();
   for (const std::size_t arrival : verification.arrivals) arrivals.append(arrival + 1);
   if (!verification.arrivals.empty()) document.add("arrivals", arrivals);
@@ -165,7 +166,7 @@ Answer check_file(const CheckArguments& arguments) {
                                      checked.program ? "move" : "waypoint")),
           .document = check_document(arguments, trajectory, verification, limits),
           .yes = static_cast<bool>(verification),
-          .reason = verification.reason};
+          .reason = sentence(verification.reason)};
 }
 
 std::vector<Option> proof_options(VerifyOptions& options) {

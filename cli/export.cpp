@@ -14,6 +14,7 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
+#include "json_reason.h"
 #include "program_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
@@ -128,10 +129,12 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
 }
 
 Answer failed_export(const ProgramMotion& motion) {
-  return {.text = name(motion.status) + ": nothing is exported\n",
-          .document = {{"status", name(motion.status)}, {"reason", motion.reason}},
-          .yes = false,
-          .reason = motion.reason};
+  Answer answer{.text = name(motion.status) + ": nothing is exported\n",
+                .document = {{"status", name(motion.status)}, {"reason", sentence(motion.reason)}},
+                .yes = false,
+                .reason = sentence(motion.reason)};
+  answer.document.add(reason_members(motion.reason));
+  return answer;
 }
 
 Answer export_file(const ExportArguments& arguments) {

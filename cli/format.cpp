@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <sstream>
 
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 using namespace beeline;
 

@@ -8,6 +8,7 @@
 #include <beeline/read/internal/file.h>
 
 #include "format.h"
+#include "json_reason.h"
 
 using namespace beeline;
 
@@ -15,15 +16,17 @@ namespace {
 
 Json document_of(const GainMotion& run) {
   const ControlledMotion& motion = run.motion;
-  return {{"gain", run.gain},
-          {"status", name(motion.status)},
-          {"samples", motion.trajectory.size()},
-          {"steps", motion.steps},
-          {"duration", motion.trajectory.times.back()},
-          {"overshoot", motion.overshoot},
-          {"error", motion.error},
-          {"slowed", motion.slowed},
-          {"reason", motion.reason}};
+  Json document{{"gain", run.gain},
+                {"status", name(motion.status)},
+                {"samples", motion.trajectory.size()},
+                {"steps", motion.steps},
+                {"duration", motion.trajectory.times.back()},
+                {"overshoot", motion.overshoot},
+                {"error", motion.error},
+                {"slowed", motion.slowed},
+                {"reason", sentence(motion.reason)}};
+  document.add(reason_members(motion.reason));
+  return document;
 }
 
 std::string row(const std::string& gain, const std::string& samples, const std::string& time,
@@ -60,7 +63,7 @@ Answer compared_gains(const std::vector<GainMotion>& runs, const Configuration& 
     if (motion || !answer.yes) continue;
     answer.yes = false;
     status = name(motion.status);
-    answer.reason = "gain " + shown(run.gain) + ": " + motion.reason;
+    answer.reason = "gain " + shown(run.gain) + ": " + sentence(motion.reason);
   }
   answer.text += "samples and time to reach the goal; final error: of the worst joint, rad or m\n";
   answer.document = {{"status", status}, {"method", "feedback"}, {"gains", gains}};

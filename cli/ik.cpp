@@ -8,6 +8,7 @@
 #include "command/streams.h"
 #include "format.h"
 #include "inverse_argument.h"
+#include "json_reason.h"
 #include "verbs.h"
 
 using namespace beeline;
@@ -121,7 +122,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, bool in_plane,
                         arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
                         shown(deviation_values(arm, *result.deviation, unit)));
   }
-  if (result.singular && solved) text += fmt::format("  {}\n", result.reason);
+  if (result.singular && solved) text += fmt::format("  {}\n", sentence(result.reason));
   if (result.nearest) {
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
                         shown(result.nearest->world_T_tool, in_plane, unit));
@@ -161,20 +162,22 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
   Json deviation, grid;
   if (result.deviation) deviation = deviation_values(arm, *result.deviation, unit);
   if (result.grid) grid = grid_document(arm, *result.grid, unit);
-  return {{"status", name(result.status)},
-          {"solutions", solutions},
-          {"singular", result.singular},
-          {"complete", result.complete},
-          {"branches_complete", result.branches_complete},
-          {"self_motion_dimension", result.self_motion_dimension},
-          {"grid", grid},
-          {"deviation", deviation},
-          {"residual", residual_of(unit, arm, result).value},
-          {"reason", result.reason},
-          {"nearest", nearest},
-          {"method", result.method},
-          {"iterations", result.iterations},
-          {"restarts", result.restarts}};
+  Json document{{"status", name(result.status)},
+                {"solutions", solutions},
+                {"singular", result.singular},
+                {"complete", result.complete},
+                {"branches_complete", result.branches_complete},
+                {"self_motion_dimension", result.self_motion_dimension},
+                {"grid", grid},
+                {"deviation", deviation},
+                {"residual", residual_of(unit, arm, result).value},
+                {"reason", sentence(result.reason)},
+                {"nearest", nearest},
+                {"method", result.method},
+                {"iterations", result.iterations},
+                {"restarts", result.restarts}};
+  document.add(reason_members(result.reason));
+  return document;
 }
 
 Answer ik(const IkArguments& arguments) {
@@ -201,7 +204,7 @@ Answer ik(const IkArguments& arguments) {
           .document = ik_document(arm, result, arguments.unit),
           .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
           .yes = solved,
-          .reason = result.reason};
+          .reason = sentence(result.reason)};
 }
 
 std::vector<Option> ik_options(IkArguments& arguments) {

@@ -57,7 +57,7 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
 /// Adds the options that the reason means.
 void name_options(const LineArguments& arguments, LineReport& report) {
   if (report.status != MotionStatus::too_many_samples) return;
-  report.reason += arguments.rate ? " (--rate, --max-samples)" : " (--tolerance, --max-samples)";
+  report.note = arguments.rate ? " (--rate, --max-samples)" : " (--tolerance, --max-samples)";
 }
 
 LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
@@ -203,11 +203,11 @@ Answer line(const LineArguments& arguments) {
     }
     arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm);
   }
-  if (!reached) report.reason += frame.note;
+  if (!reached) report.note += frame.note;
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),
           .yes = reached,
-          .reason = report.reason};
+          .reason = sentence(report.reason) + report.note};
 }
 
 std::vector<Option> line_options(LineArguments& arguments) {

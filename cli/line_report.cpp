@@ -5,6 +5,7 @@
 #include <beeline/internal/rounded_number.h>
 
 #include "format.h"
+#include "json_reason.h"
 
 using namespace beeline;
 
@@ -111,7 +112,8 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   document.add(deviation_members(reached ? std::optional(report.deviation) : std::nullopt, unit));
   document.add("samples", report.trajectory.size());
   document.add("duration", reached ? Json(report.trajectory.times.back()) : nullptr);
-  document.add("reason", report.reason);
+  document.add("reason", sentence(report.reason) + report.note);
+  document.add(reason_members(report.reason));
   if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
   if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
   if (!reached && report.failed < report.program.moves.size()) {

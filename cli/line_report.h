@@ -13,7 +13,8 @@ struct LineReport {
   std::string method = {};
   std::size_t waypoints = 0;
   beeline::MotionStatus status = beeline::MotionStatus::not_converged;
-  std::string reason = {};
+  beeline::Reason reason = {};
+  std::string note = {};  ///< after the reason: options and frames that it means
   /// Of method exact, up to which the plan follows the path; a program has several.
   std::optional<double> path_parameter = std::nullopt;
   beeline::Trajectory trajectory = {};

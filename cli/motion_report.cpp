@@ -6,6 +6,7 @@
 #include <beeline/internal/rounded_number.h>
 
 #include "format.h"
+#include "json_reason.h"
 
 using namespace beeline;
 
@@ -141,8 +142,8 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
         fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1, shown(branch.path_parameter),
                     100 * branch.limit_margin, condition_text(branch.inverse_condition),
                     shown(unit.shown(arm, branch.start)));
-    if (!branch.reason.empty()) {
-      text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
+    if (branch.reason) {
+      text += fmt::format("      {}: {}\n", name(branch.status), sentence(branch.reason));
     }
   }
   return text;
@@ -151,12 +152,12 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
 Json json_branches(const Arm& arm, const std::vector<Branch>& branches, const UnitArgument& unit) {
   Json list = Json::list();
   for (const Branch& branch : branches) {
-    list.append({{"start", unit.shown(arm, branch.start)},
-                 {"status", name(branch.status)},
-                 {"path_parameter", branch.path_parameter},
-                 {"limit_margin", branch.limit_margin},
-                 {"inverse_condition", branch.inverse_condition},
-                 {"reason", branch.reason}});
+    Json json{
+        {"start", unit.shown(arm, branch.start)},        {"status", name(branch.status)},
+        {"path_parameter", branch.path_parameter},       {"limit_margin", branch.limit_margin},
+        {"inverse_condition", branch.inverse_condition}, {"reason", sentence(branch.reason)}};
+    json.add(reason_members(branch.reason));
+    list.append(json);
   }
   return list;
 }

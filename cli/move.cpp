@@ -11,6 +11,7 @@
 #include "command/streams.h"
 #include "format.h"
 #include "gain_comparison.h"
+#include "json_reason.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -47,8 +48,8 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                                .rate = arguments.rate,
                                                .duration = arguments.duration,
                                                .budget = budget});
-  for (const std::string& sentence : limit_violations(arm, from)) {
-    warn("--from: " + sentence + "; the motion leads back in");
+  for (const Reason& outside : limit_violations(arm, from)) {
+    warn("--from: " + sentence(outside) + "; the motion leads back in");
   }
   return motion;
 }
@@ -142,10 +143,11 @@ Answer move_joints(const MoveArguments& arguments) {
                              {"overshoot", motion.overshoot},
                              {"slowed", motion.slowed},
                              {"duration", motion.trajectory.times.back()},
-                             {"reason", motion.reason}},
+                             {"reason", sentence(motion.reason)}},
                 .units = {{"error", "rad or m"}},
                 .yes = reached,
-                .reason = motion.reason};
+                .reason = sentence(motion.reason)};
+  answer.document.add(reason_members(motion.reason));
   if (reached) arguments.files.add_to(answer.document);
   return answer;
 }

@@ -8,6 +8,7 @@
 
 #include "command/streams.h"
 #include "format.h"
+#include "json_reason.h"
 
 using namespace beeline;
 
@@ -130,12 +131,13 @@ void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& 
                        {"excesses", excesses_of(arm, found, unit)},
                        {"without_limit", names_of(arm, found.without_limit)},
                        {"scale", found.scale},
-                       {"reason", found.reason}});
+                       {"reason", sentence(found.reason)}});
+  answer.document.add(reason_members(found.reason));
   const std::string angle = unit.name();
   answer.units.add("rates", angle + "/s, of a prismatic joint m/s");
   answer.units.add("tool_velocity", "m/s, " + angle + "/s");
   answer.units.add("residual", "m/s, rad/s");
   answer.text += rates_text(arm, found, task, unit);
   answer.yes = static_cast<bool>(found);
-  answer.reason = found.reason;
+  answer.reason = sentence(found.reason);
 }

@@ -26,7 +26,7 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
   const UnitArgument& unit = arguments.unit;
   const bool complete = result.ending == Ending::complete;
   Answer answer{.yes = result && complete};
-  if (!answer.yes) answer.reason = reason_of(result);
+  if (!answer.yes) answer.reason = sentence(reason_of(result));
   answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
                             counted(result.checked, "mount"), result.mounts, result.reaching);
   if (result.without_lines > 0) {

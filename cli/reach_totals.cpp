@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <beeline/internal/budget_meter.h>
+#include <beeline/reason.h>
 
 #include "format.h"
 
@@ -82,12 +82,9 @@ Answer map_totals(const ReachMap& map) {
 
 Answer interrupted_map(const std::string& out, Ending ending) {
   const std::string parts = out + ".parts";
-  return {
-      .text = "no map        the slabs computed so far are in " + parts + "\n",
-      .document = {{"status", name(ending)}, {"parts", parts}},
-      .yes = false,
-      .reason =
-          internal::ended_by(ending) + ": the slabs computed so far are in " + parts +
-          "; the same command continues" +
-          (ending == Ending::cancelled ? "" : ", with a larger limit if it has completed no slab")};
+  return {.text = "no map        the slabs computed so far are in " + parts + "\n",
+          .document = {{"status", name(ending)}, {"parts", parts}},
+          .yes = false,
+          .reason = sentence({ReasonCode::ended_in_map,
+                              {{ReasonField::ending, ending}, {ReasonField::parts, parts}}})};
 }

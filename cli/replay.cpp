@@ -12,6 +12,7 @@
 #include "budget_argument.h"
 #include "command/streams.h"
 #include "format.h"
+#include "json_reason.h"
 #include "motion_report.h"
 #include "recording_argument.h"
 #include "result_files.h"
@@ -74,7 +75,8 @@ Json replay_document(const Replay& played, double limit_tolerance) {
                 {"velocity_fraction",
                  velocity.joint.empty() || velocity.assumed ? Json() : Json(velocity.fraction)},
                 {"unwrapped", json_unwrapped(played.unwrapped)},
-                {"reason", played.reason}};
+                {"reason", sentence(played.reason)}};
+  document.add(reason_members(played.reason));
   document.add("limit_tolerance", limit_tolerance);
   if (reached) document.add("limits", json_limits(played.limits));
   return document;
@@ -140,7 +142,7 @@ Answer replay_file(const ReplayArguments& arguments) {
                           arm.name()),
       .document = replay_document(played, options.limit_tolerance),
       .yes = reached,
-      .reason = played.reason};
+      .reason = sentence(played.reason)};
   if (!reached) return answer;
   answer.text += replay_text(played, options.limit_tolerance);
   warn_of_limits(played.limits, options.limit_tolerance);

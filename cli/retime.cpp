@@ -7,6 +7,7 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
+#include "json_reason.h"
 #include "motion_report.h"
 #include "profile_argument.h"
 #include "recording_argument.h"
@@ -99,9 +100,10 @@ Answer retime_file(const RetimeArguments& arguments) {
                              {"unwrapped", json_unwrapped(retimed.unwrapped)},
                              {"limits", json_limits(retimed.limits)},
                              {"tool_speed", retimed.tool_speed},
-                             {"reason", retimed.reason}},
+                             {"reason", sentence(retimed.reason)}},
                 .yes = found,
-                .reason = retimed.reason};
+                .reason = sentence(retimed.reason)};
+  answer.document.add(reason_members(retimed.reason));
   if (found) arguments.files.add_to(answer.document);
   return answer;
 }

@@ -5,7 +5,7 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 

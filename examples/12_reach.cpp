@@ -7,7 +7,7 @@
 #include <beeline/draw/reach_figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/reach/place.h>
 
 int main() {

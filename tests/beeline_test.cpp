@@ -24,7 +24,7 @@ TEST(Umbrella, IsAllThatAFirstProgramIncludes) {
   EXPECT_EQ(printed(answer).substr(0, 8), "solved, ");
   const beeline::InverseResult none =
       beeline::inverse_kinematics(arm, beeline::make_pose({9, 0, 0}));
-  EXPECT_EQ(printed(none), "unreachable: " + none.reason);
+  EXPECT_EQ(printed(none), "unreachable: " + sentence(none.reason));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <beeline/batch/internal/kernel.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <hwy/aligned_allocator.h>
 

@@ -6,7 +6,6 @@
 
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -21,16 +20,6 @@ namespace {
 // use their limits fully.
 constexpr double limit_slack = 1e-6;
 constexpr std::size_t stencil = 3;  // steps of a third difference, the longest
-
-std::string quantity(const Arm& arm, int i, double value, const std::string& per = "") {
-  return number(value) + " " + unit(arm.joint_of(i)) + per;
-}
-
-/// The same, with the digits that show it to differ from a limit.
-std::string excess_quantity(const Arm& arm, int i, double value, double limit,
-                            const std::string& per) {
-  return number_apart(value, limit) + " " + unit(arm.joint_of(i)) + per;
-}
 
 class FaultSearch {
  public:
@@ -71,16 +60,14 @@ class FaultSearch {
     const auto inside = [&](double q) { return within_position_limits(limits, q); };
     const double here = q_[k][i];
     if (!inside(here)) {
-      return report(Fault::limits, k, i,
-                    "is at " + quantity(arm_, i, here) + ", outside " + range(i, here));
+      return report(Fault::limits, k, i, outside(ReasonCode::outside_limits, i, here));
     }
     if (k + 1 == t_.size()) return;
     const double step = q_[k + 1][i] - q_[k][i];
     const bool prismatic = kind(arm_.joint_of(i)) == JointKind::prismatic;
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
       return report(Fault::flip, k, i,
-                    "rotates by " + number(step) + " rad to the next sample, " +
-                        number(std::abs(step) / (2 * std::numbers::pi)) + " revolutions");
+                    {ReasonCode::rotates_too_far, {{ReasonField::change, step}}});
     }
     if (v_.empty() || !inside(q_[k + 1][i])) return;  // reported at the next sample
     const Polynomial p = interval_polynomial(trajectory_, k, i);
@@ -89,18 +76,17 @@ class FaultSearch {
     between = extremes(p);
     if (inside(between.smallest) && inside(between.largest)) return;
     const double extreme = inside(between.smallest) ? between.largest : between.smallest;
-    report(Fault::limits, k, i,
-           "moves to " + quantity(arm_, i, extreme) + " before the next sample, by the " +
-               name(trajectory_.interpolation()) + " with its velocities: outside " +
-               range(i, extreme));
+    Reason reason = outside(ReasonCode::moves_outside_limits, i, extreme);
+    reason.set(ReasonField::interpolation, name(trajectory_.interpolation()));
+    report(Fault::limits, k, i, std::move(reason));
   }
 
   void check_derivatives(std::size_t k, int i) {
     const Limits &known = arm_.limits(i), limits = motion_limits(known);
     check_rest(k, i);
-    check_derivative(Fault::velocity, k, i, 1, limits.velocity, known.velocity, "/s");
-    check_derivative(Fault::acceleration, k, i, 2, limits.acceleration, known.acceleration, "/s^2");
-    check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk, "/s^3");
+    check_derivative(Fault::velocity, k, i, 1, limits.velocity, known.velocity);
+    check_derivative(Fault::acceleration, k, i, 2, limits.acceleration, known.acceleration);
+    check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk);
   }
 
   /// How much the rounding of times to doubles may change a derivative of a coordinate that moves
@@ -119,26 +105,24 @@ class FaultSearch {
   }
 
   /// `known` is the joint's own limit, infinite where `limit` is assumed.
-  void check_derivative(Fault fault, std::size_t k, int i, int order, double limit, double known,
-                        const char* per) {
+  void check_derivative(Fault fault, std::size_t k, int i, int order, double limit, double known) {
     if (found_ || !(limit < Limits::none)) return;
     const auto allowed = [&](double value) {
       const double excess = value - limit * (1 + slack_);
       return excess <= 0 ||
              excess <= time_rounding(k, order, motion_limits(arm_.limits(i)).velocity, limit);
     };
-    const auto limit_text = [&] {
-      const std::string value = quantity(arm_, i, limit, per);
-      return known < Limits::none ? "its limit is " + value
-                                  : "its limit is not known, " + value +
-                                        " is assumed (--limits or --" + name(fault) + " gives it)";
+    const auto above = [&](ReasonCode code, double value) {
+      return Reason{code,
+                    {{ReasonField::quantity, name(fault)},
+                     {ReasonField::value, value},
+                     {ReasonField::limit, limit},
+                     {ReasonField::assumed, !(known < Limits::none)}}};
     };
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
       if (allowed(needed)) return;
-      return report(fault, k, i,
-                    "needs " + excess_quantity(arm_, i, needed, limit, per) +
-                        " over the next samples; " + limit_text());
+      return report(fault, k, i, above(ReasonCode::derivative_needed, needed));
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =
@@ -147,9 +131,7 @@ class FaultSearch {
     if (allowed(largest(enclosure(p)))) return;
     const double reached = largest(extremes(p));
     if (allowed(reached)) return;
-    report(fault, k, i,
-           "reaches " + excess_quantity(arm_, i, reached, limit, per) +
-               " before the next sample; " + limit_text());
+    report(fault, k, i, above(ReasonCode::derivative_reached, reached));
   }
 
   /// Whether a coordinate moves at the start or the end.
@@ -160,20 +142,23 @@ class FaultSearch {
                                          first ? TrajectoryEnd::first : TrajectoryEnd::last);
     if (end.at_rest()) return;
     report(Fault::moving, k, i,
-           std::string(first ? "starts" : "ends") + " at " + quantity(arm_, i, end.velocity, "/s") +
-               ", not at rest");
+           {first ? ReasonCode::starts_moving : ReasonCode::ends_moving,
+            {{ReasonField::value, end.velocity}}});
   }
 
-  /// "its limits of 0 to 1 rad", with the excess of q where the digits do not show it.
-  std::string range(int i, double q) const {
+  Reason outside(ReasonCode code, int i, double q) const {
     const Limits& limits = arm_.limits(i);
-    const double limit = q > limits.upper ? limits.upper : limits.lower;
-    return "its limits of " + number(limits.lower) + " to " + quantity(arm_, i, limits.upper) +
-           (number(q) == number(limit) ? " by " + quantity(arm_, i, std::abs(q - limit)) : "");
+    return {code,
+            {{ReasonField::value, q},
+             {ReasonField::lower, limits.lower},
+             {ReasonField::upper, limits.upper}}};
   }
 
-  void report(Fault fault, std::size_t k, int i, const std::string& what) {
-    if (!found_) found_ = {fault, k, "joint " + arm_.joint_of(i).name + " " + what};
+  void report(Fault fault, std::size_t k, int i, Reason reason) {
+    if (found_) return;
+    const Joint& joint = arm_.joint_of(i);
+    reason.set(ReasonField::joint, joint.name).set(ReasonField::unit, std::string(unit(joint)));
+    found_ = {fault, k, std::move(reason)};
   }
 
   const Arm& arm_;

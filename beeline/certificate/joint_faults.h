@@ -6,6 +6,7 @@
 
 #include <beeline/budget.h>
 #include <beeline/error.h>
+#include <beeline/reason.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -37,7 +38,7 @@ struct MovingEnds {
 struct JointFault {
   Fault kind = Fault::none;
   std::size_t sample = 0;  ///< the fault is at this sample, or between it and the next
-  std::string reason;      ///< one sentence: joint, value, limit
+  Reason reason = {};      ///< joint, value, limit
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:

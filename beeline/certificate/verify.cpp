@@ -8,6 +8,7 @@
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/internal/sample_locator.h>
 #include <beeline/certificate/internal/segment_taylor_bound.h>
+#include <beeline/certificate/internal/set_fault.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
@@ -45,16 +46,22 @@ struct Verifier {
   std::string name_of(std::size_t i) const { return segment_name(route.path, i); }
 
   /// Records a fault, unless an earlier one is recorded.
-  void fail(Fault fault, std::size_t k, const std::string& reason) {
-    if (result.fault == Fault::none || k < result.sample) record(fault, k, reason);
+  void fail(Fault fault, std::size_t k, Reason reason) {
+    if (result.fault == Fault::none || k < result.sample) record(fault, k, std::move(reason));
   }
 
-  void record(Fault fault, std::size_t k, const std::string& reason) {
-    result.fault = fault;
-    result.sample = k;
-    result.time = trajectory.times[k];
-    result.reason =
-        "at " + number(result.time) + " s, sample " + std::to_string(k + 1) + ": " + reason;
+  void record(Fault fault, std::size_t k, Reason reason) {
+    set_fault(trajectory, fault, k, std::move(reason), result);
+  }
+
+  static Reason away(ReasonCode code, const Deviation& deviation) {
+    return {
+        code,
+        {{ReasonField::distance, deviation.position}, {ReasonField::angle, deviation.orientation}}};
+  }
+
+  static Reason away(ReasonCode code, const Deviation& deviation, std::string segment_name) {
+    return away(code, deviation).set(ReasonField::segment_name, std::move(segment_name));
   }
 
   /// Returns whether sample k, with this deviation, is within tolerance; records a fault if not.
@@ -63,7 +70,7 @@ struct Verifier {
     if (near(deviation)) return true;
     grow(result.deviation.measured, deviation);
     grow(result.deviation.bound, deviation);
-    fail(Fault::deviation, k, "the tool is off " + where + " by " + deviation_text(deviation));
+    fail(Fault::deviation, k, away(ReasonCode::off_path, deviation, where));
     return false;
   }
 
@@ -74,8 +81,7 @@ struct Verifier {
     // Path parameters do not decrease, but the nearest point of a line may lie before s.
     const Deviation back = task_deviation(task, pose_at(route.path, s), world_T_tool[k]);
     if (near(back)) return true;
-    fail(Fault::backwards, k,
-         "the tool moves backwards on " + name_of(i) + " by " + deviation_text(back));
+    fail(Fault::backwards, k, away(ReasonCode::moves_backwards, back, name_of(i)));
     return false;
   }
 
@@ -106,14 +112,11 @@ struct Verifier {
   void fail_between(std::size_t k, bool line, const Deviation& measured, const Deviation& bound) {
     const double change =
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
-    const std::string jump =
-        change > 0.5 ? "; a joint moves by " + number(change) + ", as at a change of branch" : "";
-    const std::string path_name = line ? "line" : "path";
-    fail(Fault::deviation, k,
-         near(measured) ? "up to the next sample the tool is only proved to stay within " +
-                              deviation_text(bound) + " of the " + path_name + jump
-                        : "up to the next sample the tool leaves the " + path_name + " by " +
-                              deviation_text(measured) + jump);
+    Reason reason = near(measured) ? away(ReasonCode::deviation_unproved, bound)
+                                   : away(ReasonCode::leaves_path, measured);
+    reason.set(ReasonField::is_line, line);
+    if (change > 0.5) reason.set(ReasonField::change, change);
+    fail(Fault::deviation, k, std::move(reason));
   }
 
   /// Records a fault where the tool may move backwards on the segment by more than the tolerance,
@@ -125,9 +128,7 @@ struct Verifier {
                                 ? parameter_decrease(segment, part.interval.s)
                                 : projection_decrease(std::get<Line>(segment), projections);
     if (near(moved)) return;
-    fail(Fault::backwards, k,
-         "up to the next sample the tool moves backwards on " + name_of(part.segment) +
-             " by up to " + deviation_text(moved));
+    fail(Fault::backwards, k, away(ReasonCode::may_move_backwards, moved, name_of(part.segment)));
   }
 
   /// Bounds the change of the segment's pose by the largest decrease of s(u) from its largest value
@@ -185,7 +186,7 @@ struct Verifier {
         check_interval(k - 1, stay,
                        path_intervals(arm, trajectory, k - 1, stay, task, 1, 1).front());
       } else {
-        fail(Fault::deviation, k, "the tool leaves the last waypoint by " + deviation_text(left));
+        fail(Fault::deviation, k, away(ReasonCode::leaves_last_waypoint, left));
       }
     }
   }
@@ -194,9 +195,9 @@ struct Verifier {
     const Deviation left =
         task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
     fail(Fault::not_through, trajectory.size() - 1,
-         (is_line(i) && route.path.names.empty() ? "waypoint " + std::to_string(i + 1)
-                                                 : "the end of " + name_of(i)) +
-             " is not reached; at the end the tool is " + deviation_text(left) + " from it");
+         away(ReasonCode::waypoint_not_reached, left,
+              is_line(i) && route.path.names.empty() ? "waypoint " + std::to_string(i + 1)
+                                                     : "the end of " + name_of(i)));
   }
 
   /// Locates and checks all samples, from stop to stop.
@@ -247,8 +248,7 @@ void set_ended(Ending ending, Verification& result) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   result.deviation.bound = {unknown, unknown};
   if (result.fault != Fault::none) return;
-  result.reason =
-      ended_by(ending) + " before the whole trajectory was checked" + how_to_continue(ending);
+  result.reason = ended_reason(ReasonCode::ended_before_check, ending);
 }
 
 /// The trajectory with its joints in the arm's order.

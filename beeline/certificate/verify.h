@@ -26,12 +26,12 @@ struct VerifyOptions {
 };
 
 struct Verification {
-  Fault fault = Fault::none;  ///< the first in time
-  std::string reason;         ///< one sentence: time, sample, what, by how much; empty if proved
-  std::size_t sample = 0;     ///< the fault is at this sample, or between it and the next
-  double time = 0;            ///< of that sample, seconds
-  PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
-  ToolPath path;              ///< of the route
+  Fault fault = Fault::none;            ///< the first in time
+  Reason reason = {};                   ///< time, sample, what, by how much; none if proved
+  std::size_t sample = 0;               ///< the fault is at this sample, or between it and the next
+  double time = 0;                      ///< of that sample, seconds
+  PathDeviation deviation;              ///< over the whole trajectory, or up to the fault
+  ToolPath path;                        ///< of the route
   std::vector<double> path_parameters;  ///< of the samples, as far as they are on the path
   /// arrivals[i] is the sample at the end of segment i, or the first after it, as far as the
   /// trajectory follows the path.

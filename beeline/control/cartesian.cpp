@@ -102,10 +102,15 @@ bool control_by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
     motion.reason = answer.reason;
   } else if (step_at(q).damped && motion.steps < options.simulation.max_steps) {
     motion.status = MotionStatus::singular;
-    motion.reason +=
-        "; the arm is at a singularity, where the Jacobian has no motion towards the goal";
+    motion.reason.set(ReasonField::at_singularity, true);
   }
   return false;
+}
+
+/// Sets at which intermediate pose a reason is.
+void set_pose(int i, const CartesianOptions& options, Reason& reason) {
+  reason.set(ReasonField::pose, static_cast<std::size_t>(i));
+  reason.set(ReasonField::poses, static_cast<std::size_t>(options.intermediate));
 }
 
 /// Controls the motion to one waypoint by inverse kinematics at intermediate poses and eq. 1.3
@@ -115,8 +120,6 @@ bool control_by_solutions(const Arm& arm, const Pose& goal, const Task& task,
   const Pose from = forward_kinematics(arm, motion.trajectory.positions.back());
   for (int i = 1; i <= options.intermediate; ++i) {
     const Configuration q = motion.trajectory.positions.back();
-    const std::string where = "at intermediate pose " + std::to_string(i) + " of " +
-                              std::to_string(options.intermediate) + ": ";
     const Pose pose = interpolate(from, goal, double(i) / options.intermediate);
     const InverseResult answer =
         inverse_kinematics(arm, pose,
@@ -126,15 +129,16 @@ bool control_by_solutions(const Arm& arm, const Pose& goal, const Task& task,
                             .budget = options.simulation.budget});
     if (answer.status != InverseStatus::solved) {
       motion.status = motion_status(answer.status);
-      motion.reason = where + answer.reason;
+      motion.reason = answer.reason;
+      set_pose(i, options, motion.reason);
       return false;
     }
     const Configuration& next = answer.solutions.front();
     const double jump = largest_rotation(arm, next - q);
     if (jump > max_jump && options.intermediate > 1) {
       motion.status = MotionStatus::singular;
-      motion.reason = where + "the nearest solution is another branch, " + angle(jump) +
-                      " away; more intermediate poses may help";
+      motion.reason = {ReasonCode::next_solution_far, {{ReasonField::change, jump}}};
+      set_pose(i, options, motion.reason);
       return false;
     }
     const ControlLaw law{
@@ -186,8 +190,7 @@ ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
     motion.overshoot = std::max(motion.overshoot, line_overshoot(samples, arm, waypoints[w]));
     motion.error = remaining_error(arm, waypoints[w], task, motion.trajectory.positions.back());
     if (!reached) {
-      motion.reason = "line " + std::to_string(w + 1) + " of " + std::to_string(waypoints.size()) +
-                      ": " + motion.reason;
+      motion.reason.set(ReasonField::line, w + 1).set(ReasonField::lines, waypoints.size());
       return motion;
     }
     motion.arrivals.push_back(motion.trajectory.size() - 1);

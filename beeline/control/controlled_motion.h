@@ -12,7 +12,7 @@ namespace beeline {
 /// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
-  std::string reason;                 ///< one sentence; empty when reached
+  Reason reason = {};                 ///< none when reached
   Trajectory trajectory;              ///< every step, also when the goal was not reached
   std::vector<std::size_t> arrivals;  ///< the sample at which each goal was reached
   int steps = 0;

@@ -5,7 +5,6 @@
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 
@@ -31,8 +30,7 @@ void check_whole_periods(const JointMoveOptions& options) {
 
 void set_ended(BudgetMeter& budget, ControlledMotion& motion) {
   motion.status = status_of<MotionStatus>(budget.ending());
-  motion.reason = ended_by(budget.ending()) + " before the motion was sampled" +
-                  how_to_continue(budget.ending());
+  motion.reason = ended_reason(ReasonCode::ended_before_sampling, budget.ending());
 }
 
 // Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would
@@ -63,11 +61,12 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
   check_whole_periods(options);
   ControlledMotion result;
   result.trajectory = at_rest(arm, start);
-  const std::vector<std::string> outside = limit_violations(arm, goal);
+  const std::vector<Reason> outside = limit_violations(arm, goal);
   if (!outside.empty()) {
     result.error = (goal - start).lpNorm<Eigen::Infinity>();
     result.status = MotionStatus::outside_limits;
-    result.reason = "the goal is outside the limits: " + outside.front();
+    result.reason = outside.front();
+    result.reason.code = ReasonCode::goal_outside_limits;
     return result;
   }
   const PointToPoint motion =
@@ -104,7 +103,8 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
   const auto outside = limit_violations(arm, goal);
   if (!outside.empty()) {
     motion.status = MotionStatus::outside_limits;
-    motion.reason = "the goal is outside the limits: " + outside.front();
+    motion.reason = outside.front();
+    motion.reason.code = ReasonCode::goal_outside_limits;
     return motion;
   }
   pid.start(start);
@@ -113,7 +113,7 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
       [&pid](const Configuration& q) { return pid.step(q); }};
   if (simulate(arm, law, options, motion)) motion.arrivals = {motion.trajectory.size() - 1};
   if (motion.status == MotionStatus::outside_limits) {  // from overshoot, as the limits are convex
-    motion.reason += "; the controller overshoots: the gains are too large";
+    motion.reason.set(ReasonField::overshoots, true);
   }
   if (motion.status == MotionStatus::cancelled) return motion;
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);

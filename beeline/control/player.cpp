@@ -73,8 +73,8 @@ Playback::Playback(const Arm& arm, const Trajectory& recording, const Configurat
       squares_(Configuration::Zero(arm.dof())) {
   check_player(options);
   if (recording_.size() == 0) throw Error("the recording has no samples");
-  const std::string violation = first_violation(arm, recording_);
-  if (!violation.empty()) throw Error(violation);
+  const Reason violation = first_violation(arm, recording_);
+  if (violation) throw Error(sentence(violation));
   lead_ = point_to_point(arm, start, recording_.positions.front(),
                          {.synchronise = Synchronise::straight});
   time_ = recording_.times.front();

@@ -69,11 +69,12 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   result.unwrapped = read.joints;
   result.status = MotionStatus::outside_limits;
   result.reason = internal::first_violation(arm, recording);
-  if (result.reason.empty() && options.start) {
+  if (!result.reason && options.start) {
     const auto violations = limit_violations(arm, *options.start);
-    if (!violations.empty()) result.reason = "the start: " + violations.front();
+    if (!violations.empty()) result.reason = violations.front();
+    if (result.reason) result.reason.code = ReasonCode::start_outside_limits;
   }
-  if (!result.reason.empty()) return result;
+  if (result.reason) return result;
   constexpr double max_slowdown = 2;  // beyond whole periods
   internal::BudgetMeter budget(options.budget);
   internal::ReplayAttempt attempt =
@@ -83,7 +84,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   if (result) {
     result.limits = limit_usage(arm, result.trajectory);
   } else if (attempt.curable) {
-    result.reason += internal::tried_advice(arm, recording, options, attempt, budget);
+    internal::add_advice(arm, recording, options, attempt, budget, result.reason);
   }
   return result;
 }

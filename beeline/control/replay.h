@@ -35,7 +35,7 @@ struct ReplayOptions {
 
 struct Replay {
   MotionStatus status = MotionStatus::reached;
-  std::string reason;     ///< one sentence; empty when reached
+  Reason reason = {};     ///< none when reached
   Trajectory trajectory;  ///< empty unless reached
   double lead_in = 0;     ///< seconds of the motion from `start` to the first sample
   /// The recording's duration as a multiple of that which was asked for: above 1 where a rate needs

@@ -102,8 +102,8 @@ TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
 }
 
 void TrackerLoop::reset(const ConfigurationRef& q) {
-  const std::vector<std::string> violations = limit_violations(arm_, q);
-  if (!violations.empty()) throw Error("the start of a tracker: " + violations.front());
+  const std::vector<Reason> violations = limit_violations(arm_, q);
+  if (!violations.empty()) throw Error("the start of a tracker: " + sentence(violations.front()));
   const Configuration start = q.cwiseMax(positions_.lower).cwiseMin(positions_.upper);
   commands_ = {forward_kinematics(arm_, start), options_.time_step, options_.command_period};
   step_ = {.q = start, .velocity = Configuration::Zero(q.size()), .error = {}};

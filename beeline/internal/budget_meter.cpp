@@ -62,26 +62,8 @@ Ending BudgetMeter::reached_limit(std::int64_t work) {
   return late ? Ending::time_limit : Ending::complete;
 }
 
-std::string ended_by(Ending ending) {
-  switch (ending) {
-    case Ending::time_limit:
-      return "the time limit ended the search";
-    case Ending::work_limit:
-      return "the limit of work ended the search";
-    default:
-      return "the search was cancelled";
-  }
-}
-
-std::string how_to_continue(Ending ending) {
-  switch (ending) {
-    case Ending::time_limit:
-      return "; allow more time";
-    case Ending::work_limit:
-      return "; allow more work";
-    default:
-      return "";
-  }
+Reason ended_reason(ReasonCode code, Ending ending) {
+  return {code, {{ReasonField::ending, ending}}};
 }
 
 }  // namespace internal

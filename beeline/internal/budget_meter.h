@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include <beeline/budget.h>
+#include <beeline/reason.h>
 
 namespace beeline::internal {
 
@@ -55,11 +56,8 @@ inline bool ended(BudgetMeter* budget, std::int64_t work = 1) {
 /// The budget of a part of a computation whose budget is optional.
 inline Budget budget_of(BudgetMeter* budget) { return {.part_of = budget}; }
 
-/// "the time limit ended the search".
-std::string ended_by(Ending ending);
-
-/// "; allow more time", the end of a reason; empty for a search that was cancelled.
-std::string how_to_continue(Ending ending);
+/// The reason, with the field `ending`, of a search that its budget ended.
+Reason ended_reason(ReasonCode code, Ending ending);
 
 /// The enumerator of a status with the name of an ending that is not complete.
 template <class Status>

@@ -135,7 +135,7 @@ struct InverseResult {
   /// of that option, and within it. `residual` is then what exceeds this deviation.
   std::optional<Eigen::VectorXd> deviation;
   std::optional<NearestMiss> nearest;  ///< if there are no solutions
-  std::string reason;                  ///< one sentence; empty when solved and not singular
+  Reason reason = {};                  ///< none when solved and not singular
   std::string method;                  ///< such as "closed form: three axes meet (joints 4, 5, 6)"
   int iterations = 0;                  ///< of the numerical solver, over all starts
   int restarts = 0;                    ///< random starts

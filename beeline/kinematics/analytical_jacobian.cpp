@@ -3,7 +3,7 @@
 
 #include <beeline/kinematics/analytical_jacobian.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline {
 namespace {

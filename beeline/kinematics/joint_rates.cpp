@@ -98,10 +98,9 @@ JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::V
     result.status = RatesStatus::damped;
   } else if (result.residual > rounding * velocity.stableNorm()) {
     result.status = result.singular ? RatesStatus::singular : RatesStatus::too_few_joints;
-    result.reason = (result.singular ? "the arm is singular: no joint rates move its tool along "
-                                     : "no joints of the arm move its tool along ") +
-                    direction_text(task, missing.stableNormalized()) + " (" + name(task.frame) +
-                    " frame), a part of the velocity; damping gives rates of a velocity near it";
+    result.reason = {result.singular ? ReasonCode::singular_velocity : ReasonCode::too_few_joints,
+                     {{ReasonField::direction, direction_text(task, missing.stableNormalized())},
+                      {ReasonField::frame, name(task.frame)}}};
   }
   return result;
 }

@@ -97,7 +97,7 @@ struct JointRates {
   std::vector<int> without_limit = {};
   /// The largest factor of v, at most 1, with which all rates keep the known velocity limits.
   double scale = 1;
-  std::string reason = {};  ///< one sentence unless solved or damped
+  Reason reason = {};  ///< unless solved or damped
 
   /// Whether the rates are what was asked for.
   explicit operator bool() const {

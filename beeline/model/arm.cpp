@@ -249,18 +249,16 @@ std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q, doubl
   return outside;
 }
 
-std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
-  std::vector<std::string> violations;
+std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
+  std::vector<Reason> violations;
   for (const int k : outside_limits(arm, q, slack)) {
-    const Joint& joint = arm.joint_of(k);
     const Limits& limits = arm.limits(k);
-    const double beyond = std::max(limits.lower - q[k], q[k] - limits.upper);
-    const double limit = q[k] > limits.upper ? limits.upper : limits.lower;
-    const bool alike = number(limit) == number(q[k]);
-    violations.push_back("joint " + joint.name + " at " + with_unit(joint, q[k]) +
-                         " is outside its limits " + with_unit(joint, limits.lower) + " to " +
-                         with_unit(joint, limits.upper) +
-                         (alike ? " by " + number(beyond) + " " + unit(joint) : ""));
+    violations.push_back({ReasonCode::joint_outside_limits,
+                          {{ReasonField::joint, arm.joint_of(k).name},
+                           {ReasonField::unit, unit(arm.joint_of(k))},
+                           {ReasonField::value, q[k]},
+                           {ReasonField::lower, limits.lower},
+                           {ReasonField::upper, limits.upper}}});
   }
   return violations;
 }

@@ -13,6 +13,7 @@
 #include <beeline/error.h>
 #include <beeline/model/chain.h>
 #include <beeline/model/joint.h>
+#include <beeline/reason.h>
 
 namespace beeline {
 
@@ -156,9 +157,9 @@ void check_configuration(const Arm& arm, const ConfigurationRef& q);
 std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q,
                                 double slack = position_slack);
 
-/// Returns one sentence for each of outside_limits().
-std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q,
-                                          double slack = position_slack);
+/// Returns a reason, joint_outside_limits, for each of outside_limits().
+std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q,
+                                     double slack = position_slack);
 
 /// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
 Configuration middle_configuration(const Arm& arm);

@@ -6,7 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline {
 namespace {

@@ -1,6 +1,6 @@
 #include <beeline/error.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline {
 namespace {

@@ -35,7 +35,8 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
   }
   Branch branch;
   branch.status = motion_status(begin.status);
-  branch.reason = "the path's beginning: " + begin.reason;
+  branch.reason = begin.reason;
+  branch.reason.set(ReasonField::beginning, true);
   return branch;
 }
 

@@ -26,7 +26,7 @@ struct TrackedSegment {
 struct Branch {
   Configuration start = {};
   MotionStatus status = MotionStatus::reached;
-  std::string reason = {};    ///< where and why it ends before the path does
+  Reason reason = {};         ///< where and why it ends before the path does
   double path_parameter = 0;  ///< that it reaches: whole segments, with a fraction of the next
   /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
   /// joint has limits. Where the budget ended the search, this and the next are 0.

@@ -52,7 +52,7 @@ void check_stops(const Route& route) {
 /// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
 Configuration checked_start(const Arm& arm, const Configuration& start) {
   const auto outside = limit_violations(arm, start);
-  if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
+  if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
   const Bounds bounds = bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
@@ -140,9 +140,9 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   Suggestions near = suggestions(arm, start, route, planning, options, budget);
   failure.nearby = std::move(near.found);
   if (!budget.complete()) {
-    failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
+    failure.reason.set(ReasonField::search_ending, budget.ending());
   } else if (!near.complete) {
-    failure.reason += "; the search for paths near it ended at its limit of work";
+    failure.reason.set(ReasonField::search_limited, true);
   }
   return failure;
 }

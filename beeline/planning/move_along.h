@@ -41,7 +41,7 @@ struct PathMotionOptions {
 /// set unless reached.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
-  std::string reason;                   ///< one sentence, with the position; empty when reached
+  Reason reason = {};                   ///< with the position; none when reached
   double path_parameter = 0;            ///< up to which the plan follows the path: see Branch
   std::vector<NearbyPath> nearby;       ///< paths that work, if options.suggest
   Trajectory trajectory;                ///< from rest to rest

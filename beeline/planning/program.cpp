@@ -98,23 +98,25 @@ class ProgramPlanner {
     std::vector<double> path_parameters;  ///< of its samples
   };
 
-  bool fail(std::size_t move, MotionStatus status, const std::string& reason) {
+  /// Fails in a move, whose name the reason then has: its own or, if given, that of its part.
+  bool fail(std::size_t move, MotionStatus status, Reason reason, const std::string& name = {}) {
     motion_.status = status;
-    motion_.reason = reason;
+    motion_.reason = std::move(reason);
+    motion_.reason.set(ReasonField::move, move + 1);
+    motion_.reason.set(ReasonField::move_name, name.empty() ? move_name(program_, move) : name);
     motion_.failed = move;
     return false;
   }
 
   bool fail_ended(std::size_t move) {
     return fail(move, status_of<MotionStatus>(budget_.ending()),
-                move_name(program_, move) + ": " + ended_by(budget_.ending()) +
-                    how_to_continue(budget_.ending()));
+                ended_reason(ReasonCode::ended, budget_.ending()));
   }
 
   bool plan(const std::optional<Configuration>& start) {
     if (start) {
       const auto outside = limit_violations(arm_, *start);
-      if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
+      if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
     }
     const Move& first = program_.moves.front();
     if (!start && first.kind != MoveKind::joint && first.kind != MoveKind::line) {
@@ -158,8 +160,7 @@ class ProgramPlanner {
     const InverseResult none = inverse_kinematics(
         arm_, pose, {.seed = from, .task = options_.task, .budget = budget_.part()});
     if (none) q = none.solutions.front();
-    return none ||
-           fail(move, motion_status(none.status), move_name(program_, move) + ": " + none.reason);
+    return none || fail(move, motion_status(none.status), none.reason);
   }
 
   /// Plans the path of a part.
@@ -168,23 +169,19 @@ class ProgramPlanner {
     const ProgramPart& part = parts_[p];
     ahead = move_along(arm_, q, part.route, options_);
     if (*ahead) return true;
-    const std::string_view beginning = "the path's beginning: ";
-    if (part.first > 0 && ahead->reason.starts_with(beginning)) {  // the waypoint before
-      return fail(
-          part.first - 1, ahead->status,
-          move_name(program_, part.first - 1) + ": " + ahead->reason.substr(beginning.size()));
+    const ReasonValue* const segment = ahead->reason.find(ReasonField::segment);
+    if (segment != nullptr) {  // whose name is the move's
+      motion_.status = ahead->status;
+      motion_.reason = ahead->reason;
+      motion_.failed = part.moves[std::get<std::size_t>(*segment) - 1];
+      motion_.reason.set(ReasonField::move, motion_.failed + 1);
+      return false;
     }
-    const std::optional<std::size_t> move = named_move(part, ahead->reason);
-    return fail(move.value_or(part.first), ahead->status,
-                (move ? "" : part_name(program_, part) + ": ") + ahead->reason);
-  }
-
-  /// The move that a reason names.
-  std::optional<std::size_t> named_move(const ProgramPart& part, const std::string& reason) const {
-    for (std::size_t i = part.first; i <= part.last; ++i) {
-      if (reason.find(move_name(program_, i)) != std::string::npos) return i;
+    if (part.first > 0 && ahead->reason.has(ReasonField::beginning)) {  // the waypoint before
+      ahead->reason.set(ReasonField::beginning, false);
+      return fail(part.first - 1, ahead->status, ahead->reason);
     }
-    return std::nullopt;
+    return fail(part.first, ahead->status, ahead->reason, part_name(program_, part));
   }
 
   /// Finds the configuration, the soonest reached, from which the path of part p is possible.
@@ -229,9 +226,9 @@ class ProgramPlanner {
                                .max_samples = options_.max_samples,
                                .budget = budget_.part()};
     PlannedMove planned{.begin = trajectory_.last()};
-    if (const auto reason = trajectory_.joint_move(arm_, *to, timing); !reason.empty()) {
+    if (const Reason reason = trajectory_.joint_move(arm_, *to, timing)) {
       if (!budget_.complete()) return fail_ended(i);
-      return fail(i, MotionStatus::outside_limits, move_name(program_, i) + ": " + reason);
+      return fail(i, MotionStatus::outside_limits, reason);
     }
     trajectory_.stop();
     planned.end = trajectory_.last();
@@ -244,8 +241,7 @@ class ProgramPlanner {
     const double dwell = program_.moves[i].dwell;
     if (static_cast<double>(trajectory_.last()) + dwell * options_.rate > max_trajectory) {
       return fail(i, MotionStatus::too_many_samples,
-                  move_name(program_, i) + ": the motion up to here needs more than " +
-                      number(max_trajectory) + " samples; lower the rate");
+                  {ReasonCode::program_too_long, {{ReasonField::max_samples, max_trajectory}}});
     }
     trajectory_.dwell(dwell);
     return true;
@@ -312,12 +308,10 @@ class ProgramPlanner {
     const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
     const std::size_t move = move_at(fault ? fault->sample : found.sample);
-    if (!fault) {
-      return fail(move, MotionStatus::not_proved, move_name(program_, move) + ": " + found.reason);
-    }
-    return fail(move, MotionStatus::outside_limits,
-                move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
-                    " s: " + fault->reason);
+    if (!fault) return fail(move, MotionStatus::not_proved, found.reason);
+    Reason reason = fault->reason;
+    reason.set(ReasonField::time, trajectory.times[fault->sample]);
+    return fail(move, MotionStatus::outside_limits, std::move(reason));
   }
 
   /// The move during or before which sample k is.
@@ -337,9 +331,11 @@ class ProgramPlanner {
             .bound;
     if (!budget_.complete()) return fail_ended(part.first);
     if (within(bound, {options_.tolerance, options_.orientation_tolerance})) return true;
-    return fail(part.first, MotionStatus::not_proved,
-                part_name(program_, part) + ": the tool is only proved to stay within " +
-                    deviation_text(bound) + " of its path; allow a larger tolerance");
+    return fail(
+        part.first, MotionStatus::not_proved,
+        {ReasonCode::path_not_proved,
+         {{ReasonField::distance, bound.position}, {ReasonField::angle, bound.orientation}}},
+        part_name(program_, part));
   }
 
   const Arm& arm_;

@@ -86,7 +86,7 @@ struct PlannedMove {
 /// reached.
 struct ProgramMotion {
   MotionStatus status = MotionStatus::not_found;
-  std::string reason;              ///< one sentence that names the move; empty when reached
+  Reason reason = {};              ///< with the move; none when reached
   std::size_t failed = 0;          ///< the move at which it ends; moves.size() if it is none
   Trajectory trajectory;           ///< from rest to rest
   std::vector<PlannedMove> moves;  ///< one for each of the program

@@ -2,8 +2,8 @@
 #include <ostream>
 
 #include <beeline/error.h>
-#include <beeline/pose/angle.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline {
 namespace {

@@ -36,4 +36,14 @@ Eigen::Matrix3d so3_left_jacobian(const Vector3& r);
 /// logarithm.
 Eigen::Matrix3d so3_left_jacobian_inverse(const Vector3& r);
 
+/// Returns the equivalent angle in [-pi, pi], rad.
+double wrap_angle(double radians);
+
+/// a ⊖ b (Dellaert, *Serial Link Manipulators*, section 1.8): the rotation by the smallest angle
+/// that takes b to a, in [-pi, pi], rad.
+double angle_difference(double a, double b);
+
+/// Returns `radians` plus the multiple of 2 pi that brings it nearest to `reference`.
+double nearest_angle(double radians, double reference);
+
 }  // namespace beeline

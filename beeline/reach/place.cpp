@@ -246,19 +246,21 @@ std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_moun
 
 }  // namespace
 
-std::string reason_of(const PlacementResult& result) {
-  if (result.ending != Ending::complete) return internal::ended_by(result.ending);
-  if (result) return "";
-  if (result.mounts == 0) return "the poses are farther apart than the arm reaches";
-  if (result.reaching == 0) {
-    return "from none of the " + std::to_string(result.checked) +
-           (result.checked == result.mounts ? " mounts" : " mounts that the map ranks first") +
-           " does the arm reach all poses";
+Reason reason_of(const PlacementResult& result) {
+  if (result.ending != Ending::complete) {
+    return internal::ended_reason(ReasonCode::ended, result.ending);
   }
-  return "the arm reaches all poses from " + std::to_string(result.reaching) +
-         (result.reaching == 1 ? " mount" : " mounts") +
-         ", but moves in straight lines from none of the " + std::to_string(result.without_lines) +
-         " best";
+  if (result) return {};
+  if (result.mounts == 0) return {ReasonCode::poses_too_far_apart};
+  const auto number = [](std::int64_t n) { return static_cast<std::size_t>(n); };
+  if (result.reaching == 0) {
+    return {
+        ReasonCode::no_mount_reaches,
+        {{ReasonField::count, number(result.checked)}, {ReasonField::of, number(result.mounts)}}};
+  }
+  return {ReasonCode::no_mount_moves_in_lines,
+          {{ReasonField::count, number(result.without_lines)},
+           {ReasonField::of, number(result.reaching)}}};
 }
 
 PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,

@@ -52,7 +52,7 @@ struct PlacementResult {
 };
 
 /// Why there is no placement, or why the search ended early, one clause; empty otherwise.
-std::string reason_of(const PlacementResult& result);
+Reason reason_of(const PlacementResult& result);
 
 /// Finds mounts from which the arm of a map reaches all poses (world_T_tool). The map ranks the
 /// mounts: by the number of poses whose cells are reached, then by the least margin of these cells.

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>

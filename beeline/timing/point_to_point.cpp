@@ -43,7 +43,7 @@ void check_within(std::span<const Limits> limits, const ConfigurationRef& q, con
 /// The same, with the messages of the arm.
 void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) {
   const auto outside = limit_violations(arm, q);
-  if (!outside.empty()) throw Error(which + (": " + outside.front()));
+  if (!outside.empty()) throw Error(which + (": " + sentence(outside.front())));
 }
 
 /// Accepts joints that are slightly outside.

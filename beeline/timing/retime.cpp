@@ -60,16 +60,17 @@ double samples_left(const RetimeOptions& options, const Retimed& timed) {
   return static_cast<double>(options.max_samples) - static_cast<double>(before);
 }
 
-/// Why the trajectory has too many samples; empty if it has not. Throws Error for a max_samples
+/// Why the trajectory is not retimed: it has too many samples. Throws Error for a max_samples
 /// below 2.
-std::string too_long(const Trajectory& trajectory, const RetimeOptions& options) {
+Reason too_long(const Trajectory& trajectory, const RetimeOptions& options) {
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }
   const int most = std::max(options.max_samples, default_max_samples);
   if (trajectory.size() <= static_cast<std::size_t>(most)) return {};
-  return "the trajectory has " + std::to_string(trajectory.size()) +
-         " samples, more than max_samples, " + std::to_string(most);
+  return {ReasonCode::too_many_samples_given,
+          {{ReasonField::count, trajectory.size()},
+           {ReasonField::max_samples, static_cast<std::size_t>(most)}}};
 }
 
 /// The trajectory in the arm's order, unwrapped unless the options forbid it.
@@ -96,9 +97,8 @@ void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
   timed.ending = budget.ending();
   if (!budget.complete()) {
-    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
-                   " of " + std::to_string(sections) + " sections between stops" +
-                   internal::how_to_continue(timed.ending);
+    timed.reason = internal::ended_reason(ReasonCode::ended_in_retiming, timed.ending);
+    timed.reason.set(ReasonField::count, timed.sections).set(ReasonField::of, sections);
   }
 }
 
@@ -154,7 +154,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     if (!timed) return timed;
     budget.report(fraction(0.5));
     const internal::SampledSection sampled = internal::sample_section(arm, path, section);
-    if (!sampled && sampled.reason.empty()) break;  // the budget has ended
+    if (!sampled && !sampled.reason) break;  // the budget has ended
     timed.reason = sampled.reason;
     if (!timed) {
       timed.trajectory = {};

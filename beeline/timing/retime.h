@@ -36,7 +36,7 @@ struct RetimeOptions {
 
 struct Retimed {
   Profile profile = Profile::fastest;
-  std::string reason;        ///< why there is no motion, or not the best; empty when there is
+  Reason reason = {};        ///< why there is no motion, or not the best
   Trajectory trajectory;     ///< empty when there is none
   LimitUsage limits;         ///< of the trajectory, relative to the arm's own limits
   double tool_speed = 0;     ///< a bound on the tool origin's speed, m/s
@@ -46,7 +46,7 @@ struct Retimed {
   /// longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
 
-  explicit operator bool() const { return reason.empty(); }
+  explicit operator bool() const { return !reason; }
 };
 
 /// Throws Error unless a trajectory has two different positions, as retime() needs.

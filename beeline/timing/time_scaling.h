@@ -31,7 +31,7 @@ void check_limits(const PathLimits& limits, const JointPath& path);
 
 /// A time scaling s(t) of a path: the path parameter as a function of time.
 struct TimeScaling {
-  std::string reason;                ///< the reason if there is no time scaling, otherwise empty
+  Reason reason = {};                ///< why there is no time scaling
   std::vector<double> s;             ///< path parameter, strictly increasing
   std::vector<double> t;             ///< seconds, strictly increasing from 0
   std::vector<double> speed;         ///< ds/dt at the points
@@ -40,7 +40,7 @@ struct TimeScaling {
   /// else d2s/dt2 is constant there.
   bool smooth = false;
 
-  explicit operator bool() const { return reason.empty(); }
+  explicit operator bool() const { return !reason; }
   double duration() const { return t.empty() ? 0 : t.back(); }
 };
 

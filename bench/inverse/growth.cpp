@@ -7,7 +7,7 @@
 
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include "poses.h"
 #include "timing.h"

@@ -89,7 +89,7 @@ double value_of(const Arm& arm, int k, const Kind& kind_of_value, Engine& engine
 bool claims_impossible(const InverseResult& result) {
   return result.status == InverseStatus::unreachable ||
          result.status == InverseStatus::orientation_unreachable ||
-         result.reason.starts_with("every solution");
+         result.reason.code == ReasonCode::all_solutions_outside_limits;
 }
 
 bool is_wrong(const Arm& arm, const Pose& pose, const Configuration& q) {
@@ -104,7 +104,7 @@ bool is_wrong(const Arm& arm, const Pose& pose, const Configuration& q) {
 void print_unanswered(const Arm& arm, const Kind& kind, const InverseResult& result,
                       const Configuration& q) {
   std::fprintf(stderr, "%s, %s: %s: %s\n  ", arm.name().c_str(), kind.name,
-               name(result.status).c_str(), result.reason.c_str());
+               name(result.status).c_str(), sentence(result.reason).c_str());
   for (int k = 0; k < q.size(); ++k) std::fprintf(stderr, "%s%.17g", k > 0 ? "," : "", q[k]);
   std::fprintf(stderr, "\n");
 }

@@ -7,7 +7,7 @@
 #include <beeline/batch/batch.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include "../inverse/poses.h"
 #include "../inverse/timing.h"

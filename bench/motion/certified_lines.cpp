@@ -43,8 +43,16 @@ Deviation off_segment(const Line& line, const Pose& pose) {
 
 /// Returns the fraction of the line named in a refusal; -1 when there is none.
 double told_fraction(const PathMotion& motion) {
-  const std::size_t at = motion.reason.find("stops after ");
-  return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
+  const ReasonValue* const fraction = motion.reason.find(ReasonField::fraction);
+  return fraction == nullptr ? -1 : std::get<double>(*fraction);
+}
+
+/// Whether a reason names a joint that would pass a limit.
+bool names(const Reason& reason, const std::string& joint) {
+  const ReasonValue* const named = reason.find(ReasonField::joint);
+  return (named != nullptr && std::get<std::string>(*named) == joint) ||
+         std::any_of(reason.details.begin(), reason.details.end(),
+                     [&](const Reason& detail) { return names(detail, joint); });
 }
 
 /// CPU time, which does not depend on other load.
@@ -113,7 +121,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
   const auto print = [&](const char* what) {
     std::printf("  %d: %s: dense %.6f joint %d margin %.2g; told %.6f %s: %s\n", number, what,
                 dense.reached, dense.joint + 1, dense.margin, told, name(motion.status).c_str(),
-                motion.reason.c_str());
+                sentence(motion.reason).c_str());
   };
   if (dense.feasible() && spare) {
     std::vector<Knot> knots;
@@ -150,8 +158,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
         !reachable(arm, line, place + 1e-3, false) || !reachable(arm, line, place + 1e-5, false);
   } else if (motion.status == MotionStatus::outside_limits) {
     right = spare ? reachable(arm, line, told + 1e-4, false)
-                  : dense.joint >= 0 && motion.reason.find(arm.joint_of(dense.joint).name + " ") !=
-                                            std::string::npos;
+                  : dense.joint >= 0 && names(motion.reason, arm.joint_of(dense.joint).name);
   } else if (motion.status == MotionStatus::singular) {
     right = reachable(arm, line, place + 1e-3, spare) && dense.joint < 0;
   }
@@ -193,7 +200,7 @@ int main(int argc, char** argv) {
       const Verification proof = verify(arm, motion.trajectory, poses);
       if (proof.fault != Fault::none) {
         ++tally.unverified;
-        std::printf("  %d: not verified: %s\n", i, proof.reason.c_str());
+        std::printf("  %d: not verified: %s\n", i, sentence(proof.reason).c_str());
       }
     } else {
       tally.times_refused.push_back(seconds);

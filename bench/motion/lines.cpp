@@ -47,7 +47,7 @@ void whole(benchmark::State& state, bool panda, Profile profile) {
   const Case line = half_a_metre(panda);
   PathMotion motion;
   for (auto _ : state) motion = move_in_lines(line.arm, line.poses, {.profile = profile});
-  if (motion.status != MotionStatus::reached) state.SkipWithError(motion.reason.c_str());
+  if (motion.status != MotionStatus::reached) state.SkipWithError(sentence(motion.reason).c_str());
   if (motion.trajectory.size() == 0) return;
   state.counters["samples"] = static_cast<double>(motion.trajectory.size());
   state.counters["seconds"] = motion.trajectory.times.back();

@@ -13,8 +13,9 @@ from ._core import *  # noqa: F403
 from ._core import __version__
 from ._page import Page, view
 from ._pictures import animate, draw, figure
+from ._reason import Reason
 
-__all__ = ["Page", "__version__", "animate", "arms", "draw", "figure", "plot", "poses", "view"]
+__all__ = ["Page", "Reason", "__version__", "animate", "arms", "draw", "figure", "plot", "poses", "view"]
 __all__ += _core.__all__
 
 for _name in __all__:

@@ -7,6 +7,7 @@
 #include "arm_fields.h"
 #include "bindings.h"
 #include "plane_poses.h"
+#include "reason.h"
 
 namespace beeline::python {
 namespace {
@@ -241,13 +242,13 @@ void bind_copies(nb::class_<Arm>& arm) {
         return with_speed_scale(self, Value<double>::from(k, "k"));
       },
       scale, nb::arg("k"));
-  Signature outside("limit_violations", "list[str]",
-                    "Returns one sentence for each joint that is outside its position limits.");
+  Signature outside("limit_violations", "list[Reason]",
+                    "Returns a reason for each joint that is outside its position limits.");
   outside.takes("self").takes("q", array_like, "Configuration (n,).");
   define(
       arm,
       [](const Arm& self, nb::handle q) {
-        return Value<std::vector<std::string>>::to(
+        return Value<std::vector<Reason>>::to(
             limit_violations(self, Value<Configuration>::from(q, "q")));
       },
       outside, nb::arg("q"));

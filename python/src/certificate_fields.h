@@ -3,6 +3,7 @@
 #include <beeline/certificate/verify.h>
 
 #include "path_fields.h"
+#include "reason.h"
 #include "trajectory_fields.h"
 
 namespace beeline::python {

@@ -1,5 +1,5 @@
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include "bindings.h"
 #include "kinematics_fields.h"

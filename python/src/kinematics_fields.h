@@ -5,6 +5,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/kinematics/task.h>
 
+#include "reason.h"
 #include "record.h"
 
 namespace beeline::python {

@@ -79,9 +79,9 @@ void bind_placements(nb::module_& m) {
   bind_record<Placement>(m);
   nb::class_<PlacementResult> result = bind_record<PlacementResult>(m);
   result.def_prop_ro(
-      "reason", [](const PlacementResult& self) { return reason_of(self); },
-      nb::for_getter(nb::sig("def reason(self) -> str")),
-      "Why there is no placement, or why the search ended early, one clause; empty otherwise.");
+      "reason", [](const PlacementResult& self) { return Value<Reason>::to(reason_of(self)); },
+      nb::for_getter(nb::sig("def reason(self) -> Reason")),
+      "Why there is no placement, or why the search ended early; empty otherwise.");
   Signature find("find_placements", "PlacementResult",
                  "Finds mounts from which the arm of a map reaches all poses. The map ranks the "
                  "mounts, by the number of poses whose cells are reached, then by the least margin "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reach_fields.h"
+#include "reason.h"
 
 namespace beeline::python {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 #include "record.h"
 

@@ -1,4 +1,4 @@
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 #include "bindings.h"
 #include "pose_fields.h"

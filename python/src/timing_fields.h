@@ -5,6 +5,7 @@
 
 #include "arm_fields.h"
 #include "joint_path_fields.h"
+#include "reason.h"
 #include "trajectory_fields.h"
 
 namespace beeline::python {

@@ -7,7 +7,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/path/internal/path_tracker.h>
 #include <beeline/planning/internal/track_segment.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/path/random_line.h>
 #include <tests/path/random_segment.h>

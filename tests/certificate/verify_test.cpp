@@ -3,6 +3,7 @@
 #include <beeline/kinematics/jacobian.h>
 
 #include <tests/planning/motion_promises.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -31,7 +32,7 @@ Made made(const std::string& name, const PathMotionOptions& options = {}) {
   c.translation() += Vector3(-0.06, 0.02, 0.05);
   std::vector<Pose> poses{a, b, c};
   PathMotion motion = move_in_lines(arm, poses, options);
-  EXPECT_EQ(motion.reason, "");
+  EXPECT_FALSE(motion.reason);
   return {arm, poses, motion.trajectory};
 }
 
@@ -49,7 +50,7 @@ TEST(Verify, PassesWhatLineMakes) {
       for (const double rate : {0.0, 125.0, 1000.0}) {
         const Verification found = told(made(name, {.profile = profile, .rate = rate}));
         if (name == "panda" && jerky && found.fault == Fault::jerk) continue;  // it has jerk limits
-        EXPECT_EQ(found.reason, "") << name << ' ' << beeline::name(profile) << ' ' << rate;
+        EXPECT_FALSE(found.reason) << name << ' ' << beeline::name(profile) << ' ' << rate;
         EXPECT_EQ(found.arrivals.size(), 3);
       }
     }
@@ -149,7 +150,8 @@ TEST(Verify, FindsAnOmittedWaypoint) {
   motion.poses.push_back(motion.poses[1]);
   const Verification found = told(motion);
   EXPECT_EQ(found.fault, Fault::not_through);
-  EXPECT_NE(found.reason.find("waypoint 4"), std::string::npos) << found.reason;
+  EXPECT_EQ(testing::field<std::string>(found.reason, ReasonField::segment_name), "waypoint 4")
+      << found.reason;
 }
 
 TEST(Verify, TellsHaste) {

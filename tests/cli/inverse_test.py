@@ -43,7 +43,7 @@ def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
 
 def test_the_json_documents_keys_and_their_order(beeline):
     keys = ["status", "solutions", "singular", "complete", "branches_complete", "self_motion_dimension", "grid", "deviation", "residual",
-            "reason", "nearest", "method", "iterations", "restarts", "units"]
+            "reason", "nearest", "method", "iterations", "restarts", "code", "fields", "units"]
     for pose in ("4,5,0", "8,8,0"):
         assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
 

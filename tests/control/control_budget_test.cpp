@@ -66,7 +66,7 @@ TEST(ControlBudget, AReplayIsTheWholeOrNone) {
       EXPECT_EQ(part.status, cancel.cancelled() ? MotionStatus::cancelled : MotionStatus::reached);
       EXPECT_EQ(part.trajectory.positions,
                 cancel.cancelled() ? std::vector<Configuration>() : whole.trajectory.positions);
-      EXPECT_EQ(part.reason.empty(), !cancel.cancelled());
+      EXPECT_EQ(!part.reason, !cancel.cancelled());
       ended += cancel.cancelled() ? 1 : 0;
       return cancel.cancelled() && !::testing::Test::HasFailure();
     });

@@ -7,6 +7,7 @@
 #include <beeline/timing/retime.h>
 
 #include <tests/random.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -25,33 +26,25 @@ Trajectory slow_recording(testing::Random& random, const Arm& arm, Interpolation
   return made;
 }
 
-/// The number after a phrase of the reason.
-std::optional<double> number_after(const std::string& reason, const std::string& phrase) {
-  const std::size_t at = reason.find(phrase);
-  if (at == std::string::npos) return {};
-  return std::stod(reason.substr(at + phrase.size()));
-}
-
-std::optional<double> advised_speed(const std::string& reason) {
-  const auto one = number_after(reason, "; a speed of ");
-  return one ? one : number_after(reason, "; speeds of at most ");
-}
-
 ReplayOptions slower(ReplayOptions options, double speed) {
   options.speed = std::min(options.speed, speed);
   for (SpeedChange& change : options.speed_at) change.speed = std::min(change.speed, speed);
   return options;
 }
 
+std::optional<double> advised_speed(const Reason& reason) {
+  return testing::field<double>(reason, ReasonField::kept_speed);
+}
+
 /// The options with what the reason advises; none without advice.
-std::optional<ReplayOptions> advised(ReplayOptions options, const std::string& reason) {
-  if (const auto rate = number_after(reason, "a rate of ")) {
+std::optional<ReplayOptions> advised(ReplayOptions options, const Reason& reason) {
+  if (const auto rate = testing::field<double>(reason, ReasonField::kept_rate)) {
     options.rate = *rate;
-  } else if (const auto ramp = number_after(reason, "a ramp of ")) {
+  } else if (const auto ramp = testing::field<double>(reason, ReasonField::kept_ramp)) {
     options.ramp = *ramp;
   } else if (const auto speed = advised_speed(reason)) {
     return slower(options, *speed);
-  } else if (reason.find("without a rate") != std::string::npos) {
+  } else if (reason.has(ReasonField::kept_without_rate)) {
     options.rate = 0;
   } else {
     return {};
@@ -85,7 +78,7 @@ TEST(Replay, AdviceThatItGivesWorks) {
     const Replay again = replay(arm, recorded, *better);
     EXPECT_TRUE(again) << played.reason << "\n" << again.reason;
     const auto speed = advised_speed(played.reason);
-    if (!speed || played.reason.find(" at this rate") == std::string::npos) continue;
+    if (!speed || !played.reason.has(ReasonField::kept_at_rate)) continue;
     const Replay slow = replay(arm, recorded, slower(options, *speed));
     EXPECT_TRUE(slow) << played.reason << "\n" << slow.reason;
   }

@@ -7,6 +7,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/random.h>
+#include <tests/reason.h>
 #include <tests/refusal.h>
 
 namespace beeline {
@@ -158,12 +159,13 @@ TEST(Replay, NamesTheJointAndTheTimeThatLeaveTheLimits) {
   recorded.positions[7][3] = 0.1;
   const Replay played = replay(arm, recorded);
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
-  EXPECT_NE(played.reason.find("at 5.5 s joint joint4"), std::string::npos) << played.reason;
+  EXPECT_EQ(testing::field<double>(played.reason, ReasonField::time), 5.5);
+  EXPECT_EQ(testing::joint(played.reason), "joint4");
   EXPECT_EQ(played.trajectory.size(), 0);
 
   const Replay off = replay(arm, recording(random, arm, 3), {.start = Configuration::Zero(7)});
   EXPECT_EQ(off.status, MotionStatus::outside_limits);
-  EXPECT_NE(off.reason.find("joint4"), std::string::npos) << off.reason;
+  EXPECT_EQ(testing::joint(off.reason), "joint4") << off.reason;
 }
 
 TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatSuffices) {
@@ -177,8 +179,9 @@ TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatSuffices) {
   const Replay played = replay(arm, recorded);
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
   EXPECT_NEAR(played.limits.velocity.fraction, 2, 1e-9);
-  EXPECT_NE(played.reason.find("at 7 s joint joint5"), std::string::npos) << played.reason;
-  EXPECT_NE(played.reason.find("; a speed of 0.5 "), std::string::npos) << played.reason;
+  EXPECT_EQ(testing::field<double>(played.reason, ReasonField::time), 7.0);
+  EXPECT_EQ(testing::joint(played.reason), "joint5");
+  EXPECT_EQ(testing::field<double>(played.reason, ReasonField::kept_speed), 0.5) << played.reason;
   const Replay slower = replay(arm, recorded, {.speed = 0.499});
   EXPECT_EQ(slower.status, MotionStatus::reached) << slower.reason;
   EXPECT_NEAR(slower.limits.velocity.fraction, 0.998, 1e-6);
@@ -231,7 +234,7 @@ TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
   const Replay played = replay(slow, recorded, {.rate = 100, .speed_at = {{0, 1}}, .ramp = 1e-3});
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
   EXPECT_NEAR(played.limits.velocity.fraction, 20, 4);  // each section is up to a period slower
-  EXPECT_NE(played.reason.find("at 0.053 s"), std::string::npos) << played.reason;
+  EXPECT_NEAR(testing::field<double>(played.reason, ReasonField::time).value_or(0), 0.053, 1e-9);
 }
 
 TEST(Replay, ChangesItsSpeedAndPausesAtTheGivenTimes) {
@@ -287,8 +290,8 @@ TEST(Replay, NamesTheSpeedThatSufficesAmongSeveral) {
   const Replay fast = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 1}}, .ramp = 0.01});
   EXPECT_EQ(fast.status, MotionStatus::outside_limits);
   EXPECT_EQ(fast.trajectory.size(), 0);
-  EXPECT_NE(fast.reason.find("joint1"), std::string::npos) << fast.reason;
-  EXPECT_NE(fast.reason.find("; speeds of at most 0.5 "), std::string::npos) << fast.reason;
+  EXPECT_EQ(testing::joint(fast.reason), "joint1") << fast.reason;
+  EXPECT_EQ(testing::field<double>(fast.reason, ReasonField::kept_speed), 0.5) << fast.reason;
   const Replay slow = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 0.499}}});
   EXPECT_EQ(slow.status, MotionStatus::reached) << slow.reason;
   EXPECT_NEAR(slow.limits.velocity.fraction, 0.998, 1e-3);

@@ -3,7 +3,7 @@
 #include <beeline/doctor/comparison.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/doctor/random_table.h>
 #include <tests/refusal.h>

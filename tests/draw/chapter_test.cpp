@@ -8,7 +8,7 @@
 #include <beeline/draw/internal/skeleton.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/draw/page.h>
 #include <tests/refusal.h>

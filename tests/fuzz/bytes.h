@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <beeline/model/arm.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::fuzz {

@@ -24,11 +24,12 @@ BEELINE_FUZZ_TARGET(line) {
       waypoints.push_back(forward_kinematics(arm, next));
     }
     const PathMotion motion = move_in_lines(arm, q, waypoints, options);
-    fuzz::require(motion || !motion.reason.empty(), "a reason");
+    fuzz::require(motion || bool(motion.reason), "a reason");
     if (!motion) return;
     const Verification proof = verify(
         arm, motion.trajectory, waypoints,
         {.tolerance = options.tolerance, .orientation_tolerance = options.orientation_tolerance});
-    fuzz::require(static_cast<bool>(proof), "a planned motion is proved: " + proof.reason);
+    fuzz::require(static_cast<bool>(proof),
+                  "a planned motion is proved: " + sentence(proof.reason));
   });
 }

@@ -22,7 +22,7 @@ inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
                           const InverseResult& result, double tolerance = 1e-9) {
   ASSERT_EQ(result.status, InverseStatus::solved) << arm.name() << ": " << result.reason;
   ASSERT_FALSE(result.solutions.empty());
-  EXPECT_EQ(result.reason.empty(), !result.singular) << result.reason;
+  EXPECT_EQ(!result.reason, !result.singular) << result.reason;
   double residual = 0;
   for (const Configuration& q : result.solutions) {
     EXPECT_TRUE(within(internal::bounds_of(arm), q)) << arm.name() << ' ' << q.transpose();
@@ -35,8 +35,7 @@ inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
 inline void expect_no(const InverseResult& result, InverseStatus status) {
   EXPECT_EQ(result.status, status) << name(result.status) << ": " << result.reason;
   EXPECT_TRUE(result.solutions.empty());
-  EXPECT_FALSE(result.reason.empty());
-  EXPECT_EQ(result.reason.find('\n'), std::string::npos);
+  EXPECT_TRUE(result.reason);
   EXPECT_TRUE(std::isfinite(result.residual));
 }
 

@@ -7,6 +7,8 @@
 #include "../ended_budget.h"
 #include "../random.h"
 
+#include <tests/reason.h>
+
 namespace beeline {
 namespace {
 
@@ -72,7 +74,7 @@ void expect_ended(const Problem& problem, const InverseResult& result, const Inv
   }
   EXPECT_FALSE(result.complete);
   EXPECT_FALSE(result);
-  EXPECT_NE(result.reason.find("cancelled"), std::string::npos) << result.reason;
+  EXPECT_EQ(testing::field<Ending>(result.reason, ReasonField::ending), Ending::cancelled);
 }
 
 TEST(InverseBudget, CancelledAnywhereItClaimsNothing) {

@@ -50,7 +50,7 @@ void expect_answer(InverseSolver& solver, const Arm& arm, const Configuration& q
     ++unanswered;
     EXPECT_NE(result.status, InverseStatus::unreachable) << result.reason;
     EXPECT_NE(result.status, InverseStatus::orientation_unreachable) << result.reason;
-    EXPECT_FALSE(result.reason.starts_with("every solution")) << result.reason << q.transpose();
+    EXPECT_NE(result.reason.code, ReasonCode::all_solutions_outside_limits) << q.transpose();
     return;
   }
   EXPECT_EQ(column.col(0), result.solutions[0]) << arm.name();

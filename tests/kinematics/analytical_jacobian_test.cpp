@@ -4,7 +4,7 @@
 #include <beeline/kinematics/analytical_jacobian.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>

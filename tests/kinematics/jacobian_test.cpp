@@ -7,7 +7,7 @@
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/degrees.h>
 #include <tests/random_arm.h>

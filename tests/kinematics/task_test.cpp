@@ -5,9 +5,9 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/angle.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>

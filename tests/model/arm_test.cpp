@@ -5,9 +5,10 @@
 
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random_arm.h>
+#include <tests/reason.h>
 #include <tests/refusal.h>
 
 namespace beeline {
@@ -192,12 +193,13 @@ TEST(LimitViolations, NameTheJointItsValueAndItsLimits) {
   EXPECT_TRUE(limit_violations(arm, Eigen::Vector3d(1, 0.5, 1e6)).empty());
   EXPECT_TRUE(limit_violations(arm, Eigen::Vector3d(1 + 1e-10, -1e-10, 0)).empty());
   EXPECT_EQ(limit_violations(arm, Eigen::Vector3d(1 + 1e-10, -1e-10, 0), 0).size(), 2);
-  const std::vector<std::string> said = limit_violations(arm, Eigen::Vector3d(-1.5, 0.75, 0));
-  ASSERT_EQ(said.size(), 2);
-  EXPECT_EQ(said[0],
-            "joint turn at -1.5 rad (-85.9437 deg) is outside its limits -1 rad (-57.2958 deg) to "
-            "1 rad (57.2958 deg)");
-  EXPECT_EQ(said[1], "joint slide at 0.75 m is outside its limits 0 m to 0.5 m");
+  const std::vector<Reason> found = limit_violations(arm, Eigen::Vector3d(-1.5, 0.75, 0));
+  ASSERT_EQ(found.size(), 2);
+  EXPECT_EQ(testing::joint(found[0]), "turn");
+  EXPECT_EQ(testing::field<double>(found[0], ReasonField::value), -1.5);
+  EXPECT_EQ(testing::field<double>(found[0], ReasonField::lower), -1.0);
+  EXPECT_EQ(testing::joint(found[1]), "slide");
+  EXPECT_EQ(testing::field<std::string>(found[1], ReasonField::unit), "m");
   EXPECT_REFUSED(limit_violations(arm, Configuration::Zero(2)), "takes 3 joint values");
 }
 

@@ -4,8 +4,8 @@
 
 #include <beeline/model/arm.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -10,11 +10,12 @@
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/degrees.h>
 #include <tests/path/random_line.h>
+#include <tests/reason.h>
 #include <tests/refusal.h>
 
 /// What a motion along lines must keep, checked from outside.
@@ -86,7 +87,7 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
                             const std::vector<Pose>& waypoints, const PathMotion& motion,
                             const PathMotionOptions& options = {}, int dense = 20) {
   ASSERT_EQ(motion.status, MotionStatus::reached) << arm.name() << ": " << motion.reason;
-  EXPECT_EQ(motion.reason, "");
+  EXPECT_FALSE(motion.reason);
   const Trajectory& trajectory = motion.trajectory;
   ASSERT_NO_THROW(check_trajectory(trajectory));
   ASSERT_LT((trajectory.positions.front() - start).norm(), 1e-8);
@@ -124,14 +125,15 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
 /// The fraction of the segment at which a motion stops. The reason has it as a percentage.
 inline double stopped_at(const PathMotion& motion) {
   const double fraction = motion.path_parameter - std::floor(motion.path_parameter);
-  EXPECT_NE(motion.reason.find("stops after " + internal::percent(fraction)), std::string::npos)
+  EXPECT_NEAR(testing::field<double>(motion.reason, ReasonField::fraction).value_or(-1), fraction,
+              1e-12)
       << motion.reason;
   return fraction;
 }
 
 inline void expect_nothing_made(const PathMotion& motion, MotionStatus status) {
   EXPECT_EQ(motion.status, status) << motion.reason;
-  EXPECT_NE(motion.reason, "");
+  EXPECT_TRUE(motion.reason);
   EXPECT_EQ(motion.trajectory.size(), 0);
   EXPECT_TRUE(motion.arrivals.empty());
 }

@@ -3,6 +3,7 @@
 #include <beeline/certificate/verify.h>
 
 #include <tests/planning/motion_promises.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -65,7 +66,8 @@ TEST(MoveInLines, TakesPosesInBracesAndAnswersInABool) {
   std::ostringstream out;
   out << motion << '\n' << none << '\n' << verification;
   EXPECT_EQ(out.str().substr(0, 11), "reached in ");
-  EXPECT_NE(out.str().find("\n" + name(none.status) + ": " + none.reason + "\n"), std::string::npos)
+  EXPECT_NE(out.str().find("\n" + name(none.status) + ": " + sentence(none.reason) + "\n"),
+            std::string::npos)
       << out.str();
   EXPECT_NE(out.str().find("\nverified, deviation at most "), std::string::npos) << out.str();
 }
@@ -104,7 +106,7 @@ TEST(MoveInLines, ReportsWhereALineLeavesTheWorkspace) {
     const PathMotion motion = move_in_lines(arm, start, std::vector{to});
     expect_nothing_made(motion, MotionStatus::unreachable);
     ASSERT_NEAR(stopped_at(motion), s, 1e-4) << motion.reason;
-    ASSERT_NE(motion.reason.find("line 1 of 1"), std::string::npos);
+    ASSERT_EQ(testing::field<std::size_t>(motion.reason, ReasonField::segment), 1U);
   }
 }
 
@@ -127,9 +129,8 @@ TEST(MoveInLines, NamesTheJointWhoseLimitStopsTheMotion) {
         move_in_lines(arm, start, std::vector{make_pose(from.translation() + way, from.linear())});
     expect_nothing_made(motion, MotionStatus::outside_limits);
     ASSERT_NEAR(stopped_at(motion), s, 1e-5) << motion.reason;
-    ASSERT_NE(motion.reason.find(outwards ? "joint2 would have to pass its lower limit of 0.5 rad"
-                                          : "joint2 would have to pass its upper limit of 2 rad"),
-              std::string::npos)
+    ASSERT_EQ(testing::joint(motion.reason), "joint2");
+    ASSERT_EQ(testing::field<bool>(motion.reason, ReasonField::is_upper), !outwards)
         << motion.reason;
   }
 }
@@ -141,9 +142,8 @@ TEST(MoveInLines, NamesASlidesLimitInMetres) {
   const Pose to = planar(9, 0, 0);
   const PathMotion motion = move_in_lines(arm, Configuration{{0, 1}}, std::vector{to});
   expect_nothing_made(motion, MotionStatus::outside_limits);
-  EXPECT_NE(motion.reason.find("joint2 would have to pass its upper limit of 2 m"),
-            std::string::npos)
-      << motion.reason;
+  EXPECT_EQ(testing::joint(motion.reason), "joint2");
+  EXPECT_EQ(testing::field<double>(motion.reason, ReasonField::limit), 2.0);
   EXPECT_NEAR(stopped_at(motion), 1.0 / 7, 1e-6);
 }
 
@@ -154,8 +154,8 @@ TEST(MoveInLines, StopsAtASingularityWhereItWouldHaveToJump) {
   const Configuration start{{-70 * deg, 140 * deg, -70 * deg}};
   const PathMotion motion = move_in_lines(arm, start, waypoints);
   expect_nothing_made(motion, MotionStatus::singular);
-  EXPECT_NE(motion.reason.find("line 2 of 2 stops after"), std::string::npos) << motion.reason;
-  EXPECT_NE(motion.reason.find("jump"), std::string::npos) << motion.reason;
+  EXPECT_EQ(testing::field<std::size_t>(motion.reason, ReasonField::segment), 2U);
+  EXPECT_EQ(motion.reason.code, ReasonCode::singular_on_path) << motion.reason;
 }
 
 TEST(MoveInLines, PassesTheFoldedArmStraightThrough) {

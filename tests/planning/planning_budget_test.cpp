@@ -10,6 +10,8 @@
 #include "../ended_budget.h"
 #include "../random.h"
 
+#include <tests/reason.h>
+
 namespace beeline {
 namespace {
 
@@ -110,7 +112,9 @@ TEST(PlanningBudget, AMotionIsReachedOrEnded) {
       // Suggestions may be cut off after the motion was found to be impossible.
       EXPECT_TRUE(is_ended(motion.status) || (motion.status == whole.status && !whole))
           << motion.status << ": " << motion.reason;
-      EXPECT_NE(motion.reason.find("cancelled"), std::string::npos) << motion.reason;
+      const ReasonField ending =
+          is_ended(motion.status) ? ReasonField::ending : ReasonField::search_ending;
+      EXPECT_EQ(testing::field<Ending>(motion.reason, ending), Ending::cancelled) << motion.reason;
       EXPECT_EQ(motion.trajectory.size(), 0u);
       ++ended;
       return !::testing::Test::HasFailure();
@@ -137,7 +141,7 @@ TEST(PlanningBudget, PlansAreThoseSoFar) {
           [](const Branch& a, const Branch& b) { return a.path_parameter > b.path_parameter; }));
       std::size_t complete = 0;
       for (const Branch& branch : branches) {
-        EXPECT_TRUE(branch || !branch.reason.empty());
+        EXPECT_TRUE(branch || bool(branch.reason));
         complete += is_ended(branch.status) ? 0 : 1;
       }
       EXPECT_GE(complete, begun);
@@ -183,7 +187,7 @@ TEST(PlanningBudget, NothingIsVerifiedThatIsNotChecked) {
           verify(each.arm, trajectory, each.route(), {.budget = cancel.budget()});
       EXPECT_EQ(part.ending == Ending::cancelled, cancel.cancelled());
       EXPECT_EQ(static_cast<bool>(part), !faulty && !cancel.cancelled());
-      EXPECT_EQ(part.reason.empty(), static_cast<bool>(part));
+      EXPECT_EQ(!part.reason, static_cast<bool>(part));
       EXPECT_TRUE(faulty || part.fault == Fault::none);
       return cancel.cancelled() && !::testing::Test::HasFailure();
     });

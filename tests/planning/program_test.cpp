@@ -3,6 +3,7 @@
 #include <tests/planning/dense_search.h>
 #include <tests/planning/motion_promises.h>
 #include <tests/planning/pick.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -160,7 +161,8 @@ bool is_kept(const Arm& arm, const Program& program, const PathMotionOptions& op
   const ProgramMotion motion = move_program(arm, std::nullopt, program, options);
   if (!motion) {
     EXPECT_LT(motion.failed, program.moves.size()) << motion.reason;
-    EXPECT_NE(motion.reason.find("move"), std::string::npos) << motion.reason;
+    EXPECT_EQ(testing::field<std::size_t>(motion.reason, ReasonField::move), motion.failed + 1)
+        << motion.reason;
     return false;
   }
   const bool quintic = options.interpolation == Interpolation::quintic;
@@ -249,13 +251,17 @@ TEST(MoveProgram, ReasonsNameTheMoveAndItsPlace) {
   program.moves[2].target.translation().x() = 2;
   const ProgramMotion far = move_program(arm, home, program);
   EXPECT_EQ(far.failed, 2);
-  EXPECT_NE(far.reason.find("move 3 (line, pick.csv:4) stops after "), std::string::npos)
-      << far.reason;
+  EXPECT_EQ(testing::field<std::string>(far.reason, ReasonField::segment_name),
+            "move 3 (line, pick.csv:4)");
+  EXPECT_EQ(testing::field<std::size_t>(far.reason, ReasonField::move), 3U);
+  EXPECT_TRUE(far.reason.has(ReasonField::fraction)) << far.reason;
   EXPECT_EQ(far.trajectory.size(), 0);
   program.moves = {{.kind = MoveKind::joint, .target = program.moves[2].target, .place = "a:7"}};
   const ProgramMotion joint = move_program(arm, home, program);
   EXPECT_EQ(joint.status, MotionStatus::unreachable);
-  EXPECT_NE(joint.reason.find("move 1 (joint, a:7): "), std::string::npos) << joint.reason;
+  EXPECT_EQ(testing::field<std::string>(joint.reason, ReasonField::move_name),
+            "move 1 (joint, a:7)")
+      << joint.reason;
 }
 
 TEST(MoveProgram, ChangesItsSpeedWithoutAStop) {
@@ -293,7 +299,7 @@ TEST(MoveProgram, EndsByItsBudget) {
   for (const std::int64_t work : {0, 1, 30, 300}) {
     const ProgramMotion motion = move_program(arm, home, pick(), {.budget = {.max_work = work}});
     EXPECT_EQ(motion.status, MotionStatus::work_limit) << work;
-    EXPECT_NE(motion.reason, "");
+    EXPECT_TRUE(motion.reason);
     EXPECT_EQ(motion.trajectory.size(), 0);
   }
 }
@@ -305,7 +311,7 @@ TEST(MoveProgram, LongDwellsNeedNoMoreMemoryThanAllowed) {
   const ProgramMotion motion = move_program(arm, home, program, {.rate = 1000});
   EXPECT_EQ(motion.status, MotionStatus::too_many_samples);
   EXPECT_EQ(motion.failed, 1u);
-  EXPECT_NE(motion.reason.find("move 2 (line)"), std::string::npos) << motion.reason;
+  EXPECT_EQ(testing::field<std::size_t>(motion.reason, ReasonField::move), 2U) << motion.reason;
   const ProgramMotion long_rest = move_program(arm, home, program);
   ASSERT_TRUE(long_rest) << long_rest.reason;
   EXPECT_GT(long_rest.trajectory.times.back(), 1e6);

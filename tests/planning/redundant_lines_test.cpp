@@ -35,10 +35,10 @@ TEST_P(RedundantLines, AreFoundWithoutTheStart) {
     const PathMotion given = move_in_lines(arm, q, std::span(poses).subspan(1));
     if (!given) continue;
     ++feasible;
-    EXPECT_EQ(verify(arm, given.trajectory, poses).reason, "");
+    EXPECT_FALSE(verify(arm, given.trajectory, poses).reason);
     const PathMotion found = move_in_lines(arm, poses);
     ASSERT_EQ(found.status, MotionStatus::reached) << found.reason;
-    EXPECT_EQ(verify(arm, found.trajectory, poses).reason, "");
+    EXPECT_FALSE(verify(arm, found.trajectory, poses).reason);
   }
   EXPECT_GE(feasible, cases(40) / 8);
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/random.h>
 

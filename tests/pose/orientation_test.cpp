@@ -4,8 +4,8 @@
 #include <numbers>
 #include <sstream>
 
-#include <beeline/pose/angle.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

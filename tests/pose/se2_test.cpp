@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/pose/angle.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/random.h>
 

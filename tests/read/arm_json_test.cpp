@@ -2,7 +2,7 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/joint_string.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/pose_list.h>
 

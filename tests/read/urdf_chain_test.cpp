@@ -2,7 +2,7 @@
 #include <map>
 
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/urdf.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/urdf_file.h>
 #include <beeline/read/urdf.h>
 

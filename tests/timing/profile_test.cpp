@@ -152,7 +152,7 @@ TEST(TimeScalingWithBudget, IsNoneOrKeepsTheLimitsWhereverItIsCancelled) {
         const TimeScaling part =
             time_scaling(path, limits, profile, {.cancelled = [&] { return left-- <= 0; }});
         if (!part) {
-          EXPECT_EQ(part.reason, "the search was cancelled") << name(profile);
+          EXPECT_EQ(part.reason.code, ReasonCode::ended) << name(profile);
           EXPECT_TRUE(part.t.empty()) << name(profile);
           continue;
         }

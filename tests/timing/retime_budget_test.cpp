@@ -49,7 +49,7 @@ TEST(RetimeBudget, WhatWasFoundKeepsTheLimits) {
         const Retimed part = retime(arm, path, limited);
         EXPECT_EQ(part.ending == Ending::cancelled, cancel.cancelled());
         EXPECT_EQ(static_cast<bool>(part), !cancel.cancelled());
-        EXPECT_EQ(part.reason.empty(), !cancel.cancelled());
+        EXPECT_EQ(!part.reason, !cancel.cancelled());
         EXPECT_GE(part.sections, sections);
         sections = part.sections;
         if (sections > 0) {
@@ -96,7 +96,7 @@ TEST(RetimeBudget, LongTrajectoriesNeedMaxSamples) {
     trajectory.positions.push_back(Configuration::Constant(3, 1e-6 * k));
   }
   const Retimed refused = retime(arm, trajectory);
-  EXPECT_EQ(refused.reason, "the trajectory has 200001 samples, more than max_samples, 200000");
+  EXPECT_EQ(refused.reason.code, ReasonCode::too_many_samples_given);
   EXPECT_EQ(refused.trajectory.size(), 0u);
   const Retimed begun = retime(arm, trajectory, {.max_samples = count, .budget = {.max_work = 1}});
   EXPECT_EQ(begun.ending, Ending::work_limit);

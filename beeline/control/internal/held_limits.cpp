@@ -136,20 +136,21 @@ std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajecto
   return largest;
 }
 
-std::string described(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess) {
+Reason exceeded_limit(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess) {
   const Joint& joint = arm.joint_of(excess.coordinate);
-  const std::string where =
-      "at " + number(trajectory.times[excess.sample]) + " s joint " + joint.name;
-  if (excess.order == 0) {
-    return where + " is " + number(excess.fraction) + " " + unit(joint) +
-           " beyond its position limit";
-  }
   const auto order = static_cast<std::size_t>(excess.order);
-  constexpr std::array<const char*, 4> names = {"", "velocity", "acceleration", "jerk"};
+  constexpr std::array<const char*, 4> names = {"position", "velocity", "acceleration", "jerk"};
+  Reason reason{ReasonCode::limit_exceeded,
+                {{ReasonField::time, trajectory.times[excess.sample]},
+                 {ReasonField::joint, joint.name},
+                 {ReasonField::quantity, names[order]}}};
+  if (order == 0) {
+    reason.set(ReasonField::excess, excess.fraction);
+    return reason.set(ReasonField::unit, unit(joint));
+  }
   const bool known = arm.limits(excess.coordinate).*rate_limits[order] < Limits::none;
-  const std::string times = where + " uses " + number_apart(excess.fraction, 1) + " times ";
-  if (excess.recorded) return times + "the recording's own " + names[order];
-  return times + "its " + (known ? "" : "assumed ") + names[order] + " limit";
+  reason.set(ReasonField::use, excess.fraction).set(ReasonField::assumed, !known);
+  return reason.set(ReasonField::recorded, excess.recorded);
 }
 
 }  // namespace beeline::internal

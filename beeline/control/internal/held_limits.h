@@ -39,7 +39,7 @@ struct LimitExcess {
 /// where all limits are kept.
 std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajectory& trajectory);
 
-/// "at 0.5 s joint elbow uses 1.2 times its acceleration limit".
-std::string described(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess);
+/// The excess as a reason: its time, joint and limit.
+Reason exceeded_limit(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess);
 
 }  // namespace beeline::internal

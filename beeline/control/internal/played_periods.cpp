@@ -37,7 +37,7 @@ class PeriodSearch {
       const Trajectory whole = all_sections();
       if (whole.size() == 0) return failure();
       const auto excess = periods_.size() > 1 ? largest_excess(motion_.held, whole) : std::nullopt;
-      if (!excess) return {whole, total(periods_) / asked_, ""};
+      if (!excess) return {whole, total(periods_) / asked_, {}};
       note(whole, *excess, 0);
       open = lengthen_at(*excess);
       if (std::find(open.begin(), open.end(), true) == open.end()) return failure();
@@ -73,9 +73,9 @@ class PeriodSearch {
   }
 
   void note(Trajectory samples, const LimitExcess& excess, double begin) {
-    if (!first_excess_.empty()) return;
+    if (first_excess_) return;
     for (double& t : samples.times) t += begin;
-    first_excess_ = described(motion_.arm, samples, excess);
+    first_excess_ = exceeded_limit(motion_.arm, samples, excess);
   }
 
   /// Lengthens section i, from sample `first` on, until it holds the limits alone, at most by the
@@ -143,8 +143,8 @@ class PeriodSearch {
 
   PlayedSection failure() const {
     if (ended(motion_.budget)) return ended_section(motion_);
-    return {.trajectory = {},
-            .reason = "with " + number(rate_) + " samples per second " + first_excess_};
+    Reason reason = first_excess_;
+    return {.trajectory = {}, .reason = reason.set(ReasonField::rate, rate_)};
   }
 
   const PlayedMotion& motion_;
@@ -152,7 +152,7 @@ class PeriodSearch {
   double asked_ = 0;                 // periods, not whole
   std::vector<double> fewest_ = {};  // of each section
   std::vector<double> periods_ = {};
-  std::string first_excess_ = {};
+  Reason first_excess_ = {};
 };
 
 }  // namespace

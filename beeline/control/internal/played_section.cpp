@@ -132,9 +132,7 @@ void check_samples(double samples, double duration, double rate) {
 
 PlayedSection ended_section(const PlayedMotion& motion) {
   const Ending ending = motion.budget->ending();
-  return {.trajectory = {},
-          .reason = ended_by(ending) + " before samples within the limits were found" +
-                    how_to_continue(ending)};
+  return {.trajectory = {}, .reason = ended_reason(ReasonCode::ended_before_samples, ending)};
 }
 
 PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double rate) {
@@ -153,7 +151,7 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
     }
     slowdown *= excess->slowdown * (1 + rounding_margin);
   }
-  section.reason = described(motion.arm, section.trajectory, *excess);
+  section.reason = exceeded_limit(motion.arm, section.trajectory, *excess);
   section.trajectory = {};
   return section;
 }
@@ -162,7 +160,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
                                  double rate) {
   constexpr double at_once = 0.8;  // of a slowdown: other samples are the worst later
   PlayedSection section;
-  std::string first_excess;
+  Reason first_excess;
   double smallest_step = 0;
   for (double scale = 1; scale * motion.max_slowdown >= 1;) {
     if (ended(motion.budget)) return ended_section(motion);
@@ -179,13 +177,13 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
     section.slowdown = 1 / scale;
     const auto excess = largest_excess(motion.held, section.trajectory);
     if (!excess) return section;
-    if (first_excess.empty()) first_excess = described(motion.arm, section.trajectory, *excess);
+    if (!first_excess) first_excess = exceeded_limit(motion.arm, section.trajectory, *excess);
     // Steps grow, so that a motion that no slowdown helps is refused after few.
     constexpr double least = 0.002, growth = 1.6;
     smallest_step = std::max(smallest_step * growth, least);
     scale /= 1 + std::max(smallest_step, at_once * std::min(excess->slowdown - 1, 1.0));
   }
-  section.reason = "with " + number(rate) + " samples per second " + first_excess;
+  section.reason = first_excess.set(ReasonField::rate, rate);
   section.trajectory = {};
   return section;
 }

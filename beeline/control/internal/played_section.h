@@ -32,7 +32,7 @@ struct PlayedMotion {
 struct PlayedSection {
   Trajectory trajectory;  ///< times from 0
   double slowdown = 1;    ///< the duration as a multiple of that which was asked for
-  std::string reason;
+  Reason reason = {};
 };
 
 /// Plays a motion at a constant speed: its samples at whole nanoseconds along the motion or, with a

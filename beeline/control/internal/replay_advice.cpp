@@ -17,23 +17,23 @@ class AdviceSearch {
                BudgetMeter& budget)
       : arm_(arm), recording_(recording), options_(options), budget_(budget) {}
 
-  /// The highest speed found, from this one on down.
-  std::string speed(double first) {
+  /// Adds the highest speed found, from this one on down.
+  bool add_speed(double first, Reason& reason) {
     constexpr int max_speeds = 16, small_steps = 4;  // first, as the suggested speed is near
     constexpr double step = 0.8, small_step = 1 - 1e-4;
     double next = first;
     for (int tries = 0; tries < max_speeds; ++tries) {
       const double tried = printed(next, tries > 0);
       const ReplayAttempt attempt = with_speed(tried);
-      if (!budget_.complete()) return {};
+      if (!budget_.complete()) return false;
       if (attempt.replay) {
-        return (options_.speed_at.empty() ? "a speed of " : "speeds of at most ") + number(tried) +
-               (options_.speed_at.empty() ? " keeps the limits" : " keep the limits");
+        set_speed(tried, reason);
+        return true;
       }
       next = std::min(attempt.speed.value_or(step * tried),
                       (tries < small_steps ? small_step : step) * tried);
     }
-    return {};
+    return false;
   }
 
   /// The highest of some speeds, down to half the present one, at the present rate; 0 if none does.
@@ -64,46 +64,46 @@ class AdviceSearch {
     return 0;
   }
 
-  /// A speed at the present rate, another rate, or both.
-  std::string speed_or_rate(double highest_speed) {
+  /// Adds a speed at the present rate, another rate, or both.
+  bool add_speed_or_rate(double highest_speed, Reason& reason) {
     const double speed = speed_at_this_rate(highest_speed);
     const double rate = budget_.complete() ? this->rate() : 0;
-    if (!(speed > 0 || rate > 0)) return {};
-    const bool steady = options_.speed_at.empty();
-    std::string text;
     if (speed > 0) {
-      text = (steady ? "a speed of " : "speeds of at most ") + number(speed) + " at this rate";
+      set_speed(speed, reason);
+      reason.set(ReasonField::kept_at_rate, true);
     }
-    if (rate > 0) text += (text.empty() ? "" : ", or ") + ("a rate of " + number(rate));
-    return text + (steady || !(speed > 0) || rate > 0 ? " keeps the limits" : " keep the limits") +
-           why_far(rate);
+    if (rate > 0) reason.set(ReasonField::kept_rate, rate);
+    if (shows_corners(rate)) reason.set(ReasonField::shows_corners, true);
+    return speed > 0 || rate > 0;
   }
 
-  /// Why only a rate far from the present one was found.
-  std::string why_far(double rate) const {
+  /// Whether only a rate far from the present one was found because the recording is linear.
+  bool shows_corners(double rate) const {
     constexpr double far = 2;
-    const double present = replay_rate(options_);
-    if (!(rate > 0) || present < far * rate || recording_.interpolation() != Interpolation::linear)
-      return {};
-    return "; the recording is linear between its samples, and finer sampling shows the corners, "
-           "which retime() smooths";
+    return rate > 0 && replay_rate(options_) >= far * rate &&
+           recording_.interpolation() == Interpolation::linear;
   }
 
-  std::string recorded_samples() {
-    if (!options_.speed_at.empty()) return {};
+  bool add_recorded_samples(Reason& reason) {
+    if (!options_.speed_at.empty()) return false;
     ReplayOptions options = options_;
     options.rate = 0;
-    return works(options) ? "the recorded samples, without a rate, keep the limits" : "";
+    if (!works(options)) return false;
+    reason.set(ReasonField::kept_without_rate, true);
+    return true;
   }
 
-  std::string ramp() {
+  bool add_ramp(Reason& reason) {
     for (const double factor : {2., 5., 10.}) {
       ReplayOptions options = options_;
       options.ramp = factor * options_.ramp;
-      if (works(options)) return "a ramp of " + number(options.ramp) + " s keeps the limits";
-      if (!budget_.complete()) return {};
+      if (works(options)) {
+        reason.set(ReasonField::kept_ramp, options.ramp);
+        return true;
+      }
+      if (!budget_.complete()) return false;
     }
-    return {};
+    return false;
   }
 
  private:
@@ -115,6 +115,11 @@ class AdviceSearch {
     const double down = below ? 1 - 1e-5 : 1;
     const double unit = std::pow(10, std::floor(std::log10(down * x)) - 5);
     return std::round(down * x / unit) * unit;
+  }
+
+  void set_speed(double speed, Reason& reason) const {
+    reason.set(ReasonField::kept_speed, speed);
+    if (!options_.speed_at.empty()) reason.set(ReasonField::speed_changes, true);
   }
 
   /// Speeds are at most this one.
@@ -144,22 +149,26 @@ double highest_speed(const ReplayOptions& options) {
 
 }  // namespace
 
-std::string tried_advice(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
-                         const ReplayAttempt& failed, BudgetMeter& budget) {
+void add_advice(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+                const ReplayAttempt& failed, BudgetMeter& budget, Reason& reason) {
   AdviceSearch search(arm, recording, options, budget);
-  std::string advice;
-  const auto or_else = [&](const auto& tried) {
-    if (advice.empty() && budget.complete()) advice = tried();
+  const Reason before = reason;
+  bool found = false;
+  const auto or_else = [&](const auto& add) {
+    if (!found && budget.complete()) found = add();
   };
   if (!failed.speed && replay_rate(options) > 0) {
-    or_else([&] { return search.speed_or_rate(highest_speed(options)); });
-    or_else([&] { return search.recorded_samples(); });
-    if (!options.speed_at.empty()) or_else([&] { return search.ramp(); });
+    or_else([&] { return search.add_speed_or_rate(highest_speed(options), reason); });
+    or_else([&] { return search.add_recorded_samples(reason); });
+    if (!options.speed_at.empty()) or_else([&] { return search.add_ramp(reason); });
   }
-  or_else([&] { return search.speed(failed.speed.value_or(0.8 * highest_speed(options))); });
-  if (!budget.complete()) return {};
-  return "; " +
-         (advice.empty() ? "no other rate, ramp or speed was found that keeps the limits" : advice);
+  const double first = failed.speed.value_or(0.8 * highest_speed(options));
+  or_else([&] { return search.add_speed(first, reason); });
+  if (!budget.complete()) {
+    reason = before;
+  } else if (!found) {
+    reason.set(ReasonField::none_kept, true);
+  }
 }
 
 }  // namespace beeline::internal

@@ -5,7 +5,6 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/internal/speed_schedule.h>
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
@@ -57,8 +56,9 @@ bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<cons
   const Trajectory there = samples_between(recording, use.sample, use.sample + 1);
   const std::string& joint = arm.joint_of(limit_fraction(limits, there, 1).coordinate).name;
   const double time = recording.times[use.sample];
-  attempt.replay.reason = "at " + number(time) + " s joint " + joint + " moves at " +
-                          number_apart(use.fraction, 1) + " times its velocity limit";
+  attempt.replay.reason = {
+      ReasonCode::recording_too_fast,
+      {{ReasonField::time, time}, {ReasonField::joint, joint}, {ReasonField::use, use.fraction}}};
   attempt.replay.limits.velocity = {use.fraction, joint, time};
   attempt.speed = use.speed / use.fraction;
   return true;
@@ -71,8 +71,8 @@ bool refuse_speed(const PlayedMotion& motion, double speed, ReplayAttempt& attem
   const auto excess = largest_excess(motion.held, recorded_samples(motion, speed, 1));
   if (!excess || !(excess->slowdown > 1 + rounding)) return false;
   // The same sample has another time in the recording.
-  attempt.replay.reason =
-      described(motion.arm, motion.recording, *excess) + " at a speed of " + number(speed);
+  attempt.replay.reason = exceeded_limit(motion.arm, motion.recording, *excess);
+  attempt.replay.reason.set(ReasonField::speed, speed);
   attempt.speed = speed / excess->slowdown;
   return true;
 }
@@ -91,7 +91,7 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
   }
   const Trajectory motion = sampled(arm, line, rate, budget_of(recorded.budget));
   if (motion.size() == 0) {
-    return {.trajectory = {}, .reason = ended_by(recorded.budget->ending())};
+    return {.trajectory = {}, .reason = ended_reason(ReasonCode::ended, recorded.budget->ending())};
   }
   PlayedMotion played{arm, motion, recorded.interpolation, held_limits(arm, motion, 1)};
   played.max_slowdown = recorded.max_slowdown;
@@ -110,7 +110,7 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
   if (options.start && (goal - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
     PlayedSection lead = lead_in(motion, options);
     result.reason = lead.reason;
-    if (!lead.reason.empty()) return;
+    if (lead.reason) return;
     played = std::move(lead.trajectory);
     result.lead_in = played.times.back();
     motion.first = played.size() - 1;
@@ -129,7 +129,7 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
                                        : with_speed_changes(motion, options, rate);
   result.reason = section.reason;
   result.slowdown = section.slowdown;
-  if (!section.reason.empty()) return;
+  if (section.reason) return;
   append(played, section.trajectory);
   played.joint_names = motion.arm.joint_names();
   for (std::size_t k = 0; rate > 0 && k < played.size(); ++k) {
@@ -138,8 +138,8 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
   if (!(result.lead_in > 0)) return;
   const auto excess = largest_excess(motion.held, played);  // it may not start at rest
   if (!excess) return;
-  result.reason = "after the lead-in, " + described(motion.arm, played, *excess) +
-                  ": the recording does not start at rest";
+  result.reason = exceeded_limit(motion.arm, played, *excess);
+  result.reason.code = ReasonCode::moves_after_lead_in;
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
   motion.budget = &budget;
   if (steady && refuse_speed(motion, options.speed, attempt)) return attempt;
   play(motion, options, known, attempt);
-  if (result.reason.empty()) {
+  if (!result.reason) {
     result.status = MotionStatus::reached;
     return attempt;
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <beeline/control/replay.h>
 #include <beeline/internal/budget_meter.h>
@@ -10,7 +9,7 @@ namespace beeline::internal {
 
 /// A replay, and what may help where there is none.
 struct ReplayAttempt {
-  Replay replay;  ///< a reason that a speed or a rate may cure ends without full stop or advice
+  Replay replay;
   /// Another rate, ramp or speed may help.
   bool curable = false;
   /// A speed that keeps the limit which this one exceeds, if it is too fast; others may be exceeded
@@ -24,10 +23,10 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
                              const ReplayOptions& options, double max_slowdown,
                              BudgetMeter& budget);
 
-/// Returns advice for a curable attempt, after trying it: "; a rate of 50 keeps the limits". Says
-/// so where nothing that was tried does.
-std::string tried_advice(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
-                         const ReplayAttempt& failed, BudgetMeter& budget);
+/// Tries other speeds, rates and ramps for a curable attempt, and adds to its reason those that
+/// keep the limits, or that none does.
+void add_advice(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+                const ReplayAttempt& failed, BudgetMeter& budget, Reason& reason);
 
 /// Samples per second of a replay: 0 for the recorded samples.
 double replay_rate(const ReplayOptions& options);

@@ -52,16 +52,22 @@ double allowed_scale(const Arm& arm, const Configuration& step, double time_step
   return scale;
 }
 
-bool stop(ControlledMotion& motion, MotionStatus status, const std::string& reason) {
+bool stop(ControlledMotion& motion, MotionStatus status, Reason reason) {
   motion.status = status;
-  motion.reason = reason;
+  motion.reason = std::move(reason);
   return false;
 }
 
+/// A reason with the number of steps so far and an error.
+Reason after_steps(Reason reason, const ControlledMotion& motion, double error) {
+  reason.set(ReasonField::step, static_cast<std::size_t>(motion.steps));
+  return reason.set(ReasonField::error, error);
+}
+
 bool stop_by_budget(ControlledMotion& motion, Ending ending) {
-  return stop(motion, status_of<MotionStatus>(ending),
-              ended_by(ending) + " after " + std::to_string(motion.steps) +
-                  " steps, with an error of " + number(motion.error) + how_to_continue(ending));
+  return stop(
+      motion, status_of<MotionStatus>(ending),
+      after_steps(ended_reason(ReasonCode::ended_in_simulation, ending), motion, motion.error));
 }
 
 void append(ControlledMotion& motion, const Configuration& q, double time_step) {
@@ -88,7 +94,7 @@ void check_options(const SimulationOptions& options) {
 ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {
   check_configuration(arm, start);
   const auto outside = limit_violations(arm, start);
-  if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
+  if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
   ControlledMotion motion;
   motion.trajectory = at_rest(arm, start);
   motion.trajectory.velocities.clear();
@@ -110,7 +116,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     if (budget.ended()) return stop_by_budget(motion, budget.ending());
     const Configuration step = law.step(q);
     if (!step.allFinite()) {
-      return stop(motion, MotionStatus::not_converged, "the step of the controller is not finite");
+      return stop(motion, MotionStatus::not_converged, {ReasonCode::step_not_finite});
     }
     const bool still = step.lpNorm<Eigen::Infinity>() <= options.tolerance;
     if (motion.error <= options.tolerance && still) return true;
@@ -118,26 +124,24 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     const bool oscillates = since_reversal < recent;
     if (motion.steps >= options.max_steps) {
       return stop(motion, MotionStatus::not_converged,
-                  "after " + std::to_string(motion.steps) +
-                      (motion.steps == 1 ? " step" : " steps") + " the error is " +
-                      number(motion.error) + ": " +
-                      (oscillates ? "the motion oscillates, the gain is too large"
-                                  : "the gain is too small, or allow more steps"));
+                  after_steps({ReasonCode::not_converged, {{ReasonField::oscillates, oscillates}}},
+                              motion, motion.error));
     }
     if (stuck) {
-      return stop(
-          motion, MotionStatus::not_converged,
-          "the error has stayed at " + number(convergence.minimum()) + " or above for " +
-              std::to_string(Convergence::patience) + " steps: " +
-              (oscillates ? "the motion oscillates, the gain is too large" : "the arm is stuck"));
+      return stop(motion, MotionStatus::not_converged,
+                  {ReasonCode::stagnates,
+                   {{ReasonField::error, convergence.minimum()},
+                    {ReasonField::count, static_cast<std::size_t>(Convergence::patience)},
+                    {ReasonField::oscillates, oscillates}}});
     }
     const double scale = allowed_scale(arm, step, options.time_step);
     const Configuration next = q + scale * step;
     const auto outside = limit_violations(arm, next);
     if (!outside.empty()) {
-      return stop(motion, MotionStatus::outside_limits,
-                  "step " + std::to_string(motion.steps + 1) +
-                      " would leave the limits: " + outside.front());
+      Reason reason = outside.front();
+      reason.code = ReasonCode::step_outside_limits;
+      reason.set(ReasonField::step, static_cast<std::size_t>(motion.steps) + 1);
+      return stop(motion, MotionStatus::outside_limits, std::move(reason));
     }
     if (scale < 1) ++motion.slowed;
     q = next;
@@ -146,8 +150,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     motion.error = law.error(q);
     if (!(motion.error <= diverged * std::max(first_error, options.tolerance))) {
       return stop(motion, MotionStatus::not_converged,
-                  "the error diverges, to " + number(motion.error) + " after " +
-                      std::to_string(motion.steps) + " steps: the gain is too large");
+                  after_steps({ReasonCode::diverges}, motion, motion.error));
     }
     stuck = !convergence.decreases(motion.error);
   }

@@ -8,7 +8,7 @@
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {

@@ -3,7 +3,7 @@
 
 #include <beeline/doctor/internal/frame_explanation.h>
 #include <beeline/doctor/internal/number_relation.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <beeline/doctor/internal/link_table.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <beeline/doctor/internal/number_relation.h>
 #include <beeline/error.h>
-#include <beeline/pose/angle.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
+#include <beeline/pose/so3.h>
 #include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {

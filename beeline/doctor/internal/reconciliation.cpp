@@ -5,7 +5,7 @@
 #include <beeline/doctor/internal/number_relation.h>
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -6,7 +6,7 @@
 #include <beeline/doctor/internal/link_table.h>
 #include <beeline/doctor/internal/screw_explanation.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/model/internal/dh_row.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -7,8 +7,8 @@
 #include <beeline/draw/internal/text.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/pose/angle.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <beeline/formula/internal/dimensions.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

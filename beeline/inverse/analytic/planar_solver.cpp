@@ -5,7 +5,7 @@
 #include <beeline/inverse/analytic/planar_solver.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <beeline/inverse/analytic/planar_subproblems.h>
 #include <beeline/math/minimum_norm.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

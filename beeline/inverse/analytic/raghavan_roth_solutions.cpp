@@ -3,7 +3,7 @@
 
 #include <beeline/inverse/analytic/raghavan_roth_newton.h>
 #include <beeline/inverse/analytic/raghavan_roth_solutions.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

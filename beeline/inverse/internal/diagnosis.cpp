@@ -3,7 +3,6 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/internal/diagnosis.h>
-#include <beeline/inverse/internal/diagnosis_text.h>
 #include <beeline/inverse/internal/nearest_pose.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/stages.h>
@@ -96,19 +95,35 @@ void set_outside_limits(const Request& request, const Configuration& q, bool all
   const Configuration over = (request.bounds.lower - q).cwiseMax(q - request.bounds.upper);
   result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
   result.residual = result.nearest->excess;
-  result.reason = std::string(all_examined ? "every solution is outside the joint limits"
-                                           : "no solution within the joint limits was found") +
-                  "; in the nearest one " + blocking_joint(request.arm, q, request.bounds);
+  const int k = result.nearest->blocking;
+  const Joint& joint = request.arm.joint_of(k);
+  const bool above = q[k] > request.bounds.upper[k];
+  result.reason = {
+      all_examined ? ReasonCode::all_solutions_outside_limits
+                   : ReasonCode::solutions_outside_limits,
+      {{ReasonField::joint, joint.name},
+       {ReasonField::unit, std::string(unit(joint))},
+       {ReasonField::value, q[k]},
+       {ReasonField::excess, result.residual},
+       {ReasonField::is_upper, above},
+       {ReasonField::limit, above ? request.bounds.upper[k] : request.bounds.lower[k]}}};
 }
 
-void set_not_found(const Request& request, const Configuration& q, const std::string& why,
+/// Adds the parts of an error that exceed the tolerance.
+void add_miss(const Deviation& error, double tolerance, Reason& reason) {
+  const bool rotated = error.orientation > tolerance;
+  if (!rotated || error.position > tolerance) reason.set(ReasonField::distance, error.position);
+  if (rotated) reason.set(ReasonField::angle, error.orientation);
+}
+
+void set_not_found(const Request& request, const Configuration& q, Reason reason,
                    InverseResult& result) {
   result.status = InverseStatus::not_found;
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   result.residual = std::max(error.position, error.orientation);
-  result.reason = "no solution was found" + why + "; the nearest misses by " +
-                  miss(error, request.tolerance) + "; that none exists is not shown";
+  result.reason = std::move(reason);
+  add_miss(error, request.tolerance, result.reason);
 }
 
 /// The status of a request that the budget ended before it had a solution.
@@ -118,8 +133,8 @@ void set_ended(const Request& request, const Configuration& q, InverseResult& re
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   result.residual = std::max(error.position, error.orientation);
-  result.reason = ended_by(ending) + " before a solution was found; the nearest misses by " +
-                  miss(error, request.tolerance) + how_to_continue(ending);
+  result.reason = ended_reason(ReasonCode::ended_before_solution, ending);
+  add_miss(error, request.tolerance, result.reason);
 }
 
 /// Fills in the result from a proof of infeasibility.
@@ -138,10 +153,11 @@ void set_unreachable(const Request& request, const UnconstrainedResult& evidence
     return set_violation(*evidence.violation, result);
   }
   const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
-  result.reason = "the position is out of reach by " + number(result.residual) +
-                  " m: the tool of arm " + request.arm.name() +
-                  (refined ? " comes no nearer than " : " was found to come as near as ") +
-                  point(result.nearest->world_T_tool.translation());
+  result.reason = {ReasonCode::position_unreachable,
+                   {{ReasonField::distance, result.residual},
+                    {ReasonField::arm, request.arm.name()},
+                    {ReasonField::refined, refined},
+                    {ReasonField::nearest, result.nearest->world_T_tool.translation()}}};
 }
 
 /// Requires result.nearest.
@@ -151,17 +167,17 @@ void set_orientation_unreachable(const Request& request, const UnconstrainedResu
   result.residual = result.nearest->error.orientation;
   if (evidence.violation) return set_violation(*evidence.violation, result);
   const bool has_position = position_part(request.task).size() > 0;
-  result.reason = "the tool of arm " + request.arm.name() +
-                  (has_position ? " can come to the position, but not with that orientation"
-                                : " cannot take that orientation") +
-                  ": the nearest that was found is off by " + angle(result.residual);
+  result.reason = {ReasonCode::orientation_unreachable,
+                   {{ReasonField::arm, request.arm.name()},
+                    {ReasonField::has_position, has_position},
+                    {ReasonField::angle, result.residual}}};
 }
 
 /// Completes the result and returns true if q is a solution that the stages missed.
 bool accept_if_solution(const Request& request, const Configuration& q, InverseResult& result) {
   if (error_at(request, q) > request.tolerance) return false;
   if (request.options.method == InverseMethod::closed_form) {
-    set_not_found(request, q, " by the closed form, though a numerical search finds one", result);
+    set_not_found(request, q, {ReasonCode::no_closed_form_solution}, result);
     return true;
   }
   add_solution(request, q, result);
@@ -237,9 +253,11 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   if (evidence.violation || (in_position && (searched || examined))) {
     return set_orientation_unreachable(request, evidence, result);
   }
-  const bool iterated = result.iterations > 0;
-  set_not_found(request, q,
-                iterated ? " from " + std::to_string(result.restarts + 1) + " starts" : "", result);
+  Reason reason{ReasonCode::no_solution_found};
+  if (result.iterations > 0) {
+    reason.set(ReasonField::starts, static_cast<std::size_t>(result.restarts) + 1);
+  }
+  set_not_found(request, q, std::move(reason), result);
 }
 
 }  // namespace

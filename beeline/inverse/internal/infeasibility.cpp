@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/inverse/internal/diagnosis_text.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/mask.h>
@@ -48,10 +47,10 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
   const double tilt = std::atan2(constant.cross(requested).norm(), constant.dot(requested));
   const double skew = 2 * parallel * static_cast<double>(motions.size());
   if (tilt > tolerance + skew && (rows(task, 3) || (about_z && task.rows[3] && task.rows[4]))) {
-    return Infeasibility{tilt, true,
-                         "the pose is tilted by " + angle(tilt) +
-                             " against every orientation of the tool: all joint axes of arm " +
-                             arm.name() + " have one direction, about which alone it rotates"};
+    return Infeasibility{tilt,
+                         true,
+                         {ReasonCode::tilted_off_axes,
+                          {{ReasonField::angle, tilt}, {ReasonField::arm, arm.name()}}}};
   }
   const bool moves_along = std::any_of(
       motions.begin(), motions.end(),
@@ -62,9 +61,9 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
   if (!moves_along && off > tolerance + skew * size &&
       (rows(task, 0) || (about_z && task.rows[2]))) {
     return Infeasibility{
-        off, false,
-        "the pose is " + number(off) + " m off the plane that the tool of arm " + arm.name() +
-            " never leaves: all axes are normal to it, and no joint moves along them"};
+        off,
+        false,
+        {ReasonCode::off_plane, {{ReasonField::distance, off}, {ReasonField::arm, arm.name()}}}};
   }
   return std::nullopt;
 }
@@ -75,9 +74,10 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const double orientation = task_deviation(task, goal, at_zero).orientation;
   if (orientation > tolerance) {
-    return Infeasibility{orientation, true,
-                         "the orientation differs by " + angle(orientation) +
-                             " from the tool's, which no joint of arm " + arm.name() + " rotates"};
+    return Infeasibility{orientation,
+                         true,
+                         {ReasonCode::fixed_orientation,
+                          {{ReasonField::angle, orientation}, {ReasonField::arm, arm.name()}}}};
   }
   const Rotation axes =
       task.frame == Frame::tool ? Rotation(at_zero.linear().transpose()) : Rotation::Identity();
@@ -94,10 +94,10 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
   const double off =
       (directions * minimum_norm_solution(directions, offset, parallel).x - offset).norm();
   if (off <= tolerance) return std::nullopt;
-  return Infeasibility{off, false,
-                       "the position is " + number(off) +
-                           " m from the nearest that the prismatic joints of arm " + arm.name() +
-                           " reach, limits ignored"};
+  return Infeasibility{
+      off,
+      false,
+      {ReasonCode::off_slides, {{ReasonField::distance, off}, {ReasonField::arm, arm.name()}}}};
 }
 
 }  // namespace
@@ -111,11 +111,14 @@ std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_to
   }
   const double beyond = offset.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;
-  return Infeasibility{beyond, false,
-                       "the pose is " + number(beyond) + " m beyond the reach of arm " +
-                           arm.name() + ": " + number(offset.norm()) + " m from " +
-                           point(arm.reach().centre) + ", which the tool never leaves by more " +
-                           "than " + number(arm.reach().radius) + " m"};
+  return Infeasibility{beyond,
+                       false,
+                       {ReasonCode::beyond_reach,
+                        {{ReasonField::excess, beyond},
+                         {ReasonField::arm, arm.name()},
+                         {ReasonField::distance, offset.norm()},
+                         {ReasonField::centre, arm.reach().centre},
+                         {ReasonField::radius, arm.reach().radius}}}};
 }
 
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <beeline/kinematics/task.h>
 
@@ -11,7 +10,7 @@ namespace beeline::internal {
 struct Infeasibility {
   double missing = 0;           ///< least error of any configuration: metres, or radians
   bool of_orientation = false;  ///< whether `missing` is an angle
-  std::string reason;           ///< one sentence
+  Reason reason;
 };
 
 /// Whether the pose is outside the ball that the tool never leaves (Arm::reach).

@@ -14,7 +14,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/math/six_row_svd.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

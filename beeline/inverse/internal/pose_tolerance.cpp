@@ -106,7 +106,7 @@ std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Re
     (*result.deviation)[components[i]] = found[n + static_cast<Eigen::Index>(i)];
   }
   result.singular = false;
-  result.reason.clear();
+  result.reason = {};
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/internal/solver_state.h>
 #include <beeline/inverse/numerical/representative.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -102,12 +102,10 @@ void set_ended(const Request& request, bool optimised, InverseResult& result) {
   if (ending == Ending::complete || !(request.options.all || optimised)) return;
   result.status = status_of<InverseStatus>(ending);
   result.complete = result.branches_complete = false;
-  result.reason = ended_by(ending) +
-                  (request.options.all ? " after " + std::to_string(result.solutions.size()) +
-                                             " solution(s); others may exist"
-                                       : " before the best solution was known; the one given is "
-                                         "the best so far") +
-                  how_to_continue(ending);
+  result.reason = ended_reason(request.options.all ? ReasonCode::ended_before_all_solutions
+                                                   : ReasonCode::ended_before_best_solution,
+                               ending);
+  if (request.options.all) result.reason.set(ReasonField::count, result.solutions.size());
 }
 
 }  // namespace
@@ -133,7 +131,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
     diagnose(state, request, unconstrained, result);
   }
   if (result.solutions.empty()) {
-    if (state.options.pose_tolerance) result.reason += "; nor was one found within pose_tolerance";
+    if (state.options.pose_tolerance) result.reason.set(ReasonField::within_pose_tolerance, true);
     return result;
   }
   const bool redundant = request.arm.dof() > request.task.size() && !request.options.all;
@@ -154,12 +152,10 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
                              (unconstrained.continuum || !result.singular);
   finish(request, result);
   if (result.singular) {
-    result.reason =
-        "singular: arm " + request.arm.name() +
-        " can move with the tool at rest, so there are infinitely many solutions" +
-        (result.branches_complete ? "; of each branch the one nearest to the seed is given"
-         : nearest                ? "; in those given the joints concerned are nearest to the seed"
-                                  : ", of which those given are some");
+    result.reason = {ReasonCode::self_motion,
+                     {{ReasonField::arm, request.arm.name()},
+                      {ReasonField::branches_complete, result.branches_complete},
+                      {ReasonField::nearest_to_seed, nearest}}};
   }
   if (request.options.all && (result.singular || !finitely_many)) {
     result.self_motion_dimension =

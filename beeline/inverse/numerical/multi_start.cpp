@@ -9,7 +9,7 @@
 #include <beeline/inverse/numerical/singular_configuration.h>
 #include <beeline/inverse/numerical/singular_gauss_newton.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/representative.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -7,7 +7,7 @@
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/dh.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 

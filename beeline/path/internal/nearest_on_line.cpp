@@ -4,7 +4,7 @@
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/math/minimise.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {

@@ -24,9 +24,10 @@ std::size_t prove(const Arm& arm, const Route& route, const Task& task,
   const Deviation& bound = motion.deviation.bound;
   motion.status = MotionStatus::not_proved;
   motion.reason = within(bound, {options.tolerance, options.orientation_tolerance})
-                      ? proof.reason
-                      : "the tool is only proved to stay within " + deviation_text(bound) +
-                            " of its path; allow a larger tolerance";
+                      ? std::move(proof.reason)
+                      : Reason{ReasonCode::path_not_proved,
+                               {{ReasonField::distance, bound.position},
+                                {ReasonField::angle, bound.orientation}}};
   return std::min(proof.sample, motion.trajectory.size() - 2);
 }
 

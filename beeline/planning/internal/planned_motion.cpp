@@ -24,10 +24,7 @@ constexpr std::size_t few_samples = 32, many_samples = 128;
 /// Sets the status and reason of a motion that the budget ended after its branch was planned.
 void set_ended_after_plan(Ending ending, PathMotion& motion) {
   motion.status = status_of<MotionStatus>(ending);
-  motion.reason = ended_by(ending) +
-                  " after the whole path was planned, before the motion was timed "
-                  "and proved" +
-                  how_to_continue(ending);
+  motion.reason = ended_reason(ReasonCode::ended_before_timing, ending);
 }
 
 RetimeOptions timing_options(const PathMotionOptions& options) {
@@ -82,11 +79,11 @@ double proved_speed(const Arm& arm, const Route& route, const Branch& plan, cons
 void add_other_rates(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
                      std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget,
                      PlanTiming& timing, PathMotion& motion) {
-  motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason;
+  motion.reason.set(ReasonField::proof_rate, options.rate);
   const double rate = proved_rate(arm, route, task, options, budget, timing);
-  if (rate > 0) motion.reason += ", or a rate of " + number(rate);
+  if (rate > 0) motion.reason.set(ReasonField::proved_rate, rate);
   const double speed = proved_speed(arm, route, plan, task, samples, options, budget);
-  if (speed > 0) motion.reason += ", or " + number(speed) + " times the speed";
+  if (speed > 0) motion.reason.set(ReasonField::proved_speed, speed);
 }
 
 /// The largest deviation as a multiple of the tolerance.
@@ -120,7 +117,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   double excess = std::numeric_limits<double>::infinity();
   for (int round = 0; round < max_rounds && !budget.ended(); ++round) {
     motion.status = MotionStatus::reached;
-    motion.reason.clear();
+    motion.reason = {};
     TimedPlan timed = timing.sample();
     if (budget.ended()) break;
     if (timing.status != MotionStatus::reached) {
@@ -144,7 +141,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     const std::vector<int> times = divisions(motion.deviation, faulty, options);
     if (times.empty()) {
       motion.status = MotionStatus::too_many_samples;
-      motion.reason += ", or more than " + std::to_string(options.max_samples) + " samples";
+      motion.reason.set(ReasonField::more_samples, static_cast<std::size_t>(options.max_samples));
       break;
     }
     timing.divide(times);
@@ -234,14 +231,13 @@ PathMotion planned_motion(const Arm& arm, const std::optional<Configuration>& st
 
 void keep_duration(const Arm& arm, const Route& route, const Task& task,
                    const PathMotionOptions& options, BudgetMeter& budget, PathMotion& motion) {
-  const std::string reason = set_duration(motion.trajectory, *options.duration);
-  if (reason.empty()) {
-    prove(arm, route, task, options, budget, motion);
-    if (!budget.complete()) set_ended_after_plan(budget.ending(), motion);
-  } else {
+  motion.reason = set_duration(motion.trajectory, *options.duration);
+  if (motion.reason) {
     motion.status = MotionStatus::outside_limits;
-    motion.reason = reason;
+    return;
   }
+  prove(arm, route, task, options, budget, motion);
+  if (!budget.complete()) set_ended_after_plan(budget.ending(), motion);
 }
 
 }  // namespace beeline::internal

@@ -42,7 +42,7 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
   if (move.q) {
     check_configuration(arm, *move.q);
     const auto outside = limit_violations(arm, *move.q);
-    if (!outside.empty()) throw Error(outside.front());
+    if (!outside.empty()) throw Error(sentence(outside.front()));
   }
   if (move.via.has_value() != (move.kind == MoveKind::arc)) {
     throw Error(move.via ? "only arcs have a via position" : "an arc needs a via position");

@@ -48,8 +48,8 @@ void ProgramTrajectory::append(const Trajectory& motion, std::size_t k) {
   push(trajectory_, motion, k, trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
 }
 
-std::string ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
-                                          const RetimeOptions& options) {
+Reason ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
+                                     const RetimeOptions& options) {
   constexpr double still = 1e-12;  // radians or metres
   if ((to - positions().back()).norm() <= still) return {};
   const Trajectory ends{trajectory_.joint_names, {0, 1}, {positions().back(), to}, {}, {}};

@@ -27,7 +27,7 @@ class ProgramTrajectory {
 
   /// Appends a motion to `to` along a straight line in joint space; returns the reason where there
   /// is none, otherwise an empty text.
-  std::string joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
+  Reason joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
 
   /// Appends the last sample after a pause of this many seconds; with a rate after each period, up
   /// to whole periods. Linear joints without a rate rest for at least the interval before.

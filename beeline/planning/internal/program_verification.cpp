@@ -4,6 +4,7 @@
 #include <span>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/set_fault.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/program_parts.h>
@@ -21,10 +22,6 @@ namespace {
 constexpr double dwell_rounding = 2e-9;      // seconds
 constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
 constexpr std::size_t max_rests = 16;        // rests at which a move may end
-
-std::string sample_prefix(double time, std::size_t k) {
-  return "at " + number(time) + " s, sample " + std::to_string(k + 1) + ": ";
-}
 
 /// Proves the parts of a program one after the other. Each begins at the sample at which the one
 /// before it ends.
@@ -60,8 +57,7 @@ class ProgramVerifier {
                                          options_.limit_tolerance);
     if (!options_.budget.part_of->complete()) {
       const Ending ending = options_.budget.part_of->ending();
-      end(ending,
-          ended_by(ending) + " before the whole trajectory was checked" + how_to_continue(ending));
+      end(ending, ended_reason(ReasonCode::ended_before_check, ending));
     }
     if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {
       fail(joint->kind, joint->sample, joint->reason);
@@ -70,12 +66,16 @@ class ProgramVerifier {
   }
 
  private:
-  bool fail(Fault fault, std::size_t k, const std::string& reason) {
-    result_.fault = fault;
-    result_.sample = k;
-    result_.time = trajectory_.times[k];
-    result_.reason = sample_prefix(result_.time, k) + reason;
+  bool fail(Fault fault, std::size_t k, Reason reason) {
+    set_fault(trajectory_, fault, k, std::move(reason), result_);
     return false;
+  }
+
+  /// Fails at a move.
+  bool fail(Fault fault, std::size_t k, std::size_t move, Reason reason) {
+    reason.set(ReasonField::move, move + 1);
+    reason.set(ReasonField::segment_name, move_name(program_, move));
+    return fail(fault, k, std::move(reason));
   }
 
   Pose tool_at(std::size_t k) const { return forward_kinematics(arm_, trajectory_.positions[k]); }
@@ -84,9 +84,7 @@ class ProgramVerifier {
   bool check_stop(std::size_t i) {
     const std::size_t at = result_.arrivals.back();
     if (rests_.rests_at(at)) return true;
-    return fail(Fault::moving, at,
-                "the arm passes the waypoint of " + move_name(program_, i) +
-                    ", where it has to be at rest");
+    return fail(Fault::moving, at, i, {ReasonCode::passes_without_rest});
   }
 
   bool fail_to_reach(std::size_t move) {
@@ -94,8 +92,11 @@ class ProgramVerifier {
     const Deviation away =
         task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_at(last));
     return fail(Fault::not_through, last,
-                "the waypoint of " + move_name(program_, move) +
-                    " is not reached; at the end the tool is " + deviation_text(away) + " from it");
+                {ReasonCode::waypoint_not_reached,
+                 {{ReasonField::move, move + 1},
+                  {ReasonField::segment_name, "the waypoint of " + move_name(program_, move)},
+                  {ReasonField::distance, away.position},
+                  {ReasonField::angle, away.orientation}}});
   }
 
   /// Checks the dwell of the move that ends at the last arrival, and sets `begin_` to its end. Time
@@ -117,11 +118,11 @@ class ProgramVerifier {
     }
     dwelled_until_ = start + dwell;
     if (rested() >= dwell - dwell_rounding) return true;
-    return fail(Fault::dwell, at,
-                "the arm is at rest for " + number(rested()) + " s at the waypoint of " +
-                    move_name(program_, move) + ", " + number(dwell - rested()) +
-                    " s less than the dwell of " + number(dwell) + " s" +
-                    (start > trajectory_.times[from] ? ", beyond the dwells before" : ""));
+    return fail(Fault::dwell, at, move,
+                {ReasonCode::dwell_too_short,
+                 {{ReasonField::duration, rested()},
+                  {ReasonField::dwell, dwell},
+                  {ReasonField::beyond_dwells, start > trajectory_.times[from]}}});
   }
 
   bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
@@ -133,9 +134,9 @@ class ProgramVerifier {
     if (!limit || from >= to) return true;
     const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to));
     if (speed <= *limit * speed_rounding) return true;
-    return fail(Fault::tool_speed, from,
-                "on " + move_name(program_, move) + " the tool's speed is up to " + number(speed) +
-                    " m/s, above " + number(*limit) + " m/s");
+    return fail(
+        Fault::tool_speed, from, move,
+        {ReasonCode::tool_too_fast, {{ReasonField::speed, speed}, {ReasonField::limit, *limit}}});
   }
 
   /// The sample before those from `from` to `at` that are within tolerance of the pose.
@@ -170,7 +171,7 @@ class ProgramVerifier {
     const std::size_t at = result_.arrivals.back();
     for (std::size_t k = begin_; k + 1 < trajectory_.size(); ++k) {
       if (rests_.rests_after(k, program_.moves[move], at)) continue;
-      return fail(Fault::not_through, k, "the arm leaves the last waypoint");
+      return fail(Fault::not_through, k, {ReasonCode::leaves_last_waypoint});
     }
     return true;
   }
@@ -350,11 +351,10 @@ class ProgramVerifier {
     bounds_end_ = std::max(bounds_end_, begin_ + bounds.size());
     if (found) return true;
     if (found.fault == Fault::none) return end(found.ending, found.reason);
-    const std::size_t prefix = sample_prefix(found.time, found.sample).size();
-    return fail(found.fault, begin_ + found.sample, found.reason.substr(prefix));
+    return fail(found.fault, begin_ + found.sample, found.reason);
   }
 
-  bool end(Ending ending, const std::string& reason) {
+  bool end(Ending ending, const Reason& reason) {
     result_.ending = ending;
     if (result_.fault == Fault::none) result_.reason = reason;
     return false;

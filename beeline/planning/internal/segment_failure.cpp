@@ -2,7 +2,6 @@
 #include <cmath>
 #include <optional>
 
-#include <beeline/internal/rounded_number.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -22,28 +21,33 @@ double longest_probed(const Arm& arm, const Segment& segment) {
   return std::min(1.0, unit_of_length(arm) / weighted_length(segment));
 }
 
-/// Returns a phrase that lists the joints outside their limits at q; empty when there are none.
-std::string joints_outside(const Arm& arm, const Configuration& q) {
-  std::string text;
+/// The joints outside their limits at q: the first, the others as its details.
+Reason joints_outside(const Arm& arm, const Configuration& q) {
+  Reason reason;
   for (const int k : outside_limits(arm, q, 0)) {
-    text += (text.empty() ? "" : ", and ") + limit_message(arm, k, q[k] < arm.limits(k).lower);
+    Reason passed = passed_limit(arm, k, q[k] < arm.limits(k).lower);
+    if (reason) {
+      reason.details.push_back(std::move(passed));
+    } else {
+      reason = std::move(passed);
+    }
   }
-  return text;
+  return reason;
 }
 
-/// Returns the limits that the motion would pass if it continued without limits; empty if it cannot
+/// Returns the limits that the motion would pass if it continued without limits; none if it cannot
 /// continue so for at least 1e-4 of the segment, or of the arm's size.
-std::string passed_limits(const Arm& arm, const Segment& segment, const Task& task,
-                          const Configuration& q, double s) {
+Reason passed_limits(const Arm& arm, const Segment& segment, const Task& task,
+                     const Configuration& q, double s) {
   constexpr double continued = 1e-4;
   const double unit = longest_probed(arm, segment);
-  std::string joints;
+  Reason joints;
   for (const double ahead : {1e-6, 1e-5, 1e-4, 1e-3}) {
     const Pose next = pose_at(segment, std::min(1.0, s + ahead * unit));
     const NumericalResult free = levenberg_marquardt(arm, next, task, no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > same_branch) return {};
-    if (joints.empty()) joints = joints_outside(arm, free.q);
-    if (!joints.empty() && ahead >= continued) return joints;
+    if (!joints) joints = joints_outside(arm, free.q);
+    if (joints && ahead >= continued) return joints;
   }
   return {};
 }
@@ -79,93 +83,92 @@ Probe solve_ahead(const Arm& arm, const Segment& segment, const Task& task, cons
   return *found;
 }
 
-/// "x 0.1, y 0.2, z 0.3 m", the position at the fraction s of the segment.
-std::string position_text(const Segment& segment, double s) {
-  constexpr double rounding = 1e-12;  // metres
-  const Vector3 p = pose_at(segment, s).translation();
-  const auto text = [](double x) { return number(std::abs(x) < rounding ? 0 : x); };
-  return "x " + text(p.x()) + ", y " + text(p.y()) + ", z " + text(p.z()) + " m";
-}
-
 /// The reason of inverse kinematics, with the pose to which it belongs.
-std::string reason_at(const Segment& segment, const Probe& probe) {
-  return (probe.s == 1 ? "at its end" : "after " + number(100 * probe.s) + " %") + ", at " +
-         position_text(segment, probe.s) + ", " + probe.answer.reason;
+Reason reason_at(const Segment& segment, const Probe& probe) {
+  Reason reason = probe.answer.reason;
+  reason.set(ReasonField::fraction, probe.s);
+  reason.set(ReasonField::position, Vector3(pose_at(segment, probe.s).translation()));
+  return reason;
 }
 
 /// Why the pose ahead cannot be reached. If the segment's end cannot be reached for the same
 /// reason, the amount is that at the end, as it does not depend on how far ahead the search looked;
 /// if for the other one, each amount stands with its pose.
-std::string unreachable_text(const Segment& segment, const Probe& ahead, const Probe& end) {
+Reason unreachable_ahead(const Segment& segment, const Probe& ahead, const Probe& end) {
   const bool by_position = ahead.answer.status == InverseStatus::unreachable;
   const bool same_at_end = end.answer.status == ahead.answer.status;
-  const bool other_at_end = !same_at_end && is_unreachable(end.answer);
-  const bool rotations_help = !by_position && !other_at_end;
-  return std::string(by_position ? "the path leaves the arm's workspace; "
-                                 : "the arm cannot keep the path's orientation; ") +
-         reason_at(segment, same_at_end ? end : ahead) +
-         (other_at_end ? "; " + reason_at(segment, end) : "") +
-         "; a larger tolerance does not help" +
-         (rotations_help ? ", a task that leaves rotations free may" : "");
+  Reason reason{by_position ? ReasonCode::path_leaves_workspace
+                            : ReasonCode::path_loses_orientation};
+  reason.details = {reason_at(segment, same_at_end ? end : ahead)};
+  if (!same_at_end && is_unreachable(end.answer)) {
+    reason.details.push_back(reason_at(segment, end));
+  }
+  return reason;
+}
+
+/// The status and reason where the solver's answer for the pose ahead, with or without a solution,
+/// does not let the arm continue.
+SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task& task,
+                             const Configuration& q, const Probe& ahead, const Budget& budget) {
+  const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
+  const bool near_singular = !(condition < regular_condition);
+  switch (ahead.answer.status) {
+    case InverseStatus::solved:
+      if (!near_singular) return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
+      return {MotionStatus::singular, {ReasonCode::singular_on_path}};
+    case InverseStatus::outside_limits:
+      return {MotionStatus::outside_limits,
+              {ReasonCode::pose_outside_limits, {}, {reason_at(segment, ahead)}}};
+    case InverseStatus::unreachable:
+    case InverseStatus::orientation_unreachable:
+      return {MotionStatus::unreachable,
+              unreachable_ahead(segment, ahead, probe(arm, segment, task, q, 1, budget))};
+    case InverseStatus::time_limit:
+    case InverseStatus::cancelled:
+    case InverseStatus::work_limit:
+      return {motion_status(ahead.answer.status),
+              {ReasonCode::ended_at_pose, {}, {ahead.answer.reason}}};
+    case InverseStatus::not_found:
+      break;
+  }
+  return {MotionStatus::not_found,
+          {ReasonCode::no_configuration_found,
+           {{ReasonField::near_singular, near_singular}},
+           {reason_at(segment, ahead)}}};
 }
 
 }  // namespace
 
-std::string stop_message(const Segment& segment, double s) {
-  const bool line = std::holds_alternative<Line>(segment);
-  return "stops after " + percent(s) + (line ? " of its length, at " : " of it, at ") +
-         position_text(segment, s) + ": ";
+void set_stop(const Segment& segment, double s, Reason& reason) {
+  reason.set(ReasonField::is_line, std::holds_alternative<Line>(segment));
+  reason.set(ReasonField::fraction, s);
+  reason.set(ReasonField::position, Vector3(pose_at(segment, s).translation()));
 }
 
-std::string limit_message(const Arm& arm, int coordinate, bool lower) {
+Reason passed_limit(const Arm& arm, int coordinate, bool lower) {
   const Limits& limits = arm.limits(coordinate);
   const Joint& joint = arm.joint_of(coordinate);
-  return "joint " + joint.name + " would have to pass its " + (lower ? "lower" : "upper") +
-         " limit of " + with_unit(joint, lower ? limits.lower : limits.upper);
+  return {ReasonCode::would_pass_limits,
+          {{ReasonField::joint, joint.name},
+           {ReasonField::unit, std::string(unit(joint))},
+           {ReasonField::is_upper, !lower},
+           {ReasonField::limit, lower ? limits.lower : limits.upper}}};
 }
 
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget) {
-  const std::string where = stop_message(segment, s);
-  const std::string joints = passed_limits(arm, segment, task, q, s);
-  if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
-  const Probe ahead = solve_ahead(arm, segment, task, q, s, budget);
-  const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
-  switch (ahead.answer.status) {
-    case InverseStatus::solved:
-      if (condition < regular_condition) {
-        return {MotionStatus::not_proved,
-                where + "no step is proved to keep the tolerance; allow a larger one"};
-      }
-      return {MotionStatus::singular,
-              where +
-                  "the arm is singular there; it could continue only by jumping to another branch, "
-                  "such as another elbow"};
-    case InverseStatus::outside_limits:
-      return {MotionStatus::outside_limits, where + reason_at(segment, ahead)};
-    case InverseStatus::unreachable:
-    case InverseStatus::orientation_unreachable:
-      return {MotionStatus::unreachable,
-              where + unreachable_text(segment, ahead, probe(arm, segment, task, q, 1, budget))};
-    case InverseStatus::time_limit:
-    case InverseStatus::cancelled:
-    case InverseStatus::work_limit:
-      return {motion_status(ahead.answer.status), where + ahead.answer.reason};
-    case InverseStatus::not_found:
-      break;
+  SegmentFailure failure{MotionStatus::outside_limits, passed_limits(arm, segment, task, q, s)};
+  if (!failure.reason) {
+    const Probe ahead = solve_ahead(arm, segment, task, q, s, budget);
+    failure = failure_ahead(arm, segment, task, q, ahead, budget);
   }
-  const std::string near_singular =
-      condition < regular_condition
-          ? ""
-          : ", and the arm is singular there, as at the edge of its workspace";
-  return {MotionStatus::not_found, where + "no configuration was found to continue with" +
-                                       near_singular + "; " + reason_at(segment, ahead)};
+  set_stop(segment, s, failure.reason);
+  return failure;
 }
 
 SegmentFailure too_many_samples(std::size_t max_samples) {
-  return {MotionStatus::too_many_samples, "needs more than " + std::to_string(max_samples) +
-                                              " samples in all; allow a larger tolerance or "
-                                              "more samples"};
+  return {MotionStatus::too_many_samples,
+          {ReasonCode::too_many_samples, {{ReasonField::max_samples, max_samples}}}};
 }
 
 }  // namespace beeline::internal

@@ -4,21 +4,21 @@
 #include <beeline/kinematics/task.h>
 #include <beeline/path/segment.h>
 #include <beeline/planning/status.h>
+#include <beeline/reason.h>
 
 namespace beeline::internal {
 
 /// The status and reason of a segment that cannot be tracked to its end.
 struct SegmentFailure {
   MotionStatus status = MotionStatus::singular;
-  std::string reason;  ///< "stops after 63.1 % of its length, at x, y, z: ..."
+  Reason reason;  ///< without its segment
 };
 
-/// "stops after 63.1 % of its length, at x 0.1, y 0.2, z 0.3 m: ", at the fraction s of the
-/// segment.
-std::string stop_message(const Segment& segment, double s);
+/// Sets where a reason stops on its segment: at the fraction s.
+void set_stop(const Segment& segment, double s, Reason& reason);
 
-/// "joint joint2 would have to pass its upper limit of 2 rad".
-std::string limit_message(const Arm& arm, int coordinate, bool lower);
+/// A coordinate that would have to pass one of its limits.
+Reason passed_limit(const Arm& arm, int coordinate, bool lower);
 
 /// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
 /// inverse kinematics for the poses just ahead, with and without limits. An amount in the reason

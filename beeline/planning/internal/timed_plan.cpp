@@ -50,10 +50,10 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
     add(std::move(section), tolerance, first, i);
     first = i + 1;
     if (status != MotionStatus::reached) {
-      reason = "up to the end of " +
-               (route.path.names.empty() ? "segment " + std::to_string(i + 1)
-                                         : segment_name(route.path, i)) +
-               ": " + reason;
+      reason.set(ReasonField::segment, i + 1);
+      reason.set(ReasonField::segment_name, route.path.names.empty()
+                                                ? "segment " + std::to_string(i + 1)
+                                                : segment_name(route.path, i));
       return;
     }
     section = std::move(next);
@@ -127,9 +127,9 @@ TimedPlan PlanTiming::sample() {
         .required = section.required,
         .budget = &budget_};
     const SampledSection sampled = sample_section(arm_, section.timed, options);
-    if (!sampled && sampled.reason.empty()) break;  // the budget has ended
+    if (!sampled && !sampled.reason) break;  // the budget has ended
     if (!sampled) {
-      status = sampled.too_many ? MotionStatus::too_many_samples : MotionStatus::outside_limits;
+      status = sampled.too_many() ? MotionStatus::too_many_samples : MotionStatus::outside_limits;
       reason = sampled.reason;
       return {};
     }

@@ -25,7 +25,7 @@ class PlanTiming {
              BudgetMeter& budget);
 
   MotionStatus status = MotionStatus::reached;
-  std::string reason = {};  ///< unless reached
+  Reason reason = {};  ///< unless reached
 
   /// Returns the samples, of the sections before the budget ended; where there are none at the
   /// rate, sets status and reason.

@@ -4,7 +4,6 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -105,8 +104,9 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   branch.status = MotionStatus::outside_limits;
   const double last = segment.samples.back()[blocking];
   const bool low = last - bounds.lower[blocking] < bounds.upper[blocking] - last;
-  branch.reason = segment_number(path, w) + stop_message(path.segments[w], s) +
-                  limit_message(arm, blocking, low);
+  branch.reason = passed_limit(arm, blocking, low);
+  set_segment(path, w, branch.reason);
+  set_stop(path.segments[w], s, branch.reason);
 }
 
 /// Moves the periodic coordinates of a branch into their limits, and truncates it where it leaves
@@ -213,21 +213,22 @@ void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& bran
 }
 
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {
-  if (branch || !branch.reason.empty()) return;
+  if (branch || branch.reason) return;
   std::size_t samples = 1;
   for (const TrackedSegment& segment : branch.segments) samples += segment.samples.size() - 1;
   BudgetMeter budget(options.budget);
   if (budget.ended()) return set_ended(path, budget.ending(), branch);
   const std::size_t w = branch.segments.size() - 1;
   const TrackedSegment& last = branch.segments.back();
-  const SegmentFailure failure =
+  SegmentFailure failure =
       samples >= options.max_samples
           ? too_many_samples(options.max_samples)
           : segment_failure(arm, path.segments[w], options.task, last.samples.back(),
                             last.fractions.back(), budget.part());
   if (!budget.complete()) return set_ended(path, budget.ending(), branch);
   branch.status = failure.status;
-  branch.reason = segment_number(path, w) + failure.reason;
+  branch.reason = std::move(failure.reason);
+  set_segment(path, w, branch.reason);
 }
 
 bool better(const Branch& a, const Branch& b) {

@@ -2,30 +2,28 @@
 #include <utility>
 
 #include <beeline/certificate/internal/path_checks.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/planning/internal/track_path.h>
 #include <beeline/planning/internal/track_segment.h>
 
 namespace beeline::internal {
 
-std::string segment_number(const ToolPath& path, std::size_t i) {
-  if (!path.names.empty()) return segment_name(path, i) + " ";
-  return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
-         std::to_string(path.segments.size()) + " ";
+void set_segment(const ToolPath& path, std::size_t i, Reason& reason) {
+  reason.set(ReasonField::segment, i + 1);
+  reason.set(ReasonField::segment_name,
+             path.names.empty() ? (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) +
+                                      " of " + std::to_string(path.segments.size())
+                                : segment_name(path, i));
 }
 
 void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
   branch.status = status_of<MotionStatus>(ending);
-  branch.reason = ended_by(ending);
-  const double end = static_cast<double>(path.segments.size());
-  if (branch.path_parameter == end) {
-    branch.reason += " after it had followed the whole path";
-  } else if (branch.path_parameter > 0) {
-    const auto i = static_cast<std::size_t>(branch.path_parameter);
-    branch.reason += " after it had followed " + segment_number(path, i) + "to " +
-                     percent(branch.path_parameter - static_cast<double>(i));
-  }
-  branch.reason += how_to_continue(ending);
+  branch.reason = ended_reason(ReasonCode::ended_on_path, ending);
+  if (!(branch.path_parameter > 0)) return;
+  const auto i = static_cast<std::size_t>(branch.path_parameter);
+  const bool whole = i == path.segments.size();
+  if (!whole) set_segment(path, i, branch.reason);
+  branch.reason.set(ReasonField::fraction,
+                    whole ? 1 : branch.path_parameter - static_cast<double>(i));
 }
 
 void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,

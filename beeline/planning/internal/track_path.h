@@ -8,8 +8,8 @@
 
 namespace beeline::internal {
 
-/// "line 2 of 3 ", the beginning of a reason.
-std::string segment_number(const ToolPath& path, std::size_t i);
+/// Sets the segment of a reason, and its name: "line 2 of 3".
+void set_segment(const ToolPath& path, std::size_t i, Reason& reason);
 
 /// Sets the status and reason of a branch that the budget ended.
 void set_ended(const ToolPath& path, Ending ending, Branch& branch);

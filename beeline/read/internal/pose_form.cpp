@@ -6,8 +6,8 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/pose_form.h>
 #include <beeline/read/pose_list.h>

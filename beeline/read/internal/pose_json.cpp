@@ -1,7 +1,7 @@
 #include <array>
 
 #include <beeline/error.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/json_write.h>
 #include <beeline/read/internal/pose_json.h>
 #include <beeline/read/internal/rounded.h>

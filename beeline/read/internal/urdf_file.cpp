@@ -3,7 +3,7 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_file.h>

@@ -1,4 +1,4 @@
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/record/internal/controller_program.h>
 #include <beeline/record/internal/program_frames.h>
 

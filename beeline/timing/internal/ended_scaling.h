@@ -8,7 +8,7 @@ namespace beeline::internal {
 /// No time scaling, because the budget has ended the computation.
 inline TimeScaling ended_scaling(const BudgetMeter& budget) {
   TimeScaling none;
-  none.reason = ended_by(budget.ending());
+  none.reason = ended_reason(ReasonCode::ended, budget.ending());
   return none;
 }
 

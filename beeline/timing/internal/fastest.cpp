@@ -155,15 +155,16 @@ class Constraints {
 };
 
 /// The backward and the forward pass. Writes the squared speeds at the grid points into b. Returns
-/// why there are none; empty when there are, or the budget has ended the computation.
-std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constraints& constraints,
-                           std::vector<double>& b) {
+/// why there are none; no reason when there are, or the budget has ended the computation.
+Reason squared_speeds(const JointPath& path, const EndSpeeds& ends, Constraints& constraints,
+                      std::vector<double>& b) {
   if (constraints.ended(0)) return {};
   const std::size_t last = path.size() - 1;
   const double within = 1 + 1e-9;  // rounding of a speed computed as the largest
   if (squared(ends.end) > constraints.largest(last) * within) {
-    return "the speed at the path's end is above its limits: " + number(ends.end) + " instead of " +
-           number(std::sqrt(constraints.largest(last)));
+    return {ReasonCode::end_speed_too_high,
+            {{ReasonField::speed, ends.end},
+             {ReasonField::needed_speed, std::sqrt(constraints.largest(last))}}};
   }
   std::vector<SquaredSpeeds> controllable(last + 1);
   controllable[last].min = controllable[last].max = squared(ends.end);
@@ -171,22 +172,22 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
     if (constraints.ended(k)) return {};
     controllable[k] = constraints.begins(k, controllable[k + 1]);
     if (!controllable[k].none()) continue;
-    return "the speed at the path's end cannot be reached: no speed at s = " + number(path.s[k]) +
-           " leads to it within the limits";
+    return {ReasonCode::end_speed_unreachable, {{ReasonField::s, path.s[k]}}};
   }
   b.assign(last + 1, 0);
   b[0] = squared(ends.begin);
   if (b[0] > controllable[0].max * within || b[0] * within < controllable[0].min) {
     const bool high = b[0] > controllable[0].max;
-    return "the speed at the path's beginning, " + number(ends.begin) + ", is too " +
-           (high ? "high" : "low") + " for the rest of the path, which needs " +
-           number(std::sqrt(high ? controllable[0].max : controllable[0].min));
+    return {
+        high ? ReasonCode::begin_speed_too_high : ReasonCode::begin_speed_too_low,
+        {{ReasonField::speed, ends.begin},
+         {ReasonField::needed_speed, std::sqrt(high ? controllable[0].max : controllable[0].min)}}};
   }
   for (std::size_t k = 0; k < last; ++k) {
     if (constraints.ended(k)) return {};
     b[k + 1] = constraints.furthest_end(k, b[k], controllable[k + 1]);
     if (b[k] + b[k + 1] > 0) continue;
-    return "the path cannot be traversed from s = " + number(path.s[k]);
+    return {ReasonCode::path_not_traversable, {{ReasonField::s, path.s[k]}}};
   }
   return {};
 }
@@ -230,8 +231,8 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
   check(path, limits, ends);
   Constraints constraints(path, limits, budget);
   std::vector<double> b;
-  std::string reason = squared_speeds(path, ends, constraints, b);
-  const double found = reason.empty() ? constraints.velocity_fraction(b) : 0;
+  Reason reason = squared_speeds(path, ends, constraints, b);
+  const double found = reason ? 0 : constraints.velocity_fraction(b);
   if (ended(budget, 0)) return ended_scaling(*budget);
   // The peaks are between the eighths at which it is evaluated; a quarter more bounds a parabola.
   const double over = found + 0.25 * std::max(0.0, found - 1);
@@ -246,7 +247,7 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
     reason = squared_speeds(path, ends, constraints, b);
   }
   if (ended(budget, 0)) return ended_scaling(*budget);
-  if (reason.empty()) return scaling_of(path, b);
+  if (!reason) return scaling_of(path, b);
   TimeScaling none;
   none.reason = std::move(reason);
   return none;

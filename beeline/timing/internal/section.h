@@ -14,10 +14,11 @@ namespace beeline::internal {
 struct SampledSection {
   Trajectory trajectory = {};
   std::vector<Progress> progress = {};  ///< along the joint path
-  std::string reason = {};              ///< why there are none at the rate
-  bool too_many = false;                ///< the reason: there would be more than max_samples
+  Reason reason = {};                   ///< why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
+  /// Whether there are none because there would be more than max_samples.
+  bool too_many() const { return reason.code == ReasonCode::too_many_samples_at_rate; }
   double duration() const { return trajectory.times.back(); }
 };
 

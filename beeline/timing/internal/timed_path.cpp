@@ -11,9 +11,9 @@
 namespace beeline::internal {
 namespace {
 
-/// Returns the reason if the path leaves the arm's position limits, otherwise an empty text.
-std::string outside(const Arm& arm, const JointPath& samples, const JointPath& refined,
-                    BudgetMeter& budget) {
+/// Returns the reason if the path leaves the arm's position limits.
+Reason outside(const Arm& arm, const JointPath& samples, const JointPath& refined,
+               BudgetMeter& budget) {
   for (const Configuration& q : samples.q) {
     const auto violations = limit_violations(arm, q);
     if (!violations.empty()) return violations.front();
@@ -22,8 +22,9 @@ std::string outside(const Arm& arm, const JointPath& samples, const JointPath& r
     if (budget.ended(0)) return {};
     const auto violations = limit_violations(arm, q);
     if (!violations.empty()) {
-      return "between two samples the spline through them leaves the limits: " +
-             violations.front() + "; samples closer together would guide it";
+      Reason reason = violations.front();
+      reason.code = ReasonCode::spline_outside_limits;
+      return reason;
     }
   }
   return {};
@@ -87,7 +88,7 @@ TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, dou
   TimedPath section;
   section.path = refined(path, {.min_steps = steps_above_rounding(path), .budget = budget.part()});
   section.scaling.reason = outside(arm, path, section.path, budget);
-  if (!section.scaling.reason.empty()) return section;
+  if (section.scaling.reason) return section;
   section.profile = profile;
   section.limits = path_limits(arm, speed_scale);
   section.limits.speed = path_speeds(arm, section.path, tool_speed, budget);

@@ -20,9 +20,10 @@ double rounded_down(double x) {
 /// No samples, because there would be too many.
 SampledSection too_many(double duration, const SectionOptions& options) {
   SampledSection none;
-  none.too_many = true;
-  none.reason = number(options.rate) + " samples per second make more than " +
-                number(options.max_samples + 1) + " in " + number(duration) + " s";
+  none.reason = {ReasonCode::too_many_samples_at_rate,
+                 {{ReasonField::rate, options.rate},
+                  {ReasonField::max_samples, options.max_samples + 1},
+                  {ReasonField::duration, duration}}};
   return none;
 }
 
@@ -130,8 +131,7 @@ SampledSection within_limits(const Arm& arm, const TimedPath& section,
     }
   }
   SampledSection none;
-  none.reason =
-      "no motion within the limits was found at " + number(options.rate) + " samples per second";
+  none.reason = {ReasonCode::no_motion_at_rate, {{ReasonField::rate, options.rate}}};
   return none;
 }
 
@@ -165,7 +165,7 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
   SampledSection found = within_limits(arm, section, options);
   if (found || ended(options.budget)) return found;
   SectionOptions other = options;
-  if (found.too_many) {
+  if (found.too_many()) {
     constexpr double usual_rate = 1000;
     other.rate = rounded_down(options.max_samples / section.scaling.duration());
     other.rate = std::min({other.rate, options.rate, 2 * usual_rate});
@@ -174,7 +174,7 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
     SectionOptions tried = other;
     tried.rate *= factor;
     if (tried.rate == options.rate || !within_limits(arm, section, tried)) continue;
-    found.reason += "; a rate of " + number(tried.rate) + " works";
+    found.reason.set(ReasonField::possible_rate, tried.rate);
     break;
   }
   return found;

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/limit_usage.h>
@@ -19,12 +18,12 @@ void refuse_duration_with_rate(const std::optional<double>& duration, double rat
   }
 }
 
-std::string too_short(double duration, double shortest) {
-  return "a duration of " + number(duration) +
-         " s is too short: the shortest within the limits is " + number_at_least(shortest) + " s";
+Reason too_short(double duration, double shortest) {
+  return {ReasonCode::duration_too_short,
+          {{ReasonField::duration, duration}, {ReasonField::shortest_duration, shortest}}};
 }
 
-std::string set_duration(Trajectory& trajectory, double duration) {
+Reason set_duration(Trajectory& trajectory, double duration) {
   constexpr double rounding = 1e-9;  // seconds
   const double shortest = trajectory.times.back();
   if (duration < shortest - rounding) return too_short(duration, shortest);

@@ -14,11 +14,10 @@ void check_duration(const std::optional<double>& duration);
 void refuse_duration_with_rate(const std::optional<double>& duration, double rate);
 
 /// Why a duration cannot be kept: the shortest within the limits is longer.
-std::string too_short(double duration, double shortest);
+Reason too_short(double duration, double shortest);
 
 /// Slows a trajectory that starts at time 0 down to a duration, its times rounded to nanoseconds.
-/// Returns the reason where that is shorter than the trajectory's, which then stays as it is; empty
-/// otherwise.
-std::string set_duration(Trajectory& trajectory, double duration);
+/// Returns the reason where that is shorter than the trajectory's, which then stays as it is.
+Reason set_duration(Trajectory& trajectory, double duration);
 
 }  // namespace beeline::internal

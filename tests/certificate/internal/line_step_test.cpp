@@ -6,7 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random.h>
 #include <tests/random_arm.h>

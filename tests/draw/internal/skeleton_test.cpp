@@ -5,8 +5,8 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>

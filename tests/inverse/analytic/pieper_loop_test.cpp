@@ -5,7 +5,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/inverse/families.h>
 

@@ -8,9 +8,9 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
-#include <beeline/pose/angle.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/inverse/answer.h>
 #include <tests/random.h>

@@ -11,7 +11,7 @@
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/dh.h>
-#include <beeline/pose/angle.h>
+#include <beeline/pose/so3.h>
 
 #include <tests/random.h>
 

@@ -3,7 +3,7 @@
 
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/inverse/answer.h>
 #include <tests/inverse/internal/relative_margin.h>

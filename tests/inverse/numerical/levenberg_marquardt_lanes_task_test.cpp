@@ -4,7 +4,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/inverse/answer.h>
 #include <tests/inverse/numerical/lane_starts.h>

@@ -2,7 +2,7 @@
 
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/path/random_segment.h>
 #include <tests/refusal.h>

@@ -1,6 +1,7 @@
 #include <beeline/planning/program.h>
 
 #include <tests/planning/pick.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -50,8 +51,8 @@ TEST(VerifyProgram, ArmRestsAtTheWaypointsOfJointMoves) {
   const Verification refused = verify(arm, passing, joint_moves({0.5, 1}));
   EXPECT_EQ(refused.fault, Fault::moving) << refused.reason;
   EXPECT_EQ(refused.sample, 200u);
-  EXPECT_NE(refused.reason.find("passes the waypoint of move 1 (joint)"), std::string::npos)
-      << refused.reason;
+  EXPECT_EQ(refused.reason.code, ReasonCode::passes_without_rest);
+  EXPECT_EQ(testing::field<std::size_t>(refused.reason, ReasonField::move), 1U);
   EXPECT_TRUE(verify(arm, passing, joint_moves({1})));
   passing.velocities.clear();
   EXPECT_EQ(verify(arm, passing, joint_moves({0.5, 1})).fault, Fault::moving);
@@ -123,8 +124,8 @@ TEST(VerifyProgram, DwellsAtOnePoseAddUp) {
   program.moves[1].dwell = 0.2;
   const Verification refused = verify(arm, trajectory, program);
   EXPECT_EQ(refused.fault, Fault::dwell);
-  EXPECT_NE(refused.reason.find("s less than the dwell of 0.2 s"), std::string::npos)
-      << refused.reason;
+  EXPECT_EQ(refused.reason.code, ReasonCode::dwell_too_short);
+  EXPECT_EQ(testing::field<double>(refused.reason, ReasonField::dwell), 0.2);
 }
 
 TEST(VerifyProgram, TimesMayBeginAnywhere) {
@@ -230,8 +231,9 @@ TEST(VerifyProgram, RefusesPlantedFaults) {
   });
   EXPECT_EQ(shorter.fault, Fault::dwell) << shorter.reason;
   EXPECT_EQ(shorter.sample, at);
-  EXPECT_NE(shorter.reason.find("0.01 s less than the dwell of 0.3 s"), std::string::npos)
-      << shorter.reason;
+  EXPECT_EQ(testing::field<double>(shorter.reason, ReasonField::dwell), 0.3);
+  EXPECT_NEAR(testing::field<double>(shorter.reason, ReasonField::duration).value_or(0), 0.29,
+              1e-6);
   EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[1].speed = 0.0999; }).fault,
             Fault::tool_speed);
   EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[0].speed = 0.1; }).fault,

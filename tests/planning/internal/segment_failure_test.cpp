@@ -8,52 +8,29 @@
 #include <beeline/planning/internal/track_segment.h>
 
 #include <tests/path/random_line.h>
+#include <tests/reason.h>
 
 namespace beeline::internal {
 namespace {
 
-/// The fraction of the line at the pose to which the amount of a clause belongs.
-double place_of_amount(const std::string& clause) {
-  if (clause.starts_with("at its end, at x ")) return 1;
-  EXPECT_TRUE(clause.starts_with("after ")) << clause;
-  return std::stod(clause.substr(6)) / 100;
-}
-
-/// The parts of a reason between semicolons.
-std::vector<std::string> clauses_of(std::string reason) {
-  std::vector<std::string> clauses;
-  for (std::size_t end = 0; (end = reason.find("; ")) != std::string::npos;) {
-    clauses.push_back(reason.substr(0, end));
-    reason.erase(0, end + 2);
-  }
-  clauses.push_back(reason);
-  return clauses;
-}
-
-/// The number after the words; nothing if the reason does not have them.
-std::optional<double> amount_after(const std::string& reason, const std::string& words) {
-  const std::size_t at = reason.find(words);
-  if (at == std::string::npos) return {};
-  return std::stod(reason.substr(at + words.size()));
-}
-
 /// By how much a pose is missed is the answer of inverse kinematics for the pose that stands with
-/// it; the first amount is of the kind that the reason begins with.
+/// it; the first is of the kind that the reason is of.
 void expect_amount_of_its_pose(const Arm& arm, const Line& line, const Task& task,
-                               const Configuration& q, const std::string& reason) {
-  const bool by_position = reason.find("leaves the arm's workspace") != std::string::npos;
-  const bool by_orientation =
-      reason.find("cannot keep the path's orientation") != std::string::npos;
+                               const Configuration& q, const Reason& reason) {
+  const bool by_position = reason.code == ReasonCode::path_leaves_workspace;
+  const bool by_orientation = reason.code == ReasonCode::path_loses_orientation;
   bool first = by_position || by_orientation;
-  for (const std::string& clause : clauses_of(reason)) {
-    auto amount = amount_after(clause, "out of reach by ");
-    if (!amount) amount = amount_after(clause, "the nearest that was found is off by ");
-    if (!amount) continue;
-    const Pose pose = interpolate(line.from, line.to, place_of_amount(clause));
+  for (const Reason& detail : reason.details) {
+    const bool position = detail.code == ReasonCode::position_unreachable;
+    if (!position && detail.code != ReasonCode::orientation_unreachable) continue;
+    const double s = testing::field<double>(detail, ReasonField::fraction).value_or(-1);
+    const double amount =
+        *testing::field<double>(detail, position ? ReasonField::distance : ReasonField::angle);
+    const Pose pose = interpolate(line.from, line.to, s);
     const InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
     EXPECT_TRUE(there.solutions.empty()) << reason;
-    EXPECT_NEAR(*amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
-    EXPECT_GT(*amount, 0) << reason;
+    EXPECT_NEAR(amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
+    EXPECT_GT(amount, 0) << reason;
     if (!std::exchange(first, false)) continue;
     EXPECT_EQ(there.status,
               by_position ? InverseStatus::unreachable : InverseStatus::orientation_unreachable)
@@ -85,7 +62,7 @@ TEST(SegmentFailure, GivesTheTrueReason) {
       const Eigen::VectorXd sigma =
           Eigen::JacobiSVD<Eigen::MatrixXd>(task_jacobian(arm, q, task)).singularValues();
       const bool singular = sigma[sigma.size() - 1] < 1e-3 * sigma[0];
-      const std::string context = name + ": " + failure.reason;
+      const std::string context = name + ": " + sentence(failure.reason);
       expect_amount_of_its_pose(arm, line, task, q, failure.reason);
       switch (failure.status) {
         case MotionStatus::unreachable:
@@ -102,8 +79,11 @@ TEST(SegmentFailure, GivesTheTrueReason) {
           for (int k = 0; k < arm.dof(); ++k) {
             const Limits& limits = arm.limits(k);
             const double room = std::min(q[k] - limits.lower, limits.upper - q[k]);
-            named |= room < 1e-3 &&
-                     failure.reason.find("joint " + arm.joint_of(k).name) != std::string::npos;
+            const std::string& joint = arm.joint_of(k).name;
+            named |= room < 1e-3 && testing::joint(failure.reason) == joint;
+            for (const Reason& detail : failure.reason.details) {
+              named |= room < 1e-3 && testing::joint(detail) == joint;
+            }
           }
           ASSERT_TRUE(named || singular) << context;
           break;
@@ -146,8 +126,7 @@ TEST(SegmentFailure, OfALongLineIsFoundAtTheArmsSize) {
 TEST(SegmentFailure, OfTooManySamplesNamesTheirNumberAndTheOption) {
   const SegmentFailure failure = too_many_samples(1234);
   EXPECT_EQ(failure.status, MotionStatus::too_many_samples);
-  EXPECT_NE(failure.reason.find("1234"), std::string::npos) << failure.reason;
-  EXPECT_NE(failure.reason.find("more samples"), std::string::npos) << failure.reason;
+  EXPECT_EQ(testing::field<std::size_t>(failure.reason, ReasonField::max_samples), 1234U);
 }
 
 }  // namespace

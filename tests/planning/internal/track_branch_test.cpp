@@ -38,7 +38,7 @@ TEST(TrackBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
   ASSERT_EQ(all.size(), starts.solutions.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Branch& branch = all[i];
-    EXPECT_EQ(branch.reason.empty(), branch.status == MotionStatus::reached);
+    EXPECT_EQ(!branch.reason, branch.status == MotionStatus::reached);
     EXPECT_LE(branch.path_parameter, all.front().path_parameter);
     if (branch.status != MotionStatus::reached) continue;
     EXPECT_EQ(branch.path_parameter, 2);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <beeline/pose/orientation.h>
+#include <beeline/pose/se3.h>
 #include <beeline/read/internal/json_write.h>
 #include <beeline/read/internal/pose_json.h>
 

@@ -21,7 +21,7 @@ TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
     const JointPath path = random_path(random, joints, random.integer(3, 10));
     const PathLimits limits = random_limits(random, joints);
     const TimeScaling scaling = fastest(path, limits);
-    ASSERT_EQ(scaling.reason, "");
+    ASSERT_FALSE(scaling.reason);
     ASSERT_EQ(scaling.s, path.s);
     ASSERT_EQ(scaling.speed.front(), 0);
     ASSERT_EQ(scaling.speed.back(), 0);
@@ -149,7 +149,7 @@ TEST(Fastest, PassesStretchesWhereNothingMoves) {
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration::Constant(2, 1);
   const TimeScaling scaling = fastest(path, limits);
-  ASSERT_EQ(scaling.reason, "");
+  ASSERT_FALSE(scaling.reason);
   // Two radians at 1 rad/s and 1 rad/s^2 take 3 s without the stop.
   EXPECT_GT(scaling.duration(), 2.9);
   EXPECT_LT(scaling.duration(), 4.5);

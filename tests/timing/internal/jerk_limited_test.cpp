@@ -71,7 +71,7 @@ State state_at(const JointPath& path, const TimeScaling& scaling, std::size_t i,
 
 void expect_limits_kept(const JointPath& path, const PathLimits& limits,
                         const TimeScaling& scaling) {
-  ASSERT_EQ(scaling.reason, "");
+  ASSERT_FALSE(scaling.reason);
   ASSERT_EQ(scaling.speed.front(), 0);
   ASSERT_EQ(scaling.speed.back(), 0);
   std::size_t step = 0;

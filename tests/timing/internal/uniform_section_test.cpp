@@ -3,6 +3,7 @@
 
 #include <beeline/timing/internal/uniform_section.h>
 
+#include <tests/reason.h>
 #include <tests/refusal.h>
 #include <tests/timing/random_section.h>
 
@@ -89,10 +90,10 @@ TEST(UniformSection, ReportsARateThatMakesFewEnoughSamples) {
   made.options.max_samples = 50;
   made.options.rate = 200 / made.timed.scaling.duration();
   const SampledSection none = uniform_section(made.arm, made.timed, made.options);
-  EXPECT_TRUE(none.too_many);
-  const std::size_t named = none.reason.find("a rate of ");
-  ASSERT_NE(named, std::string::npos) << none.reason;
-  made.options.rate = std::stod(none.reason.substr(named + 10));
+  EXPECT_TRUE(none.too_many());
+  const auto possible = testing::field<double>(none.reason, ReasonField::possible_rate);
+  ASSERT_TRUE(possible) << none.reason;
+  made.options.rate = *possible;
   EXPECT_TRUE(uniform_section(made.arm, made.timed, made.options)) << none.reason;
 }
 
