@@ -112,6 +112,9 @@ DIALECTS = {
     "tabs, quotes, a mark, CRLF": ('\ufeff"{}"\t"{}"\t"{}"\r\n', '"4"\t1.5\t0.25\r\n'),
     "CR alone": ("{},{},{}\r", "4,1.5,0.25\r"),
     "the header in a comment": ("# by hand\n# {} {} {}\n", "4 1.5 0.25\n"),
+    "a comment of MATLAB": ("%% by hand\n{},{},{}\n", "4,1.5,0.25\n%% the end\n"),
+    "the separator for Excel": ("sep=;\n{};{};{}\n", "4;1,5;0,25\n"),
+    "the separator for Excel, CRLF": ("sep=,\r\n{},{},{}\r\n", "4,1.5,0.25\r\n"),
     "no header": ("", "4 1,5 0,25\n"),
 }
 
@@ -233,6 +236,10 @@ def test_joint_maps(beeline, tmp_path):
     assert beeline("replay", "ur5e", "log.csv", "--joint-map", "none.json").code == 3
 
 
+READ_IN_RADIANS = ("beeline: warning: {} is read in radians: neither the names of its columns nor its values say that its angles are in "
+                   "degrees; --angle-unit deg reads degrees\n")
+
+
 def test_recordings_in_degrees(beeline, tmp_path):
     (tmp_path / "deg.csv").write_text(table(["t"] + JOINTS, motion(180 / math.pi)))
     (tmp_path / "rad.csv").write_text(table(["t"] + JOINTS, motion()))
@@ -244,9 +251,117 @@ def test_recordings_in_degrees(beeline, tmp_path):
     for found, row in zip(positions(tmp_path / "out.csv"), motion()):
         assert found == pytest.approx(row[1:], abs=1e-12)
     own = beeline("replay", "ur5e", "rad.csv", "--degrees", "--out", "out.csv")
-    assert own.code == 0 and not own.err
+    assert own.code == 0 and own.err == READ_IN_RADIANS.format("rad.csv")
     assert positions(tmp_path / "out.csv") == [row[1:] for row in motion()]
     assert beeline("diff", "ur5e", "deg.csv", "rad.csv", "--degrees", "--tolerance", "1e-12").code == 0
+
+
+def small_degrees(folder, header, name="small.csv"):
+    """A recording in degrees whose values are possible in radians too."""
+    (folder / name).write_text(table(header, motion(1.5)))
+    return name
+
+
+def verbs_of(recording, folder):
+    """Commands of all verbs that read a recording of the ur5e, with --degrees."""
+    (folder / "far.csv").write_text("x,y,z\n0,0,9\n")
+    yield ("replay", "ur5e", recording, "--degrees")
+    yield ("retime", "ur5e", recording, "--degrees")
+    yield ("check", "ur5e", recording, "--through", "far.csv", "--task", "position", "--degrees")
+    yield ("diff", "ur5e", recording, recording, "--degrees")
+    yield ("export", "ur5e", recording, "--as", "urscript", "--out", "o.script", "--degrees")
+    yield ("draw", "ur5e", recording, "--out", "o.svg", "--degrees")
+
+
+def test_no_verb_reads_small_angles_in_radians_silently(beeline, tmp_path):
+    plain = small_degrees(tmp_path, ["t"] + JOINTS)
+    said = small_degrees(tmp_path, ["t"] + [f"{name}_deg" for name in JOINTS], "said.csv")
+    for command in verbs_of(plain, tmp_path):
+        assert READ_IN_RADIANS.format(plain) in beeline(*command).err, command
+        for unit in ("deg", "rad"):
+            assert "read in" not in beeline(*command, "--angle-unit", unit).err, command
+    for command in verbs_of(said, tmp_path):
+        err = beeline(*command).err
+        assert "columns joint1_deg, joint2_deg, joint3_deg" in err and "are read in deg, as their names say" in err
+        assert "is read in radians" not in err
+    for form in ("o.json", "o.yaml"):
+        assert beeline("replay", "ur5e", plain, "--out", form).code == 0
+        assert READ_IN_RADIANS.format(form) in beeline("replay", "ur5e", form, "--degrees").err
+
+
+DEGREE_NAMES = ["{}_deg", "{} (deg)", "{}[deg]", "{} [°]", "{}°", "{} (degrees)", "{}_DEG", "robot/{}_deg", "{}/position (deg)", "position_{}_deg"]
+
+
+@pytest.mark.parametrize("style", DEGREE_NAMES)
+@pytest.mark.parametrize("names", [JOINTS, ROS], ids=["own names", "names of ROS"])
+def test_names_of_columns_give_units(beeline, tmp_path, style, names):
+    small_degrees(tmp_path, ["t"] + [style.format(name) for name in names])
+    for options in ((), ("--degrees",), ("--angle-unit", "rad")):
+        answer = beeline("replay", "ur5e", "small.csv", "--out", "out.csv", *options)
+        assert answer.code == 0 and "are read in deg, as their names say" in answer.err
+        for found, row in zip(positions(tmp_path / "out.csv"), motion(1.5)):
+            assert found == pytest.approx(list(map(math.radians, row[1:])), abs=1e-12)
+
+
+def test_angle_unit(beeline, refused, tmp_path):
+    plain = small_degrees(tmp_path, ["t"] + JOINTS)
+    said = small_degrees(tmp_path, ["t"] + [f"{name}_rad" for name in JOINTS], "said.csv")
+    (tmp_path / "map.json").write_text(json.dumps({name: {"unit": "rad"} for name in JOINTS}))
+    for command, unit in (((plain, "--angle-unit", "deg"), "deg"), ((plain, "--angle-unit", "rad"), "rad"), ((said, "--angle-unit", "deg"), "rad"),
+                          ((plain, "--angle-unit", "deg", "--joint-map", "map.json"), "rad")):
+        assert beeline("replay", "ur5e", *command, "--out", "out.csv").code == 0
+        for found, row in zip(positions(tmp_path / "out.csv"), motion(1.5)):
+            assert found == pytest.approx(row[1:] if unit == "rad" else list(map(math.radians, row[1:])), abs=1e-12)
+    refused(2, "replay", "ur5e", plain, "--angle-unit", "grad", says=["rad, deg"])
+    refused(3, "replay", "ur5e", small_degrees(tmp_path, ["t", "joint1_mm"] + JOINTS[1:]), says=['"joint1_mm" is in mm, but joint joint1 turns: rad or deg'])
+
+
+def test_what_a_verb_writes_is_read_alike_with_and_without_degrees(beeline, tmp_path):
+    (tmp_path / "in.csv").write_text(table(["t"] + JOINTS, motion()))
+    for options in ((), ("--degrees",)):
+        for form in ("out.csv", "out.json", "out.yaml"):
+            assert beeline("replay", "ur5e", "in.csv", "--out", form, *options).code == 0
+            for reading in ((), ("--degrees",)):
+                assert beeline("diff", "ur5e", "in.csv", form, "--tolerance", "1e-12", *reading).code == 0
+
+
+RATE_NAMES = ["{}_velocity", "{}/velocity", "{}.velocity", "velocity_{}", "{}_speed", "{}_Vel", "{}_vel (rad/s)", "{} (rad/s)"]
+
+
+@pytest.mark.parametrize("style", RATE_NAMES)
+def test_rates_of_other_programs(beeline, tmp_path, style):
+    extra = [f"{name}_effort" for name in JOINTS]
+    rows = [row + [0.2 * (j - 2) for j in range(6)] + [7] * 6 for row in motion()]
+    (tmp_path / "log.csv").write_text(table(["t"] + JOINTS + [style.format(name) for name in JOINTS] + extra, rows))
+    for options in ((), ("--joint-map", ",".join(JOINTS))):
+        assert beeline("replay", "ur5e", "log.csv", "--out", "out.csv", *options).code == 0
+        read = list(csv.DictReader((tmp_path / "out.csv").open()))
+        assert [[float(row[f"{name}_vel"]) for name in JOINTS] for row in read] == [row[7:13] for row in rows]
+
+
+def test_a_comment_is_a_header_only_if_it_names_the_joints(beeline, tmp_path):
+    rows = table(None, [row[:4] for row in motion()], separator=" ")
+    for comment in ("# measured at t 5", "# t is in", "% joint1 t in s", "# t t1 t2 t3"):
+        (tmp_path / "log.txt").write_text(comment + "\n" + rows)
+        answer = beeline("replay", "rrr", "log.txt", "--json")
+        assert answer.code == 0 and "log.txt has no header" in answer.err, comment
+    for comment in ("# t joint1 joint2 joint3", "% Time Joint1 Joint2 Joint3", "#t,joint1,joint2,joint3"):
+        (tmp_path / "log.txt").write_text(comment + "\n" + rows)
+        answer = beeline("replay", "rrr", "log.txt", "--json")
+        assert answer.code == 0 and not answer.err, comment
+    (tmp_path / "log.txt").write_text("# t A1 A2 A3\n" + rows)
+    mapped = beeline("replay", "rrr", "log.txt", "--joint-map", "a3,-a2,A1", "--out", "out.csv")
+    assert mapped.code == 0 and not mapped.err
+    assert [float(x) for x in (tmp_path / "out.csv").read_text().splitlines()[2].split(",")][1:] == [motion()[1][3], -motion()[1][2], motion()[1][1]]
+
+
+def test_batch_knows_the_names_of_descriptions_for_ros(beeline, tmp_path):
+    q = motion()[5][1:]
+    (tmp_path / "own.csv").write_text(table(JOINTS, [q]))
+    (tmp_path / "ros.csv").write_text(table(ROS[::-1], [q[::-1]]))
+    for kind in ("fk", "jacobian"):
+        own, ros = (beeline("batch", kind, "ur5e", "--in", file, "--out", "-") for file in ("own.csv", "ros.csv"))
+        assert own.code == 0 and ros.code == 0 and own.out == ros.out
 
 
 def test_joints_without_limits_may_turn_often(beeline, tmp_path):
@@ -254,7 +369,8 @@ def test_joints_without_limits_may_turn_often(beeline, tmp_path):
     (tmp_path / "turns.csv").write_text("t,joint1,joint2\n0,0,0\n150,112,-20\n")
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "RR:1,1", "turns.csv", "--out", "out.csv", "--json", *options)
-        assert answer.json["status"] == "reached" and answer.json["unwrapped"] == [] and not answer.err
+        assert answer.json["status"] == "reached" and answer.json["unwrapped"] == []
+        assert answer.err == (READ_IN_RADIANS.format("turns.csv") if options else "")
         last = (tmp_path / "out.csv").read_text().splitlines()[-1].split(",")
         assert [float(value) for value in last[1:3]] == pytest.approx([112, -20])
 
@@ -264,7 +380,7 @@ def test_degrees_of_joints_without_limits_get_a_hint(beeline, tmp_path, rows):
     (tmp_path / "deg.csv").write_text("t,joint1,joint2\n" + rows)
     for options in ((), ("--degrees",)):
         hint = beeline("replay", "RR:1,1", "deg.csv", "--out", "out.csv", *options)
-        assert "rad, more than two revolutions, but degrees of one; the unit deg in a --joint-map file reads degrees" in hint.err
+        assert "rad, more than two revolutions, but degrees of one; --angle-unit deg reads degrees" in hint.err
     (tmp_path / "map.json").write_text('{"joint1": {"unit": "deg"}, "joint2": {"unit": "deg"}}')
     read = beeline("replay", "RR:1,1", "deg.csv", "--joint-map", "map.json", "--speed", "0.2", "--out", "out.csv")
     assert read.code == 0 and "degrees" not in read.err
@@ -276,7 +392,8 @@ def test_a_slow_recording_in_degrees_is_not_guessed(beeline, tmp_path):
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "ur5e", "slow.csv", *options)
         assert answer.code == 1
-        assert "joint joint1 at 6.5 rad" in answer.err and "degrees" not in answer.err
+        assert "joint joint1 at 6.5 rad" in answer.err and "is read in degrees" not in answer.err
+        assert (READ_IN_RADIANS.format("slow.csv") in answer.err) == bool(options)
     (tmp_path / "map.json").write_text(json.dumps({name: {"unit": "deg"} for name in JOINTS}))
     assert beeline("replay", "ur5e", "slow.csv", "--joint-map", "map.json").code == 0
 
