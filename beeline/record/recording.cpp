@@ -188,6 +188,13 @@ RecordingNote note_on(const internal::UnitEvidence& evidence, const Arm& arm,
           .value = evidence.value};
 }
 
+/// Whether the recording has all columns of a planned motion that this library has written, and so
+/// is in radians.
+bool is_planned_motion(const Arm& arm, const internal::RecordedColumns& columns,
+                       const Trajectory& recorded) {
+  return columns.given == arm.joint_names() && !recorded.accelerations.empty();
+}
+
 /// Matches `recorded` to the arm: in degrees where only degrees are possible and the options ask
 /// for it. Adds notes on units.
 void match_in_units(const Arm& arm, const std::string& path, const Trajectory& recorded,
@@ -211,7 +218,8 @@ void match_in_units(const Arm& arm, const std::string& path, const Trajectory& r
       add(*degrees, RecordingNoteKind::likely_degrees);
     } else if (revolutions) {
       add(*revolutions, RecordingNoteKind::many_revolutions);
-    } else if (options.detect_degrees && internal::may_be_in_degrees(arm, found, known)) {
+    } else if (options.detect_degrees && !is_planned_motion(arm, columns, recorded) &&
+               internal::may_be_in_degrees(arm, found, known)) {
       recording.notes.push_back({.kind = RecordingNoteKind::read_in_radians, .path = path});
     }
   }

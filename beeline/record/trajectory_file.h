@@ -69,8 +69,10 @@ struct RecordingOptions {
   bool time_unit_is_optional = false;
   bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
   /// A recording that does not give the unit of its angles is read in degrees, if they are out of
-  /// range in radians but not in degrees, and otherwise in radians; a note says which. If false, a
-  /// note says where degrees are likely. Applies if `match.angle_unit` is 1.
+  /// range in radians but not in degrees, and otherwise in radians; a note says which, unless it is
+  /// in the form of a motion that this library has planned: the arm's names in its order, with
+  /// velocities and accelerations. If false, a note says where degrees are likely. Applies if
+  /// `match.angle_unit` is 1.
   bool detect_degrees = false;
   /// `match.angle_unit` is what the user has stated: angles have no such notes.
   bool angle_unit_is_known = false;
