@@ -308,5 +308,11 @@ def test_millimetres_get_a_hint(beeline, tmp_path):
                     ("ik", "ur5e", "--pose", "400,200,300,3.1,0,0"), ("fk", "ur5e", "--q", "0,0,0,0,0,0", "--tcp", "0,0,100"),
                     ("draw", "ur5e", "rest.csv", "--through", "poses.csv", "--out", "o.svg")):
         assert "--millimetres reads millimetres" in beeline(*command).err, command
+    # Offsets count from their own frame, wherever the arm stands.
+    relative = "motion,relative,x,y,z,roll,pitch,yaw\nline,,100.4,0.2,0.3,3.1,0,0\nline,previous,{},0,0,0,0,0\n"
+    for offset, hinted in ((100, True), (-120, True), (0.1, False), (-0.05, False)):
+        (tmp_path / "program.csv").write_text(relative.format(offset))
+        answer = beeline("line", "ur5e", "--mount", "100,0,0", "--through", "program.csv", "--max-work", "1000")
+        assert (f"a position {abs(offset)} m away is far out of reach; --millimetres" in answer.err) == hinted
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n4,2,3,3.1,0,0\n")
     assert "millimetres" not in beeline("line", "ur5e", "--through", "poses.csv").err
