@@ -102,7 +102,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   Arm arm = described;
   if (!tcp.empty()) {
     const Pose tool_T_tcp = parse_frame_option(described, "--tcp", tcp, unit).pose;
-    warn_of_positions("--tcp", described, std::span(&tool_T_tcp, 1), unit);
+    warn_of_distance("--tcp", offset_in_millimetres(described, tool_T_tcp), unit);
     arm = with_tcp(arm, tool_T_tcp);
   }
   if (!mount.empty())

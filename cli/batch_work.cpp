@@ -8,6 +8,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
 #include <beeline/read/internal/pose_form.h>
+#include <beeline/trajectory/internal/joint_columns.h>
 
 using namespace beeline;
 
@@ -194,12 +195,16 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
     output.convert(arguments.unit, results);
     rows.check(block, results, bad);
   };
-  return {.forms = {arm.joint_names()}, .columns = output.columns, .step = step};
+  return {.forms = internal::joint_namings(arm),
+          .columns = output.columns,
+          .forms_without_header = 1,
+          .step = step};
 }
 
 BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
   const Task task = arguments.jacobian.read(arm);
-  BatchWork work{.forms = {arm.joint_names()}, .columns = {}, .step = {}};
+  BatchWork work{
+      .forms = internal::joint_namings(arm), .columns = {}, .forms_without_header = 1, .step = {}};
   std::vector<Eigen::Index> source;  // of each number of the output, the matrix row by row
   for (const std::string& row : row_names({task.rows, Frame::base})) {
     for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);

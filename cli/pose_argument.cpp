@@ -11,6 +11,19 @@
 
 using namespace beeline;
 
+namespace {
+
+/// The distance of a position from the centre if it is far outside the sphere in metres, and within
+/// it in millimetres; else 0.
+double far_distance(const Arm::Reach& sphere, const Vector3& position) {
+  constexpr double far = 10;  // times the radius
+  const double distance = (position - sphere.centre).norm();
+  const bool fits = (position / 1000 - sphere.centre).norm() <= sphere.radius;
+  return distance > far * sphere.radius && fits ? distance : 0;
+}
+
+}  // namespace
+
 Triple triple_of(const Arm& arm) { return arm.planar() ? Triple::planar : Triple::position; }
 
 Option WorkArgument::option() {
@@ -60,11 +73,11 @@ WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const Writ
 }
 
 double distance_in_millimetres(const Arm& arm, const Pose& pose) {
-  constexpr double far = 10;  // times the reach
-  const auto& [centre, radius] = arm.reach();
-  const double distance = (pose.translation() - centre).norm();
-  const bool fits = (pose.translation() / 1000 - centre).norm() <= radius;
-  return distance > far * radius && fits ? distance : 0;
+  return far_distance(arm.reach(), pose.translation());
+}
+
+double offset_in_millimetres(const Arm& arm, const Pose& pose) {
+  return far_distance({.radius = arm.reach().radius}, pose.translation());
 }
 
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit) {

@@ -36,6 +36,9 @@ beeline::WrittenPose in_world(const beeline::Arm& arm, const beeline::WrittenPos
 /// The distance from the arm, m, of a pose in the world that is far out of its reach in metres and
 /// within it in millimetres; 0 for another pose.
 double distance_in_millimetres(const beeline::Arm& arm, const beeline::Pose& pose);
+/// The same of a pose relative to a frame at the tool, such as a tool or a relative row: its
+/// distance from this frame.
+double offset_in_millimetres(const beeline::Arm& arm, const beeline::Pose& pose);
 
 /// Warns on stderr that positions read with `option` are rather in millimetres, as one of them is
 /// this far away; of distance 0 nothing.

@@ -23,7 +23,10 @@ void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& pr
       const WrittenPose pose = relative ? *row.pose : in_world(arm, world_T_work, *row.pose);
       if (!relative || pose.planar) check_pose_form(arm, pose, context.task);
       row.pose = pose;
-      if (distance == 0) distance = distance_in_millimetres(arm, pose.pose);
+      if (distance == 0) {
+        distance = relative ? offset_in_millimetres(arm, pose.pose)
+                            : distance_in_millimetres(arm, pose.pose);
+      }
     } catch (const Error& error) {
       throw FileError(program.path, row.line, error.what());
     }

@@ -37,27 +37,14 @@ void check_size(const std::string& path, const Arm& arm, const std::vector<Confi
   }
 }
 
-/// How the user reads the recording otherwise, to be appended to the note.
-const char* choice_after(RecordingNoteKind kind) {
-  switch (kind) {
-    case RecordingNoteKind::likely_degrees:
-      return "; --degrees reads degrees";
-    case RecordingNoteKind::many_revolutions:
-      return "; the unit deg in a --joint-map file reads degrees";
-    case RecordingNoteKind::likely_millimetres:
-      return "; the unit mm in a --joint-map file reads millimetres";
-    case RecordingNoteKind::likely_milliseconds:
-      return "; --time-unit reads ms, us or ns";
-    default:
-      return "";
-  }
-}
-
 }  // namespace
 
 const char* const recording_units =
-    "Recordings are in radians, metres and seconds. With --degrees one whose angles are out of "
-    "range in radians, but not in degrees, is read in degrees; stderr says so.";
+    "Recordings are in radians, metres and seconds, unless the name of a column gives a unit, as "
+    "joint1_deg or joint4 (mm), or --joint-map, --angle-unit or --time-unit does. With --degrees "
+    "one that gives no unit, and whose angles are out of range in radians but not in degrees, is "
+    "read in degrees; any other one is in radians, as all files that beeline writes. stderr says "
+    "how it was read.";
 
 std::vector<Option> RecordingArgument::reading_options() {
   return {{.name = "--joint-map",
@@ -71,6 +58,13 @@ std::vector<Option> RecordingArgument::reading_options() {
            .target = &joint_map,
            .completes = Completes::file,
            .phrases = {"the joint map", "of the joint map"}},
+          {.name = "--angle-unit",
+           .value = "UNIT",
+           .help = "The unit of the recording's angles, unless the names of its columns or "
+                   "--joint-map give one. Default: rad; with --degrees deg, if only degrees are in "
+                   "range.",
+           .target = &angle_unit,
+           .choices = {name(JointUnit::radians), name(JointUnit::degrees)}},
           {.name = "--time-unit",
            .value = "UNIT",
            .help = "The unit of times in a .csv recording with one column of times; the unit of "
@@ -96,11 +90,15 @@ Recording RecordingArgument::read(const std::string& path, const Arm& arm, const
   RecordingOptions options{.map_is_optional = !needs.joint_map,
                            .time_unit_is_optional = !needs.time_unit,
                            .needs_times = needs.times,
-                           .detect_degrees = unit.degrees};
+                           .detect_degrees = unit.degrees,
+                           .angle_unit_is_known = !angle_unit.empty()};
+  if (angle_unit == name(JointUnit::degrees)) {
+    options.match.angle_unit = to_radians(1, AngleUnit::degrees);
+  }
   if (!joint_map.empty()) options.match.joint_map = read_joint_map(joint_map, arm);
   if (!time_unit.empty()) options.time_unit = time_unit_named(time_unit);
   Recording recording = read_recording(path, arm, options);
-  for (const RecordingNote& note : recording.notes) warn(sentence(note) + choice_after(note.kind));
+  for (const RecordingNote& note : recording.notes) warn(sentence(note, OptionStyle::command));
   const Trajectory& trajectory = recording.trajectory;
   check_times(path, trajectory.times);
   check_size(path, arm, trajectory.positions, internal::max_position_limit);

@@ -15,9 +15,9 @@ struct ReadingNeeds {
   bool time_unit = true;  ///< false: only a file whose unit is not fixed is read by --time-unit
 };
 
-/// --joint-map, --time-unit and --no-unwrap: how recordings are read.
+/// --joint-map, --angle-unit, --time-unit and --no-unwrap: how recordings are read.
 struct RecordingArgument {
-  std::string joint_map = {}, time_unit = {};
+  std::string joint_map = {}, angle_unit = {}, time_unit = {};
   bool no_unwrap = false;
 
   std::vector<Option> options();

@@ -36,7 +36,7 @@ enum class ReadWarningKind {
 };
 std::string name(ReadWarningKind kind);
 
-/// Why an element of an XML file cannot be read.
+/// Why an element of an XML file, or a name or number in it, cannot be read.
 enum class ElementFault {
   none,
   missing_attribute,  ///< it needs `attribute`

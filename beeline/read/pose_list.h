@@ -120,7 +120,8 @@ bool is_program(std::string_view text);
 /// Reads a program file: a CSV file whose header names some of program_columns(), and the columns
 /// of one form of a pose unless all rows have joint values, `q`. Throws FileError for a column that
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
-/// neither a pose nor joint values, with both, or with a part of a pose; and as read_poses().
+/// neither a pose nor joint values, with both, or with a part of a pose, except a via row with a
+/// position only; and as read_poses().
 /// Speeds, blends and the travel of prismatic joints stay in metres.
 ProgramRows read_program_rows(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/json.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/record/internal/column_unit.h>
 #include <beeline/record/trajectory_file.h>
 
 namespace beeline {
@@ -17,13 +17,11 @@ using internal::JsonDocument;
 
 /// Radians or metres per unit. Throws Error for a unit that the joint does not have.
 double unit_named(const std::string& name, const Joint& joint) {
+  using enum JointUnit;
   const bool slides = kind(joint) == JointKind::prismatic;
-  if (name == (slides ? "m" : "rad")) return 1;
-  if (slides && name == "mm") return 1e-3;
-  if (!slides && name == "deg") return std::numbers::pi / 180;
-  throw unknown_name(
-      "unit of joint " + joint.name, name,
-      slides ? std::vector<std::string>{"m", "mm"} : std::vector<std::string>{"rad", "deg"});
+  const std::vector<JointUnit> choices = slides ? std::vector<JointUnit>{metres, millimetres}
+                                                : std::vector<JointUnit>{radians, degrees};
+  return internal::si_per(internal::unit_among(choices, name, "unit of joint " + joint.name));
 }
 
 MappedJoint joint_from_json(const JsonDocument& document, const Json& json, const Joint& joint) {

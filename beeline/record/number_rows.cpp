@@ -110,8 +110,9 @@ class NpyRows {
     const auto is_one_row = [&](const auto& form) {
       return static_cast<std::int64_t>(form.size()) == header.rows;
     };
-    if (header.width == 1 && std::any_of(forms.begin(), forms.end(), is_one_row)) {
-      text += ": one row is array.reshape(1, -1)";
+    if (std::any_of(forms.begin(), forms.end(), is_one_row)) {
+      text += header.width == 1 ? ": one row is array.reshape(1, -1)"
+                                : "; if each column is a row, write array.T";
     }
     throw FileError(file().path(), 0, text);
   }

@@ -7,6 +7,7 @@
 
 #include <beeline/error.h>
 #include <beeline/planning/program.h>
+#include <beeline/read/arm.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -49,7 +50,13 @@ std::vector<std::string> time_unit_names();
 /// Throws Error listing the names for another name.
 TimeUnit time_unit_named(const std::string& name);
 
+/// The unit of joint values in a recording; rates are in it per second.
+enum class JointUnit { radians, degrees, metres, millimetres };
+std::string name(JointUnit unit);  ///< rad, deg, m, mm
+
 struct RecordingOptions {
+  /// How joints are matched. The unit of a joint's values is the one in the joint map, else the one
+  /// that its column's name says, as joint1_deg, else `match.angle_unit`.
   MatchOptions match = {};
   /// A file that has none of the joint map's names is matched by name, as if there was no map.
   bool map_is_optional = false;
@@ -61,16 +68,23 @@ struct RecordingOptions {
   /// Such a file is read as if there was no time unit.
   bool time_unit_is_optional = false;
   bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
-  /// A recording whose angles are out of range in radians, but not in degrees, is read in degrees;
-  /// otherwise a note says so. Applies if `match.angle_unit` is 1.
+  /// A recording that does not give the unit of its angles is read in degrees, if they are out of
+  /// range in radians but not in degrees, and otherwise in radians; a note says which, unless it is
+  /// in the form of a motion that this library has planned: the arm's names in its order, with
+  /// velocities and accelerations. If false, a note says where degrees are likely. Applies if
+  /// `match.angle_unit` is 1.
   bool detect_degrees = false;
+  /// `match.angle_unit` is what the user has stated: angles have no such notes.
+  bool angle_unit_is_known = false;
 };
 
 /// How a recording was read where the file does not say, and what its numbers suggest.
 enum class RecordingNoteKind {
   no_header,            ///< the columns of a table without a header are read as `columns`
   times_since_1970,     ///< the times in `columns`, in `unit`, count from the first sample
+  named_unit,           ///< `columns` are in `joint_unit`, as their names say
   read_in_degrees,      ///< because `joint` is at `value`: RecordingOptions::detect_degrees
+  read_in_radians,      ///< though degrees are possible too: RecordingOptions::detect_degrees
   likely_degrees,       ///< `joint` is at `value`, out of range in radians but not in degrees
   many_revolutions,     ///< `joint`, without limits, is at `value`: perhaps degrees
   likely_millimetres,   ///< `joint` is at `value`, out of range in metres but not in millimetres
@@ -83,13 +97,16 @@ struct RecordingNote {
   RecordingNoteKind kind = RecordingNoteKind::no_header;
   std::string path = {};  ///< of the file
   std::vector<std::string> columns = {};
-  std::string unit = {};   ///< of times: ns; s and ns
-  std::string joint = {};  ///< of the arm
-  double value = 0;        ///< as recorded, with the signs and offsets of a joint map
+  /// Of times since 1970 in the first of `columns`; a second one has nanoseconds.
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  std::optional<JointUnit> joint_unit = std::nullopt;  ///< of a named unit
+  std::string joint = {};                              ///< of the arm
+  double value = 0;  ///< as recorded, with the signs and offsets of a joint map
 };
 
-/// Returns one sentence without a full stop, which begins with the path.
-std::string sentence(const RecordingNote& note);
+/// Returns one sentence without a full stop, which begins with the path. It says which option reads
+/// the recording otherwise.
+std::string sentence(const RecordingNote& note, OptionStyle style = OptionStyle::keyword);
 
 /// A trajectory as a program of any kind has recorded it.
 struct Recording {
@@ -106,8 +123,11 @@ struct Recording {
 ///     the first
 ///   - semicolons, tabs or blanks between the items, with decimal commas
 ///   - no header, a column of times first, then the joints in the arm's order; or a header in a
-///     comment
-///   - joints as matched_to() finds them
+///     comment, which names all joints
+///   - joints as matched_to() finds them, with a unit of JointUnit behind the name, as joint1_deg,
+///     joint1 (mm) or joint1_vel [deg/s]
+///   - rates in columns such as joint1_velocity and acceleration_joint1, and efforts, which are not
+///     read
 /// Throws as read_trajectory() and, as FileError, matched_to() do.
 Recording read_recording(const std::string& path, const Arm& arm,
                          const RecordingOptions& options = {});

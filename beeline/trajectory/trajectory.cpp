@@ -28,7 +28,7 @@ struct Affine {
   double factor = 1, shift = 0;
 };
 
-void check_match(const MatchOptions& options) {
+void check_match(const MatchOptions& options, std::size_t columns) {
   const auto is_unit = [](double unit) { return unit > 0 && std::isfinite(unit); };
   if (!is_unit(options.angle_unit)) {
     throw Error("the unit of recorded angles must be above 0, not " + number(options.angle_unit));
@@ -39,17 +39,31 @@ void check_match(const MatchOptions& options) {
     if (!std::isfinite(offset)) throw Error(what + "offset must be finite");
     if (unit && !is_unit(*unit)) throw Error(what + "unit must be above 0, not " + number(*unit));
   }
+  if (options.column_units.empty()) return;
+  if (options.column_units.size() != columns) {
+    throw Error("a trajectory of " + std::to_string(columns) + " joints has " +
+                std::to_string(options.column_units.size()) + " column_units");
+  }
+  for (const std::optional<double>& unit : options.column_units) {
+    if (unit && !is_unit(*unit)) {
+      throw Error("a unit of column_units must be above 0, not " + number(*unit));
+    }
+  }
 }
 
-/// What makes each coordinate of the recorded values.
-std::vector<Affine> maps_of(const Arm& arm, const MatchOptions& options) {
-  std::vector<Affine> maps(static_cast<std::size_t>(arm.dof()));
+/// What makes each coordinate of the values in its column.
+std::vector<Affine> maps_of(const Arm& arm, const MatchOptions& options,
+                            const std::vector<Eigen::Index>& columns) {
+  std::vector<Affine> maps(columns.size());
   for (std::size_t k = 0; k < maps.size(); ++k) {
     const bool slides = kind(arm.joint_of(static_cast<Eigen::Index>(k))) == JointKind::prismatic;
-    const double unit = slides ? 1 : options.angle_unit;
     const MappedJoint joint = options.joint_map.empty() ? MappedJoint() : options.joint_map[k];
-    maps[k].factor = joint.unit.value_or(unit) * joint.sign;
-    maps[k].shift = joint.unit.value_or(unit) * joint.offset;
+    std::optional<double> unit = joint.unit;
+    if (!unit && !options.column_units.empty()) {
+      unit = options.column_units[static_cast<std::size_t>(columns[k])];
+    }
+    if (!unit) unit = slides ? 1 : options.angle_unit;
+    maps[k] = {*unit * joint.sign, *unit * joint.offset};
   }
   return maps;
 }
@@ -146,21 +160,24 @@ TrajectoryState sample(const Trajectory& trajectory, double t, Side side) {
 
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory, const MatchOptions& options) {
   check_trajectory(trajectory);
-  check_match(options);
+  check_match(options, trajectory.joint_names.size());
   const internal::JointColumns order =
       internal::joint_columns(arm, trajectory.joint_names, options.joint_map);
-  const std::vector<Affine> maps = maps_of(arm, options);
+  const auto taken = [&](const std::vector<Configuration>& recorded,
+                         const std::vector<Eigen::Index>& columns, bool rates) {
+    return column(recorded, columns, maps_of(arm, options, columns), rates);
+  };
   Trajectory matched{arm.joint_names(), trajectory.times, {}, {}, {}};
-  matched.positions = column(trajectory.positions, order.positions, maps, false);
+  matched.positions = taken(trajectory.positions, order.positions, false);
   if (!order.velocities.empty()) {
-    matched.velocities = column(trajectory.positions, order.velocities, maps, true);
+    matched.velocities = taken(trajectory.positions, order.velocities, true);
     if (!order.accelerations.empty()) {
-      matched.accelerations = column(trajectory.positions, order.accelerations, maps, true);
+      matched.accelerations = taken(trajectory.positions, order.accelerations, true);
     }
     return matched;
   }
-  matched.velocities = column(trajectory.velocities, order.positions, maps, true);
-  matched.accelerations = column(trajectory.accelerations, order.positions, maps, true);
+  matched.velocities = taken(trajectory.velocities, order.positions, true);
+  matched.accelerations = taken(trajectory.accelerations, order.positions, true);
   return matched;
 }
 

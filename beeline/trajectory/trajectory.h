@@ -66,8 +66,8 @@ struct MappedJoint {
   std::string name;   ///< in the recording
   double sign = 1;    ///< 1 or -1
   double offset = 0;  ///< in the recording's unit
-  /// Radians or metres per unit of the recording; default: MatchOptions::angle_unit for angles, 1
-  /// for metres.
+  /// Radians or metres per unit of the recording; default: MatchOptions::column_units, else
+  /// MatchOptions::angle_unit for angles, 1 for metres.
   std::optional<double> unit = std::nullopt;
 };
 
@@ -77,15 +77,18 @@ using JointMap = std::vector<MappedJoint>;
 struct MatchOptions {
   JointMap joint_map = {};  ///< empty: joints are matched by name; else all others are dropped
   double angle_unit = 1;    ///< radians per unit of the recording: pi / 180 for degrees
+  /// Radians or metres per unit of the values of each of the trajectory's joints, if known; empty:
+  /// none is known.
+  std::vector<std::optional<double>> column_units = {};
 };
 
 /// Returns the trajectory with its columns in the arm's order, matched by joint name: the arm's own
 /// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same
 /// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and
-/// `acceleration`, behind it, as /joint_states/joint1/position; other columns are dropped only in
-/// the last case. Upper and lower case are alike. Throws Error as check_trajectory() does, for
-/// joints that are missing or that the arm does not have, and for a joint map of another length,
-/// sign or unit.
+/// `acceleration`, before or behind it, as /joint_states/joint1/position and velocity_joint1; other
+/// columns are dropped only in the last case. Upper and lower case are alike. Throws Error as
+/// check_trajectory() does, for joints that are missing or that the arm does not have, for a joint
+/// map of another length, sign or unit, and for another number of units.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
                       const MatchOptions& options = {});
 

@@ -23,21 +23,6 @@ JointMap joint_map_from(const Arm& arm, nb::handle value) {
   return map;
 }
 
-/// How the user reads the recording otherwise, to be appended to the warning.
-const char* choice_after(RecordingNoteKind kind) {
-  switch (kind) {
-    case RecordingNoteKind::likely_degrees:
-    case RecordingNoteKind::many_revolutions:
-      return "; unit=\"degrees\" reads degrees";
-    case RecordingNoteKind::likely_millimetres:
-      return "; the unit 0.001 in a joint_map reads millimetres";
-    case RecordingNoteKind::likely_milliseconds:
-      return "; time_unit reads ms, us or ns";
-    default:
-      return "";
-  }
-}
-
 /// The category of warnings about recordings.
 nb::object recording_warning() {
   static PyObject* const type = PyErr_NewExceptionWithDoc(
@@ -56,7 +41,7 @@ Recording recording_in(const std::string& file, const Arm& arm, const RecordingO
     recording = read_recording(file, arm, options);
   }
   for (const RecordingNote& note : recording.notes) {
-    nb::object instance = recording_warning()(sentence(note) + choice_after(note.kind));
+    nb::object instance = recording_warning()(sentence(note));
     instance.attr("note") = Value<RecordingNote>::to(note);
     nb::module_::import_("warnings").attr("warn")(instance);
   }
@@ -94,7 +79,8 @@ Trajectory loaded(const std::string& file, nb::handle arm, const ReadingKeywords
 
 constexpr const char* tables =
     "Tables of other programs are read too: the times in a column time or timestamp, other "
-    "separators and decimal commas, names in upper or lower case.";
+    "separators and decimal commas, names in upper or lower case, and with an arm units in names, "
+    "as joint1_deg.";
 
 }  // namespace
 
@@ -110,7 +96,8 @@ void takes_matching(Signature& signature) {
              "opposite direction, as a list or separated by commas, or a .json file; other columns "
              "are dropped. None: by name.",
              "None")
-      .takes("unit", Value<AngleUnit>::type(), "Of angles in the trajectory.", "'radians'");
+      .takes("unit", Value<AngleUnit>::type(),
+             "Of angles in the trajectory, unless the names in a file say another.", "'radians'");
 }
 
 void bind_loading(nb::class_<Trajectory>& trajectory) {
@@ -152,8 +139,9 @@ void bind_recordings(nb::module_& m) {
       .takes("arm", "Arm", "The arm.");
   takes_reading(read);
   read.takes("detect_degrees", "bool",
-             "Read a recording in degrees if an angle is more than a revolution out of its limits "
-             "in radians, and none in degrees.",
+             "Read a recording that gives no unit in degrees if an angle is more than a revolution "
+             "out of its limits in radians, and none in degrees; otherwise a note says that it is "
+             "read in radians.",
              "False")
       .takes("needs_times", "bool", "False: a table may be a path, with a row each second.",
              "True");

@@ -16,10 +16,14 @@ void bind_recordings(nb::module_& m);
 
 template <>
 inline std::vector<RecordingNoteKind> choices() {
-  return {RecordingNoteKind::no_header,          RecordingNoteKind::times_since_1970,
-          RecordingNoteKind::read_in_degrees,    RecordingNoteKind::likely_degrees,
-          RecordingNoteKind::many_revolutions,   RecordingNoteKind::likely_millimetres,
-          RecordingNoteKind::likely_milliseconds};
+  using enum RecordingNoteKind;
+  return {no_header,      times_since_1970, named_unit,         read_in_degrees,    read_in_radians,
+          likely_degrees, many_revolutions, likely_millimetres, likely_milliseconds};
+}
+
+template <>
+inline std::vector<JointUnit> choices() {
+  return {JointUnit::radians, JointUnit::degrees, JointUnit::metres, JointUnit::millimetres};
 }
 
 template <>
@@ -31,8 +35,11 @@ struct Fields<RecordingNote> {
     return std::tuple(
         field("kind", &RecordingNote::kind, "Kind of note."),
         field("path", &RecordingNote::path, "Of the file."),
-        field("columns", &RecordingNote::columns, "Names of all columns, or of those with times."),
-        field("unit", &RecordingNote::unit, "Of times since 1970."),
+        field("columns", &RecordingNote::columns,
+              "Names of all columns, of those with times, or of those in a unit."),
+        field("time_unit", &RecordingNote::time_unit,
+              "Of times since 1970; a second column has nanoseconds."),
+        field("joint_unit", &RecordingNote::joint_unit, "Of the columns."),
         field("joint", &RecordingNote::joint, "Of the arm, whose value suggests a unit."),
         field("value", &RecordingNote::value,
               "Of that joint as recorded, or the mean time between samples, s."));

@@ -141,7 +141,7 @@ def test_poses_in_the_picture_of_a_motion(beeline, written, parsed, refused):
     written("w.csv", "x,y,theta\n6,2.5,30\n-0.5,6.5,120\n")
     written("pick.csv", "motion,x,y,theta\njoint,5,4,20\n")
     written("m.csv", "t,joint1,joint2,joint3\n0,0,1,0\n1,1,1,1\n")
-    draw = ("draw", "rrr", "m.csv", "--degrees")
+    draw = ("draw", "rrr", "m.csv", "--angle-unit", "rad", "--degrees")
     assert beeline(*draw, "--through", "w.csv", "--out", "d.svg", "--animate", "a.svg").code == 0
     assert numbers(parsed, "d.svg") == numbers(parsed, "a.svg") == {"1", "2"}
     refused(3, *draw, "--through", "pick.csv", "--out", "e.svg", says=["pick.csv", "program"])

@@ -112,6 +112,9 @@ DIALECTS = {
     "tabs, quotes, a mark, CRLF": ('\ufeff"{}"\t"{}"\t"{}"\r\n', '"4"\t1.5\t0.25\r\n'),
     "CR alone": ("{},{},{}\r", "4,1.5,0.25\r"),
     "the header in a comment": ("# by hand\n# {} {} {}\n", "4 1.5 0.25\n"),
+    "a comment of MATLAB": ("%% by hand\n{},{},{}\n", "4,1.5,0.25\n%% the end\n"),
+    "the separator for Excel": ("sep=;\n{};{};{}\n", "4;1,5;0,25\n"),
+    "the separator for Excel, CRLF": ("sep=,\r\n{},{},{}\r\n", "4,1.5,0.25\r\n"),
     "no header": ("", "4 1,5 0,25\n"),
 }
 
@@ -233,6 +236,10 @@ def test_joint_maps(beeline, tmp_path):
     assert beeline("replay", "ur5e", "log.csv", "--joint-map", "none.json").code == 3
 
 
+READ_IN_RADIANS = ("beeline: warning: {} is read in radians: neither the names of its columns nor its values say that its angles are in "
+                   "degrees; --angle-unit deg reads degrees\n")
+
+
 def test_recordings_in_degrees(beeline, tmp_path):
     (tmp_path / "deg.csv").write_text(table(["t"] + JOINTS, motion(180 / math.pi)))
     (tmp_path / "rad.csv").write_text(table(["t"] + JOINTS, motion()))
@@ -244,7 +251,7 @@ def test_recordings_in_degrees(beeline, tmp_path):
     for found, row in zip(positions(tmp_path / "out.csv"), motion()):
         assert found == pytest.approx(row[1:], abs=1e-12)
     own = beeline("replay", "ur5e", "rad.csv", "--degrees", "--out", "out.csv")
-    assert own.code == 0 and not own.err
+    assert own.code == 0 and own.err == READ_IN_RADIANS.format("rad.csv")
     assert positions(tmp_path / "out.csv") == [row[1:] for row in motion()]
     assert beeline("diff", "ur5e", "deg.csv", "rad.csv", "--degrees", "--tolerance", "1e-12").code == 0
 
@@ -254,7 +261,8 @@ def test_joints_without_limits_may_turn_often(beeline, tmp_path):
     (tmp_path / "turns.csv").write_text("t,joint1,joint2\n0,0,0\n150,112,-20\n")
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "RR:1,1", "turns.csv", "--out", "out.csv", "--json", *options)
-        assert answer.json["status"] == "reached" and answer.json["unwrapped"] == [] and not answer.err
+        assert answer.json["status"] == "reached" and answer.json["unwrapped"] == []
+        assert answer.err == (READ_IN_RADIANS.format("turns.csv") if options else "")
         last = (tmp_path / "out.csv").read_text().splitlines()[-1].split(",")
         assert [float(value) for value in last[1:3]] == pytest.approx([112, -20])
 
@@ -264,7 +272,7 @@ def test_degrees_of_joints_without_limits_get_a_hint(beeline, tmp_path, rows):
     (tmp_path / "deg.csv").write_text("t,joint1,joint2\n" + rows)
     for options in ((), ("--degrees",)):
         hint = beeline("replay", "RR:1,1", "deg.csv", "--out", "out.csv", *options)
-        assert "rad, more than two revolutions, but degrees of one; the unit deg in a --joint-map file reads degrees" in hint.err
+        assert "rad, more than two revolutions, but degrees of one; --angle-unit deg reads degrees" in hint.err
     (tmp_path / "map.json").write_text('{"joint1": {"unit": "deg"}, "joint2": {"unit": "deg"}}')
     read = beeline("replay", "RR:1,1", "deg.csv", "--joint-map", "map.json", "--speed", "0.2", "--out", "out.csv")
     assert read.code == 0 and "degrees" not in read.err
@@ -276,7 +284,8 @@ def test_a_slow_recording_in_degrees_is_not_guessed(beeline, tmp_path):
     for options in ((), ("--degrees",)):
         answer = beeline("replay", "ur5e", "slow.csv", *options)
         assert answer.code == 1
-        assert "joint joint1 at 6.5 rad" in answer.err and "degrees" not in answer.err
+        assert "joint joint1 at 6.5 rad" in answer.err and "is read in degrees" not in answer.err
+        assert (READ_IN_RADIANS.format("slow.csv") in answer.err) == bool(options)
     (tmp_path / "map.json").write_text(json.dumps({name: {"unit": "deg"} for name in JOINTS}))
     assert beeline("replay", "ur5e", "slow.csv", "--joint-map", "map.json").code == 0
 
@@ -299,5 +308,11 @@ def test_millimetres_get_a_hint(beeline, tmp_path):
                     ("ik", "ur5e", "--pose", "400,200,300,3.1,0,0"), ("fk", "ur5e", "--q", "0,0,0,0,0,0", "--tcp", "0,0,100"),
                     ("draw", "ur5e", "rest.csv", "--through", "poses.csv", "--out", "o.svg")):
         assert "--millimetres reads millimetres" in beeline(*command).err, command
+    # Offsets count from their own frame, wherever the arm stands.
+    relative = "motion,relative,x,y,z,roll,pitch,yaw\nline,,100.4,0.2,0.3,3.1,0,0\nline,previous,{},0,0,0,0,0\n"
+    for offset, hinted in ((100, True), (-120, True), (0.1, False), (-0.05, False)):
+        (tmp_path / "program.csv").write_text(relative.format(offset))
+        answer = beeline("line", "ur5e", "--mount", "100,0,0", "--through", "program.csv", "--max-work", "1000")
+        assert (f"a position {abs(offset)} m away is far out of reach; --millimetres" in answer.err) == hinted
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n4,2,3,3.1,0,0\n")
     assert "millimetres" not in beeline("line", "ur5e", "--through", "poses.csv").err

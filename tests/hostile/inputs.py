@@ -80,6 +80,7 @@ diff rrr rrr.csv rrr.json
 diff rrr rrr.yaml rrr.csv --joint-map map.json
 retime ur5 log.txt --out out.yaml
 replay ur5 log.txt --time-unit ns --degrees
+replay ur5 log.txt --angle-unit deg --degrees
 export ur5 ur5_line.csv --as urscript --out out.script
 draw robot.urdf --tip gripper --out out.svg --q 0.1,0.2,0.1,0
 draw panda panda.csv --out out.svg
@@ -106,7 +107,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---joint-map --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
+--joint-map --angle-unit --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
 
 
 # Files that the command makes, by the command lines before --out.

@@ -222,7 +222,7 @@ def test_notes_of_recordings_are_data_and_warnings(tmp_path):
         recording = beeline.read_recording(path, arm)
     assert [note.kind for note in recording.notes] == ["times_since_1970", "likely_degrees"]
     epoch, degrees = recording.notes
-    assert epoch.columns == ["sec", "nanosec"] and epoch.unit == "s and ns" and epoch.path == str(path)
+    assert epoch.columns == ["sec", "nanosec"] and epoch.time_unit == "s" and epoch.joint_unit is None and epoch.path == str(path)
     assert degrees.joint == "joint1" and degrees.value == -91
     assert [warning.message.note for warning in issued] == recording.notes
     assert "count from the first sample" in str(issued[0].message)
@@ -239,6 +239,26 @@ def test_notes_of_recordings_are_data_and_warnings(tmp_path):
     assert np.allclose(given.trajectory.positions, detected.trajectory.positions, rtol=0, atol=1e-15)
     with pytest.raises(beeline.FileError, match="sec and nanosec are seconds and nanoseconds"):
         beeline.read_recording(path, arm, time_unit="ms")
+
+
+def test_units_in_names_of_columns(tmp_path, rng):
+    arm = beeline.Arm.from_string("RRR:1,1,1")
+    q = rng.uniform(-1, 1, (3, 3))
+    path = tmp_path / "log.csv"
+    given = beeline.Trajectory([f"{name}_deg" for name in arm.joint_names], range(3), q, 2 * q)
+    given.save(path)
+    for unit in ("radians", "degrees"):
+        with pytest.warns(beeline.RecordingWarning, match="are read in deg, as their names say"):
+            read = beeline.read_recording(path, arm, unit=unit)
+        (note,) = read.notes
+        assert note.kind == "named_unit" and note.joint_unit == "deg" and note.columns == given.joint_names
+        assert np.allclose(read.trajectory.positions, np.radians(q), rtol=0, atol=1e-15)
+        assert np.allclose(read.trajectory.velocities, np.radians(2 * q), rtol=0, atol=1e-15)
+    assert beeline.Trajectory.load(path) == given
+    beeline.Trajectory(arm.joint_names, range(3), q).save(path)
+    with pytest.warns(beeline.RecordingWarning, match='; unit="degrees" reads degrees'):
+        (note,) = beeline.read_recording(path, arm, detect_degrees=True).notes
+    assert note.kind == "read_in_radians"
 
 
 def test_wrapped_values_are_unwrapped():

@@ -151,6 +151,19 @@ TEST(PoseForm, OfNumbersWithoutNamesIsTheOneAskedFor) {
   EXPECT_REFUSED(pose_form_named("euler"), "unknown pose_form \"euler\"");
 }
 
+TEST(PoseForm, AMatrixColumnByColumnIsNamed) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(200); ++i) {
+    const Pose pose = random.pose();
+    const Eigen::Matrix<double, 3, 4> upper = pose.matrix().topRows<3>();
+    const std::span<const double> all(pose.matrix().data(), 16), twelve(upper.data(), 12);
+    for (const auto& numbers : {all, twelve}) {
+      EXPECT_REFUSED(pose_of(numbers),
+                     "these numbers are a pose column by column: write it row by");
+    }
+  }
+}
+
 TEST(PoseForm, DefectsOfMatricesAreNamed) {
   const auto read = [](const std::string& text) { return parse_pose(text); };
   EXPECT_REFUSED(read("1,0,0,0,0,1,0,0,0,0,-1,0"), "the determinant is -1");

@@ -65,6 +65,24 @@ TEST(ProgramRows, DialectsAreThoseOfPoses) {
   EXPECT_REFUSED(rows_of("motion,x,X,y\n"), "p.csv:1: column \"x\" is given twice");
 }
 
+TEST(ProgramRows, AViaRowNeedsNoOrientation) {
+  const std::pair<std::string, std::string> forms[] = {{"x,y,theta", "1,2,"},
+                                                       {"x,y,z,roll,pitch,yaw", "1,2,0,,,"},
+                                                       {"x,y,z,rx,ry,rz", "1,2,0,,,"},
+                                                       {"x,y,z,A,B,C", "1,2,0,,,"},
+                                                       {"x,y,z,qw,qx,qy,qz", "1,2,0,,,,"}};
+  for (const auto& [columns, items] : forms) {
+    const ProgramRows program = rows_of("motion," + columns + "\nvia," + items + "\n");
+    ASSERT_TRUE(program.rows.at(0).pose) << columns;
+    EXPECT_EQ(program.rows[0].pose->pose.translation(), Vector3(1, 2, 0)) << columns;
+    EXPECT_EQ(program.rows[0].pose->pose.linear(), Rotation::Identity()) << columns;
+    EXPECT_REFUSED(rows_of("motion," + columns + "\narc," + items + "\n"), "p.csv:2: column");
+  }
+  const std::string head = "motion,x,y,z,roll,pitch,yaw\n";
+  EXPECT_REFUSED(rows_of(head + "via,1,2,3,,0,0\n"), "p.csv:2: column roll");
+  EXPECT_REFUSED(rows_of(head + "via,1,,3,,,\n"), "p.csv:2: column y");
+}
+
 TEST(ProgramRows, MistakesAreNamedWithTheirLine) {
   const std::string head = "motion,relative,x,y,theta,speed\n";
   EXPECT_REFUSED(rows_of(head + "lin,,1,2,3,\n"), "p.csv:2: unknown motion \"lin\"");

@@ -163,6 +163,17 @@ TEST(NumberRows, RowsOfAnotherLengthAreRefused) {
                  "a.npy: has rows of 1 number; rows are a, b: one row is array.reshape(1, -1)");
 }
 
+TEST(NumberRows, ATransposedTableIsRefused) {
+  const TemporaryFolder folder;
+  internal::NpyWriter writer(folder.file("a.npy"), 5, false);
+  writer.write(Eigen::MatrixXd::Zero(5, 2));
+  writer.commit();
+  BadRows bad;
+  EXPECT_REFUSED(read_all(folder.file("a.npy"), ab, bad),
+                 "a.npy: has rows of 5 numbers; rows are a, b; if each column is a row, write "
+                 "array.T");
+}
+
 TEST(NumberRows, ALineWithoutEndIsRefused) {
   Sample sample;
   EXPECT_REFUSED(sample.parse("a,b\n1,2\n" + std::string(3 << 20, '1')),

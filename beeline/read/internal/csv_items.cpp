@@ -92,7 +92,8 @@ std::vector<std::string> csv_items(std::string_view line, char separator) {
 }
 
 std::string csv_name(const std::string& name) {
-  const bool plain = name.find_first_of(",; \t\"") == std::string::npos && !name.starts_with('#');
+  const bool plain = name.find_first_of(",; \t\"") == std::string::npos && !name.starts_with('#') &&
+                     !name.starts_with('%');
   if (plain) return name;
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);

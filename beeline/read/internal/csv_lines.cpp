@@ -2,11 +2,26 @@
 #include <cstring>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/read/internal/csv_lines.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/internal/text_encoding.h>
 
 namespace beeline::internal {
+namespace {
+
+/// The separator of a line `sep=;`, in any case; none in another line.
+std::optional<char> separator_given_by(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  constexpr std::string_view begin = "sep=";
+  if (line.size() != begin.size() + 1) return std::nullopt;
+  if (!same_ignoring_case(line.substr(0, begin.size()), begin)) return std::nullopt;
+  const char separator = line.back();
+  if (std::string_view(",;\t ").find(separator) == std::string_view::npos) return std::nullopt;
+  return separator;
+}
+
+}  // namespace
 
 CsvLines::CsvLines(std::string_view text, const std::string& path) : unread_(text_in(text, path)) {}
 
@@ -56,13 +71,15 @@ bool CsvLines::next_raw(std::string_view& line) {
 
 bool CsvLines::next(std::string_view& line) {
   while (next_raw(line)) {
+    if (number_ == 1 && (separator_ = separator_given_by(line))) continue;
     line = trimmed(line);
-    if (!line.empty() && line.front() != '#') {
+    const bool comment = line.starts_with('#') || line.starts_with('%');
+    if (!line.empty() && !comment) {
       in_front_ = false;
       return true;
     }
-    if (in_front_ && !line.empty()) {
-      const std::size_t text = line.find_first_not_of("# \t");
+    if (in_front_ && comment) {
+      const std::size_t text = line.find_first_not_of("#% \t");
       comment_ = text == std::string_view::npos ? std::string_view() : line.substr(text);
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,8 @@
 namespace beeline::internal {
 
 /// Iterates over the lines of a CSV text that hold data: skips empty lines, comments (lines that
-/// begin with #); removes blanks around each line. The text begins as text_in() describes. Its
+/// begin with # or %) and a first line `sep=;`, by which Excel knows the separator; removes blanks
+/// around each line. The text begins as text_in() describes. Its
 /// lines end in LF or CRLF, or all in CR.
 class CsvLines {
  public:
@@ -24,8 +26,10 @@ class CsvLines {
   /// Gets the next line, which is valid until the next call; returns false at the end.
   bool next(std::string_view& line);
   std::int64_t number() const { return number_; }  ///< of the line from next(), from 1
-  /// The last comment before the first line of data, without its #; empty if there is none.
+  /// The last comment before the first line of data, without its # or %; empty if there is none.
   const std::string& comment() const { return comment_; }
+  /// The separator that the first line gives, once a line has been read.
+  std::optional<char> separator() const { return separator_; }
 
  private:
   bool next_raw(std::string_view& line);
@@ -39,6 +43,7 @@ class CsvLines {
   char line_end_ = '\0';  ///< unknown before the first line
   std::int64_t number_ = 0;
   std::string comment_;
+  std::optional<char> separator_;
   bool in_front_ = true;  ///< no line of data has been returned
 };
 

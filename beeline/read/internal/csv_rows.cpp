@@ -156,16 +156,20 @@ CsvRows::CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms
 /// Decides whether the first line is a header. One of which some items are numbers is a row with a
 /// mistake where rows may have as many items.
 void CsvRows::read_columns(std::string_view first, const CsvForms& forms) {
-  separator_ = csv_separator(first);
+  separator_ = lines_.separator().value_or(csv_separator(first));
   const FirstLine items = first_line(first, separator_);
   check_column_count(items.count);
   const auto is_known = [&] {
     return forms.accepts != nullptr && forms.accepts(csv_items(first, separator_));
   };
   const bool names = !items.any_number && !items.all_numbers;
-  if (!names && !is_known()) {
+  const bool known = is_known();
+  if (!known && has_names_in_comment(items.count, forms)) {
     first_row_ = first;
-    if (has_names_in_comment(items.count, forms)) return;
+    return;
+  }
+  if (!names && !known) {
+    first_row_ = first;
     has_header_ = false;
     const Names* const form = form_of(items.count, forms.without_header);
     if (form != nullptr) {
@@ -181,10 +185,11 @@ void CsvRows::read_columns(std::string_view first, const CsvForms& forms) {
 
 bool CsvRows::has_names_in_comment(std::size_t count, const CsvForms& forms) {
   const std::string_view comment = lines_.comment();
-  if (forms.accepts == nullptr || comment.empty()) return false;
+  const auto& accepts = forms.accepts_comment ? forms.accepts_comment : forms.accepts;
+  if (accepts == nullptr || comment.empty()) return false;
   try {
     Names names = parse_header(comment, csv_separator(comment));
-    if (names.size() != count || !forms.accepts(names)) return false;
+    if (names.size() != count || !accepts(names)) return false;
     columns_ = std::move(names);
     return true;
   } catch (const Error&) {

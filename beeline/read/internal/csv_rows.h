@@ -20,15 +20,18 @@ struct CsvForms {
   std::vector<Names> without_header = {};
   /// Whether a table may have columns of these names; null: any names.
   std::function<bool(const Names&)> accepts = {};
+  /// The same of names in a comment; null: `accepts`.
+  std::function<bool(const Names&)> accepts_comment = {};
 };
 
 /// The reader of all CSV texts: a table of rows below a header of names, row by row.
 ///
 /// The items are separated as csv_separator() says of the first line. Unless commas separate them,
 /// numbers may have decimal commas, if all have. Items may be in double quotes. Blanks around
-/// items, CRLF, a byte order mark, empty lines and lines that begin with # are skipped. Where the
-/// first line is a row, the comment before it is the header if it has as many names and
-/// CsvForms::accepts them, as files of numpy.savetxt() have it. The memory is that of one line.
+/// items, CRLF, a byte order mark, empty lines, and lines that begin with # or % are skipped.
+/// Unless CsvForms::accepts the first line, the comment before it is the header if it has as many
+/// names and CsvForms::accepts_comment them, as files of numpy.savetxt() have it. The memory is
+/// that of one line.
 class CsvRows {
  public:
   using Names = CsvForms::Names;

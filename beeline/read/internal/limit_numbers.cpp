@@ -4,18 +4,20 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+#include <beeline/read/arm.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/text_fault.h>
 
 namespace beeline::internal {
 
-NumberFault read_limit(std::string_view text, double& value) {
+ElementFault read_limit(std::string_view text, double& value) {
   std::string_view digits = trimmed(text);
   const bool negative = digits.starts_with('-');
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::string lower = lower_case(digits.substr(0, 16));
-  if (lower == "nan" || lower == ".nan") return NumberFault::not_a_limit;
+  if (lower == "nan" || lower == ".nan") return ElementFault::not_a_limit;
   bool infinite = lower == "inf" || lower == "infinity" || lower == ".inf";
   if (!infinite) {
     const char* const last = digits.data() + digits.size();
@@ -25,13 +27,13 @@ NumberFault read_limit(std::string_view text, double& value) {
   }
   if (!infinite) return read_number(text, value);
   value = negative ? -infinity : infinity;
-  return NumberFault::none;
+  return ElementFault::none;
 }
 
 double parse_limit(std::string_view text, std::string_view what) {
   double value = 0;
-  const NumberFault fault = read_limit(text, value);
-  if (fault != NumberFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
+  const ElementFault fault = read_limit(text, value);
+  if (fault != ElementFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
   return value;
 }
 

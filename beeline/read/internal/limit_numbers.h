@@ -13,7 +13,7 @@ namespace beeline::internal {
 // limits that an Arm accepts stands for none.
 
 /// Parses a limit as parse_limit(). With a fault `value` is not defined.
-NumberFault read_limit(std::string_view text, double& value);
+ElementFault read_limit(std::string_view text, double& value);
 
 /// Parses a number as parse_number(), or an infinity: `inf`, `-Infinity`, `.inf` as in YAML,
 /// `1e999`. Throws Error, which begins with `what`, for anything else.

@@ -3,7 +3,9 @@
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
 #include <beeline/model/arm.h>
+#include <beeline/read/arm.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_fault.h>
 
 namespace beeline::internal {
 
@@ -50,34 +52,18 @@ std::string with_escaped_bytes(std::string_view text) {
   return escaped;
 }
 
-NameFault name_fault(std::string_view name) {
+ElementFault name_fault(std::string_view name) {
   constexpr std::size_t max_length = 1000;
-  if (name.empty()) return NameFault::empty;
-  if (name.size() > max_length) return NameFault::too_long;
-  if (!is_utf8(name)) return NameFault::not_utf8;
+  if (name.empty()) return ElementFault::empty_name;
+  if (name.size() > max_length) return ElementFault::long_name;
+  if (!is_utf8(name)) return ElementFault::not_utf8;
   const bool controls = std::any_of(name.begin(), name.end(), [](char c) { return is_control(c); });
-  return controls ? NameFault::control_character : NameFault::none;
-}
-
-std::string clause(NameFault fault, std::string_view name) {
-  switch (fault) {
-    case NameFault::empty:
-      return "is empty";
-    case NameFault::too_long:
-      return in_quotes(name) + " is longer than 1000 bytes";
-    case NameFault::not_utf8:
-      return in_quotes(name) + " is not UTF-8 text";
-    case NameFault::control_character:
-      return in_quotes(name) + " contains a control character";
-    case NameFault::none:
-      break;
-  }
-  return in_quotes(name) + " is a name";
+  return controls ? ElementFault::control_character : ElementFault::none;
 }
 
 void check_name(std::string_view name, std::string_view what) {
-  const NameFault fault = name_fault(name);
-  if (fault != NameFault::none) throw Error(std::string(what) + " " + clause(fault, name));
+  const ElementFault fault = name_fault(name);
+  if (fault != ElementFault::none) throw Error(std::string(what) + " " + clause(fault, name));
 }
 
 void check_names(const Arm& arm) {

@@ -5,7 +5,8 @@
 
 namespace beeline {
 class Arm;
-}
+enum class ElementFault;
+}  // namespace beeline
 
 namespace beeline::internal {
 
@@ -21,11 +22,8 @@ bool is_utf8(std::string_view text);
 /// Returns a text with each byte that is not UTF-8 written as `\xfc`.
 std::string with_escaped_bytes(std::string_view text);
 
-/// Why a text is no name of an arm, a joint or a link.
-enum class NameFault { none, empty, too_long, not_utf8, control_character };
-NameFault name_fault(std::string_view name);
-/// Returns the clause of a message: `"a b" contains a control character`.
-std::string clause(NameFault fault, std::string_view name);
+/// Returns why a text is no name of an arm, a joint or a link; `none` for a name.
+ElementFault name_fault(std::string_view name);
 
 /// Checks a name of an arm, a joint or a link: not empty, UTF-8, no control characters, at most
 /// 1000 bytes. Throws Error that begins with `what` otherwise.

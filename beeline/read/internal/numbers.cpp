@@ -3,8 +3,10 @@
 #include <fmt/compile.h>
 
 #include <beeline/error.h>
+#include <beeline/read/arm.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/text_fault.h>
 
 #include <fast_float/fast_float.h>
 
@@ -33,41 +35,22 @@ std::from_chars_result parse_double(const char* first, const char* last, double&
   return {end, overflow || underflow ? std::errc::result_out_of_range : std::errc()};
 }
 
-std::string clause(NumberFault fault, std::string_view text) {
-  const std::string shown = in_quotes(trimmed(text));
-  switch (fault) {
-    case NumberFault::missing:
-      return "a number is missing";
-    case NumberFault::not_a_number:
-      return shown + " is not a number";
-    case NumberFault::out_of_range:
-      return shown + " is out of the range of numbers, 1e-308 to 1e308";
-    case NumberFault::not_finite:
-      return shown + " must be finite";
-    case NumberFault::not_a_limit:
-      return shown + " is not a limit; a limit is a number, or inf for none";
-    case NumberFault::none:
-      break;
-  }
-  return shown + " is a number";
-}
-
-NumberFault read_number(std::string_view text, double& value) {
+ElementFault read_number(std::string_view text, double& value) {
   std::string_view digits = trimmed(text);
-  if (digits.empty()) return NumberFault::missing;
+  if (digits.empty()) return ElementFault::missing_number;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   const auto [end, fault] = parse_double(digits.data(), digits.data() + digits.size(), value);
   if (fault == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-    return NumberFault::not_a_number;
+    return ElementFault::not_a_number;
   }
-  if (fault == std::errc::result_out_of_range) return NumberFault::out_of_range;
-  return std::isfinite(value) ? NumberFault::none : NumberFault::not_finite;
+  if (fault == std::errc::result_out_of_range) return ElementFault::out_of_range;
+  return std::isfinite(value) ? ElementFault::none : ElementFault::not_finite;
 }
 
 double parse_number(std::string_view text, std::string_view what) {
   double value = 0;
-  const NumberFault fault = read_number(text, value);
-  if (fault != NumberFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
+  const ElementFault fault = read_number(text, value);
+  if (fault != ElementFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
   return value;
 }
 

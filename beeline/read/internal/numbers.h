@@ -5,6 +5,10 @@
 #include <string_view>
 #include <vector>
 
+namespace beeline {
+enum class ElementFault;
+}
+
 namespace beeline::internal {
 
 // Numbers to and from text, independent of the locale. libc++ 14 and Emscripten 3.1 lack
@@ -18,13 +22,9 @@ std::string_view trimmed(std::string_view text);
 /// underflows to zero, gives std::errc::result_out_of_range.
 std::from_chars_result parse_double(const char* first, const char* last, double& value);
 
-/// Why a text is no number that parse_number() or, for not_a_limit, parse_limit() accepts.
-enum class NumberFault { none, missing, not_a_number, out_of_range, not_finite, not_a_limit };
-/// Returns the clause of a message: `"abc" is not a number`.
-std::string clause(NumberFault fault, std::string_view text);
-
-/// Parses a number as parse_number(). With a fault `value` is not defined.
-NumberFault read_number(std::string_view text, double& value);
+/// Parses a number as parse_number(); returns why it is none, or `none`. With a fault `value` is
+/// not defined.
+ElementFault read_number(std::string_view text, double& value);
 
 /// Parses a finite number such as `1`, `-2.5`, `+.5` or `3e-1`; blanks around it are allowed.
 /// Throws Error, which begins with `what`, for anything else, for nan and inf, and for numbers

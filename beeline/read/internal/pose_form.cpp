@@ -53,7 +53,25 @@ Rotation rotation_in(PoseForm form, std::span<const double> v, AngleUnit unit) {
       RollPitchYaw{to_radians(v[0], unit), to_radians(v[1], unit), to_radians(v[2], unit)});
 }
 
-Pose pose_from_matrix(std::span<const double> v) {
+/// Whether the numbers are a rigid motion column by column, as libfranka and MATLAB write it.
+bool is_column_by_column(std::span<const double> v) {
+  Pose pose = Pose::Identity();
+  const std::size_t height = v.size() / 4;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    pose.matrix()(static_cast<Eigen::Index>(i % height), static_cast<Eigen::Index>(i / height)) =
+        v[i];
+  }
+  constexpr double rounding = 1e-6;
+  if (!pose.matrix().row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1), rounding)) return false;
+  try {
+    checked_pose(pose);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+Pose pose_row_by_row(std::span<const double> v) {
   Pose pose = Pose::Identity();
   for (std::size_t i = 0; i < 12; ++i) {
     pose.matrix()(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = v[i];
@@ -65,6 +83,16 @@ Pose pose_from_matrix(std::span<const double> v) {
                 number(v[14]) + ", " + number(v[15]) + "; it must be 0, 0, 0, 1");
   }
   return checked_pose(pose, "the matrix");
+}
+
+Pose pose_from_matrix(std::span<const double> v) {
+  try {
+    return pose_row_by_row(v);
+  } catch (const Error& error) {
+    if (!is_column_by_column(v)) throw;
+    throw Error(std::string(error.what()) +
+                "; these numbers are a pose column by column: write it row by row");
+  }
 }
 
 /// The number that is largest by magnitude.

@@ -73,15 +73,31 @@ std::optional<double> optional_number(internal::CsvRows& rows, const std::string
   return rows.number(item, column);
 }
 
+/// The number of leading columns of a form that give the position, if others give the orientation.
+std::size_t position_size(const internal::PoseColumns& form) {
+  if (!form.oriented || form.form == PoseForm::matrix) return form.names.size();
+  return form.planar ? 2 : 3;
+}
+
+/// Of a row whose orientation does not count, it may be empty: that of the frame.
 std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<std::string>& items,
                                    const ProgramColumns& columns, const Columns& header,
-                                   const PoseFormat& format) {
+                                   const PoseFormat& format, bool orientation_counts) {
   if (columns.form == nullptr) return std::nullopt;
   std::vector<double> numbers;
   const auto is_empty = [&](std::size_t i) { return items[i].empty(); };
   if (std::all_of(columns.pose.begin(), columns.pose.end(), is_empty)) return std::nullopt;
-  for (const std::size_t i : columns.pose) {
-    numbers.push_back(rows.number(items[i], header[i]));
+  const auto orientation =
+      columns.pose.begin() + static_cast<std::ptrdiff_t>(position_size(*columns.form));
+  const bool position_only =
+      !orientation_counts && std::all_of(orientation, columns.pose.end(), is_empty);
+  for (auto i = columns.pose.begin(); i != (position_only ? orientation : columns.pose.end());
+       ++i) {
+    numbers.push_back(rows.number(items[*i], header[*i]));
+  }
+  if (numbers.size() < columns.pose.size()) {
+    numbers.resize(columns.pose.size());
+    if (columns.form->form == PoseForm::quaternion) numbers[3] = 1;
   }
   WrittenPose written = internal::written_pose(numbers, *columns.form, format);
   written.pose = checked_pose(written.pose);
@@ -122,7 +138,7 @@ ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const 
   };
   ProgramRow row{.motion = text(0),
                  .relative = text(1),
-                 .pose = pose_in(rows, items, columns, header, format),
+                 .pose = pose_in(rows, items, columns, header, format, text(0) != "via"),
                  .q = text(2),
                  .speed = optional_number(rows, text(3), "speed"),
                  .blend = optional_number(rows, text(4), "blend"),

@@ -1,22 +1,18 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/name.h>
-#include <beeline/read/internal/numbers.h>
 #include <beeline/read/internal/read_fault.h>
 #include <beeline/read/internal/text_encoding.h>
+#include <beeline/read/internal/text_fault.h>
 
 namespace beeline::internal {
 namespace {
 
 constexpr const char* run_xacro = "; run xacro first and pass the URDF that it writes";
 
-std::string name_clause(const ReadWarning& fault, NameFault why) {
-  return fault.element + ": " + fault.attribute + " " + clause(why, fault.value);
-}
-
-std::string number_clause(const ReadWarning& fault, NumberFault why) {
+std::string number_clause(const ReadWarning& fault) {
   const bool macro =
       fault.value.find("${") != std::string::npos || fault.value.find("$(") != std::string::npos;
-  return fault.element + ": " + fault.attribute + ": " + clause(why, fault.value) +
+  return fault.element + ": " + fault.attribute + ": " + clause(fault.element_fault, fault.value) +
          (macro ? "; run xacro first" : "");
 }
 
@@ -30,11 +26,10 @@ std::string malformed_clause(const ReadWarning& fault) {
       return "joint " + in_quotes(fault.joint) + " needs a " +
              fault.element.substr(0, fault.element.size() - 1) + " link=...>";
     case ElementFault::empty_name:
-      return name_clause(fault, NameFault::empty);
     case ElementFault::long_name:
-      return name_clause(fault, NameFault::too_long);
     case ElementFault::control_character:
-      return name_clause(fault, NameFault::control_character);
+      return fault.element + ": " + fault.attribute + " " +
+             clause(fault.element_fault, fault.value);
     case ElementFault::not_utf8:
       return fault.element + ": " + fault.attribute + " " + in_quotes(fault.value) +
              " is not UTF-8 text, " + utf8_remedy;
@@ -42,15 +37,11 @@ std::string malformed_clause(const ReadWarning& fault) {
       return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
              " numbers; it must have three, as in \"0 0 1\"";
     case ElementFault::missing_number:
-      return number_clause(fault, NumberFault::missing);
     case ElementFault::not_a_number:
-      return number_clause(fault, NumberFault::not_a_number);
     case ElementFault::out_of_range:
-      return number_clause(fault, NumberFault::out_of_range);
     case ElementFault::not_finite:
-      return number_clause(fault, NumberFault::not_finite);
     case ElementFault::not_a_limit:
-      return number_clause(fault, NumberFault::not_a_limit);
+      return number_clause(fault);
   }
   return fault.element + " cannot be read";
 }

@@ -12,44 +12,6 @@ namespace beeline::internal {
 
 using tinyxml2::XMLElement;
 
-namespace {
-
-ElementFault element_fault(NameFault fault) {
-  switch (fault) {
-    case NameFault::none:
-      return ElementFault::none;
-    case NameFault::empty:
-      return ElementFault::empty_name;
-    case NameFault::too_long:
-      return ElementFault::long_name;
-    case NameFault::not_utf8:
-      return ElementFault::not_utf8;
-    case NameFault::control_character:
-      return ElementFault::control_character;
-  }
-  return ElementFault::none;
-}
-
-ElementFault element_fault(NumberFault fault) {
-  switch (fault) {
-    case NumberFault::none:
-      return ElementFault::none;
-    case NumberFault::missing:
-      return ElementFault::missing_number;
-    case NumberFault::not_a_number:
-      return ElementFault::not_a_number;
-    case NumberFault::out_of_range:
-      return ElementFault::out_of_range;
-    case NumberFault::not_finite:
-      return ElementFault::not_finite;
-    case NumberFault::not_a_limit:
-      return ElementFault::not_a_limit;
-  }
-  return ElementFault::none;
-}
-
-}  // namespace
-
 XmlError::XmlError(const ReadWarning& fault)
     : FileError(fault.path, fault.line, clause(fault)), fault(fault) {}
 
@@ -81,8 +43,8 @@ std::string XmlElements::needed_name(const XMLElement& element, const char* attr
 
 std::string XmlElements::checked_name(const XMLElement& element, const char* attribute,
                                       std::string name) const {
-  const NameFault fault = name_fault(name);
-  if (fault != NameFault::none) refuse(element, attribute, element_fault(fault), name);
+  const ElementFault fault = name_fault(name);
+  if (fault != ElementFault::none) refuse(element, attribute, fault, name);
   return name;
 }
 
@@ -130,8 +92,8 @@ double XmlElements::limit_or(const XMLElement& element, const char* attribute,
 double XmlElements::number(const XMLElement& element, const char* attribute, std::string_view text,
                            Read read) const {
   double value = 0;
-  const NumberFault fault = read(text, value);
-  if (fault != NumberFault::none) refuse(element, attribute, element_fault(fault), text);
+  const ElementFault fault = read(text, value);
+  if (fault != ElementFault::none) refuse(element, attribute, fault, text);
   return value;
 }
 

@@ -60,7 +60,7 @@ class XmlElements {
                   double otherwise) const;
 
  private:
-  using Read = NumberFault (*)(std::string_view text, double& value);
+  using Read = ElementFault (*)(std::string_view text, double& value);
   double number(const tinyxml2::XMLElement& element, const char* attribute, std::string_view text,
                 Read read) const;
 

@@ -88,6 +88,16 @@ std::optional<UnitEvidence> evidence_of_revolutions(const Arm& arm, const Trajec
   return evidence;
 }
 
+bool may_be_in_degrees(const Arm& arm, const Trajectory& recording, const JointMap& joint_map) {
+  bool any = false;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (slides(arm, k) || has_unit(joint_map, k)) continue;
+    if (!fits(recording, arm.limits(k), k, degree, Limits::none)) return false;
+    any = true;
+  }
+  return any;
+}
+
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map) {
   if (recording.size() == 0) return std::nullopt;

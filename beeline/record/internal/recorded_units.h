@@ -19,6 +19,10 @@ struct UnitEvidence {
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map);
 
+/// Whether the recording has angles whose unit the joint map does not give, and that, as degrees,
+/// exceed no limits by more than 0.05 rad.
+bool may_be_in_degrees(const Arm& arm, const Trajectory& recording, const JointMap& joint_map);
+
 /// Returns the evidence that the values of joints without two limits, such as 170 and -95, are in
 /// degrees: one is more than two revolutions as radians, all are at most one as degrees, and as
 /// radians the joint either stays beyond a revolution or, if there are times, exceeds its velocity

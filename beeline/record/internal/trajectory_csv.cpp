@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include <beeline/read/internal/csv_rows.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/record/internal/rate_columns.h>
 #include <beeline/record/internal/recordable.h>
 #include <beeline/record/internal/time_column.h>
 #include <beeline/record/internal/trajectory_csv.h>
@@ -17,73 +17,27 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::string_view velocity_suffix = "_vel";
-constexpr std::string_view acceleration_suffix = "_acc";
-
 using Indices = std::vector<std::size_t>;
-using Columns = std::unordered_map<std::string, std::size_t>;
-
-bool ends_with_ignoring_case(std::string_view text, std::string_view suffix) {
-  return text.size() >= suffix.size() &&
-         same_ignoring_case(text.substr(text.size() - suffix.size()), suffix);
-}
-
-/// Returns the joint whose velocity or acceleration the column would be; empty for a name without
-/// suffix.
-std::string joint_of_rate(const std::string& column) {
-  for (const std::string_view suffix : {velocity_suffix, acceleration_suffix}) {
-    if (ends_with_ignoring_case(column, suffix)) {
-      return column.substr(0, column.size() - suffix.size());
-    }
-  }
-  return {};
-}
-
-/// Returns the header with the suffixes of velocities and accelerations in lower case.
-std::vector<std::string> with_known_suffixes(std::vector<std::string> header) {
-  std::unordered_set<std::string> names(header.begin(), header.end());
-  for (std::string& name : header) {
-    const std::string joint = joint_of_rate(name);
-    if (joint.empty() || !names.contains(joint)) continue;
-    const std::string known = joint + lower_case(name.substr(joint.size()));
-    if (names.insert(known).second) name = known;
-  }
-  return header;
-}
-
-/// Returns the columns of the joints' names with this suffix: one for every joint, or none.
-Indices rate_columns(const std::vector<std::string>& joints, const Columns& columns,
-                     std::string_view suffix) {
-  Indices indices;
-  std::string missing;
-  for (const std::string& joint : joints) {
-    const auto found = columns.find(joint + std::string(suffix));
-    if (found != columns.end()) {
-      indices.push_back(found->second);
-    } else if (missing.empty()) {
-      missing = joint + std::string(suffix);
-    }
-  }
-  if (!indices.empty() && !missing.empty()) {
-    throw Error("column " + in_quotes(missing) + " is missing; all joints have " +
-                std::string(suffix) + " columns, or none has");
-  }
-  return indices;
-}
+using Columns = ColumnIndex;
 
 /// Appends the row's values in these columns, if there are any.
 void append_values(const std::vector<double>& row, const Indices& columns,
-                   std::vector<Configuration>& values) {
+                   const std::vector<double>& factors, std::vector<Configuration>& values) {
   if (columns.empty()) return;
   Configuration& last = values.emplace_back(static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    last[static_cast<Eigen::Index>(k)] = row[columns[k]];
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const double value = row[columns[k]];
+    last[static_cast<Eigen::Index>(k)] = factors.empty() ? value : factors[columns[k]] * value;
+  }
 }
 
 /// Which columns hold what.
 struct Layout {
   std::optional<TimeColumns> times;
   Indices positions = {}, velocities = {}, accelerations = {};
+  /// What the values of each column are multiplied by: of rates that have another unit than their
+  /// joint. Empty: 1.
+  std::vector<double> factors = {};
 };
 
 /// Throws Error for a time unit where the table's columns give another one, or there are no times.
@@ -124,11 +78,8 @@ class RowTimes {
     RecordingNote note{.kind = RecordingNoteKind::times_since_1970,
                        .path = path,
                        .columns = {column},
-                       .unit = name(unit_)};
-    if (columns_->nanoseconds) {
-      note.columns.push_back(rows_.columns()[*columns_->nanoseconds]);
-      note.unit += " and " + name(TimeUnit::nanoseconds);
-    }
+                       .time_unit = unit_};
+    if (columns_->nanoseconds) note.columns.push_back(rows_.columns()[*columns_->nanoseconds]);
     notes.push_back(note);
   }
 
@@ -159,9 +110,9 @@ void append_row(const std::vector<double>& row, double time, const Layout& layou
                 exact(trajectory.times.back()) + "; times must increase");
   }
   trajectory.times.push_back(time);
-  append_values(row, layout.positions, trajectory.positions);
-  append_values(row, layout.velocities, trajectory.velocities);
-  append_values(row, layout.accelerations, trajectory.accelerations);
+  append_values(row, layout.positions, layout.factors, trajectory.positions);
+  append_values(row, layout.velocities, layout.factors, trajectory.velocities);
+  append_values(row, layout.accelerations, layout.factors, trajectory.accelerations);
 }
 
 /// Refuses names that would read back as other columns.
@@ -216,39 +167,73 @@ std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
   return times;
 }
 
-/// Reads the header of a trajectory, whose joints' names are `names` then.
-Layout layout_of(CsvRows& rows, const TableOptions& options, std::vector<std::string>& names) {
-  const std::vector<std::string> header = with_known_suffixes(rows.columns());
+/// The indices of the columns of quantities: all but those of times and of texts, which the rows
+/// ignore.
+Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
+                         const std::optional<TimeColumns>& times) {
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
-  Layout layout{.times = times_in(header, options)};
-  check_time_unit(layout, options, header);
-  if (!layout.times && options.needs_times) {
-    throw Error(
-        "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
-        "with a unit as in time_ms");
-  }
-  if (layout.times) {
-    columns.erase(header[layout.times->index]);
-    if (layout.times->nanoseconds) columns.erase(header[*layout.times->nanoseconds]);
-    for (const std::size_t i : layout.times->others) columns.erase(header[i]);
+  if (times) {
+    columns.erase(header[times->index]);
+    if (times->nanoseconds) columns.erase(header[*times->nanoseconds]);
+    for (const std::size_t i : times->others) columns.erase(header[i]);
   }
   // Beside a column `t`, as in files of this library, all columns are joints.
-  const bool may_have_texts = layout.times && header[layout.times->index] != "t";
+  const bool may_have_texts = times && header[times->index] != "t";
   std::vector<bool> texts(header.size());
   for (std::size_t i = 0; i < header.size(); ++i) {
     texts[i] = may_have_texts && has_texts(header[i]);
     if (texts[i]) columns.erase(header[i]);
   }
   rows.ignore(std::move(texts));
+  return columns;
+}
+
+/// Gives each joint one unit: the one of its positions, else of its rates, which are converted to
+/// it.
+void use_one_unit(Layout& layout, std::vector<std::optional<JointUnit>>& units) {
+  for (std::size_t k = 0; k < layout.positions.size(); ++k) {
+    std::optional<JointUnit>& unit = units[layout.positions[k]];
+    for (const Indices* rates : {&layout.velocities, &layout.accelerations}) {
+      if (rates->empty()) continue;
+      const std::optional<JointUnit> own = units[(*rates)[k]];
+      if (!unit) unit = own;
+      if (!own || own == unit) continue;
+      layout.factors.resize(units.size(), 1);
+      layout.factors[(*rates)[k]] = si_per(*own) / si_per(*unit);
+    }
+  }
+}
+
+/// Reads the header of a trajectory, whose joints' columns are `joints` then.
+Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& joints) {
+  const bool has_arm = !options.joint_names.empty();
+  RecordedColumns all{rows.columns(), rows.columns()};
+  all.units.resize(all.names.size());
+  if (has_arm) all = columns_in_units(rows.columns(), options.joint_names);
+  std::vector<std::string> header = with_known_suffixes(all.names);
+  Layout layout{.times = times_in(rows.columns(), options)};
+  check_time_unit(layout, options, rows.columns());
+  if (!layout.times && options.needs_times) {
+    throw Error(
+        "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
+        "with a unit as in time_ms");
+  }
+  Columns columns = quantity_columns(rows, header, layout.times);
+  if (has_arm) rename_rates(header, columns, options.joint_names);
   layout.positions = position_columns(header, columns);
   if (layout.positions.empty()) {
     throw Error("there are no columns besides " +
                 in_quotes(header[layout.times ? layout.times->index : 0]));
   }
-  for (const std::size_t i : layout.positions) names.push_back(header[i]);
-  layout.velocities = rate_columns(names, columns, velocity_suffix);
-  layout.accelerations = rate_columns(names, columns, acceleration_suffix);
+  for (const std::size_t i : layout.positions) joints.names.push_back(header[i]);
+  layout.velocities = rate_columns(joints.names, columns, velocity_suffix);
+  layout.accelerations = rate_columns(joints.names, columns, acceleration_suffix);
+  use_one_unit(layout, all.units);
+  for (const std::size_t i : layout.positions) {
+    joints.given.push_back(all.given[i]);
+    joints.units.push_back(all.units[i]);
+  }
   return layout;
 }
 
@@ -271,10 +256,21 @@ void append(std::string& text, const Configuration& values) {
   for (const double value : values) text += ',' + exact(value);
 }
 
-Recording recording_from_lines(CsvLines& lines, const std::string& path,
-                               const TableOptions& options) {
-  CsvRows rows(lines, path, {forms_of(options), names_times});
-  Recording recording;
+/// Whether the names in a comment may be a header.
+bool is_header(const std::vector<std::string>& names, const TableOptions& options) {
+  if (options.needs_times && !names_times(names)) return false;
+  return options.is_header ? options.is_header(names) : names_times(names);
+}
+
+TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
+                                    const TableOptions& options) {
+  CsvRows rows(
+      lines, path,
+      {.without_header = forms_of(options),
+       .accepts = names_times,
+       .accepts_comment = [&options](const auto& names) { return is_header(names, options); }});
+  TableRecording table;
+  Recording& recording = table.recording;
   Trajectory& trajectory = recording.trajectory;
   if (!rows.has_header()) {
     recording.notes.push_back(
@@ -282,7 +278,8 @@ Recording recording_from_lines(CsvLines& lines, const std::string& path,
   }
   int line = 0;
   try {
-    const Layout layout = layout_of(rows, options, trajectory.joint_names);
+    const Layout layout = layout_of(rows, options, table.columns);
+    trajectory.joint_names = table.columns.names;
     recording.has_times = layout.times.has_value();
     recording.in_time_unit =
         options.time_unit && layout.times &&
@@ -301,25 +298,25 @@ Recording recording_from_lines(CsvLines& lines, const std::string& path,
   } catch (const Error& error) {
     throw FileError(path, line, error.what());
   }
-  return recording;
+  return table;
 }
 
 }  // namespace
 
-Recording recording_from_csv(std::string_view text, const std::string& path,
-                             const TableOptions& options) {
+TableRecording recording_from_csv(std::string_view text, const std::string& path,
+                                  const TableOptions& options) {
   CsvLines lines(text, path);
   return recording_from_lines(lines, path, options);
 }
 
-Recording recording_from_csv(InputFile& file, const TableOptions& options) {
+TableRecording recording_from_csv(InputFile& file, const TableOptions& options) {
   constexpr std::size_t max_line = std::size_t{4} << 20;  // 100 000 columns
   CsvLines lines(file, max_line);
   return recording_from_lines(lines, file.path(), options);
 }
 
 Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
-  return recording_from_csv(text, path).trajectory;
+  return recording_from_csv(text, path).recording.trajectory;
 }
 
 std::string trajectory_to_csv(const Trajectory& trajectory) {

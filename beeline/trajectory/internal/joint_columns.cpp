@@ -13,30 +13,70 @@ namespace {
 using Names = std::vector<std::string>;
 using Index = std::unordered_map<std::string, Eigen::Index>;
 
-/// Endings of columns of one quantity, as tables of ROS's joint states have them. A velocity has
-/// the ending at the same place.
+/// Words of columns of one quantity, as tables of ROS's joint states have them: the position, the
+/// velocity and the acceleration.
+constexpr std::string_view quantity_words[][3] = {{"position", "velocity", "acceleration"},
+                                                  {"positions", "velocities", "accelerations"},
+                                                  {"pos", "vel", "acc"}};
+
+/// What may stand behind the name of a joint in that of a column of positions.
 constexpr const char* position_endings[] = {"", "/position", ".position", "_position", "_pos"};
-constexpr const char* velocity_endings[] = {"", "/velocity", ".velocity", "_velocity", "_vel"};
-constexpr const char* acceleration_endings[] = {"", "/acceleration", ".acceleration",
-                                                "_acceleration", "_acc"};
 
 /// The texts before and behind each name of a naming that make the names of columns.
 struct Affixes {
-  const Names* naming = nullptr;
   std::string front;
   std::size_t ending = 0;
   std::vector<Eigen::Index> columns;
 };
 
-/// The lists of names that the arm's joints have: its own, and those of the maker.
-std::vector<Names> namings_of(const Arm& arm) {
-  std::vector<Names> namings{arm.joint_names()};
-  for (const BuiltInArm& about : built_in_arms()) {
-    if (about.name != arm.name()) continue;
-    if (built_in(about.name).joint_names() != namings.front()) continue;
-    namings.insert(namings.end(), about.joint_names.begin(), about.joint_names.end());
+/// Whether characters i to end of the name are a word of it.
+bool is_word(std::string_view name, std::size_t i, std::size_t end) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return (i == 0 || !is_letter(name[i - 1])) && (end == name.size() || !is_letter(name[end]));
+}
+
+/// The name with the last word `from` replaced; none if it does not have this word.
+std::optional<std::string> with_word(const std::string& name, std::string_view from,
+                                     std::string_view to) {
+  for (std::size_t i = name.rfind(from); i != std::string::npos; i = name.rfind(from, i - 1)) {
+    if (is_word(name, i, i + from.size())) return std::string(name).replace(i, from.size(), to);
+    if (i == 0) break;
   }
-  return namings;
+  return std::nullopt;
+}
+
+bool says_position(const std::string& text) {
+  return std::any_of(
+      std::begin(quantity_words), std::end(quantity_words),
+      [&text](const auto& words) { return with_word(text, words[0], "").has_value(); });
+}
+
+/// The columns of velocities, 1, or accelerations, 2, beside columns of positions with these names;
+/// none if one is missing.
+std::vector<Eigen::Index> rates_beside(const Names& positions, int quantity, const Index& index) {
+  for (const auto& from : quantity_words) {
+    for (const auto& to : quantity_words) {
+      std::vector<Eigen::Index> columns;
+      for (const std::string& position : positions) {
+        const auto name = with_word(position, from[0], to[quantity]);
+        const auto found = name ? index.find(*name) : index.end();
+        if (found == index.end()) break;
+        columns.push_back(found->second);
+      }
+      if (columns.size() == positions.size()) return columns;
+    }
+  }
+  return {};
+}
+
+/// Adds the columns of rates that stand beside those of the positions.
+void add_rates(const Names& names, const Index& index, JointColumns& columns) {
+  Names positions;
+  for (const Eigen::Index i : columns.positions) {
+    positions.push_back(names[static_cast<std::size_t>(i)]);
+  }
+  columns.velocities = rates_beside(positions, 1, index);
+  if (!columns.velocities.empty()) columns.accelerations = rates_beside(positions, 2, index);
 }
 
 /// The columns front + name + ending of all names; none if one is missing.
@@ -62,7 +102,7 @@ void find_affixes(const Names& names, const Index& index, const Names& naming,
       auto columns = columns_of(index, naming, front, position_endings[e]);
       const auto is_same = [&](const Affixes& other) { return other.columns == columns; };
       if (columns && std::none_of(found.begin(), found.end(), is_same)) {
-        found.push_back({&naming, front, e, std::move(*columns)});
+        found.push_back({front, e, std::move(*columns)});
       }
     }
   }
@@ -73,9 +113,10 @@ std::vector<Affixes> affixes_in(const Names& names, const Index& index,
                                 const std::vector<Names>& namings) {
   std::vector<Affixes> found;
   for (const Names& naming : namings) find_affixes(names, index, naming, found);
-  // Without an ending all columns are joints, so that another one is a joint too many.
+  // If the names do not say that they are of positions, another column is a joint too many.
   std::erase_if(found, [&](const Affixes& affixes) {
-    return affixes.ending == 0 && names.size() != affixes.naming->size();
+    return affixes.ending == 0 && names.size() != affixes.columns.size() &&
+           !says_position(affixes.front);
   });
   return found;
 }
@@ -108,6 +149,21 @@ Names lower_case(Names names) {
   throw Error(text);
 }
 
+/// The column of a name: upper and lower case are alike, except between names that differ only in
+/// it.
+Eigen::Index column_named(const std::string& name, const Names& names, const Index& index) {
+  const auto exact = index.find(name);
+  if (exact != index.end()) return exact->second;
+  std::optional<Eigen::Index> found;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!same_ignoring_case(names[i], name)) continue;
+    if (found) throw unknown_name("joint of the joint_map", name, names);
+    found = static_cast<Eigen::Index>(i);
+  }
+  if (!found) throw unknown_name("joint of the joint_map", name, names);
+  return *found;
+}
+
 JointColumns mapped_columns(const Arm& arm, const Names& names, const Index& index,
                             const JointMap& joint_map) {
   JointColumns columns;
@@ -117,19 +173,40 @@ JointColumns mapped_columns(const Arm& arm, const Names& names, const Index& ind
                 listed(arm.joint_names()));
   }
   for (const MappedJoint& joint : joint_map) {
-    const auto found = index.find(joint.name);
-    if (found == index.end()) {
-      throw unknown_name("joint of the joint_map", joint.name, names);
-    }
-    if (std::count(columns.positions.begin(), columns.positions.end(), found->second) > 0) {
+    const Eigen::Index column = column_named(joint.name, names, index);
+    if (std::count(columns.positions.begin(), columns.positions.end(), column) > 0) {
       throw Error("the joint_map gives " + joint.name + " to two joints");
     }
-    columns.positions.push_back(found->second);
+    columns.positions.push_back(column);
   }
+  add_rates(names, index, columns);
   return columns;
 }
 
 }  // namespace
+
+std::vector<Names> joint_namings(const Arm& arm) {
+  std::vector<Names> namings{arm.joint_names()};
+  for (const BuiltInArm& about : built_in_arms()) {
+    if (about.name != arm.name()) continue;
+    if (built_in(about.name).joint_names() != namings.front()) continue;
+    namings.insert(namings.end(), about.joint_names.begin(), about.joint_names.end());
+  }
+  return namings;
+}
+
+bool names_all_joints(const Arm& arm, const Names& columns) {
+  const Names lower = lower_case(columns);
+  const std::vector<Names> namings = joint_namings(arm);
+  return std::any_of(namings.begin(), namings.end(), [&lower](const Names& naming) {
+    return std::all_of(naming.begin(), naming.end(), [&lower](const std::string& joint) {
+      const std::string wanted = internal::lower_case(joint);
+      return std::any_of(lower.begin(), lower.end(), [&wanted](const std::string& column) {
+        return column.find(wanted) != std::string::npos;
+      });
+    });
+  });
+}
 
 JointColumns joint_columns(const Arm& arm, const Names& names, const JointMap& joint_map) {
   const Names own = arm.joint_names();
@@ -138,25 +215,20 @@ JointColumns joint_columns(const Arm& arm, const Names& names, const JointMap& j
     for (Eigen::Index k = 0; k < arm.dof(); ++k) same.positions.push_back(k);
     return same;
   }
-  Index index = index_of(names);
+  Names known = names;
+  Index index = index_of(known);
   if (!joint_map.empty()) return mapped_columns(arm, names, index, joint_map);
-  std::vector<Names> namings = namings_of(arm);
-  std::vector<Affixes> found = affixes_in(names, index, namings);
+  std::vector<Names> namings = joint_namings(arm);
+  std::vector<Affixes> found = affixes_in(known, index, namings);
   if (found.empty()) {
-    const Names lower = lower_case(names);
-    index = index_of(lower);
+    known = lower_case(names);
+    index = index_of(known);
     for (Names& naming : namings) naming = lower_case(naming);
-    if (index.size() == names.size()) found = affixes_in(lower, index, namings);
+    if (index.size() == names.size()) found = affixes_in(known, index, namings);
   }
   if (found.size() != 1) refuse_names(arm, names);
-  const auto& [naming, front, ending, positions] = found.front();
-  JointColumns columns{positions, {}, {}};
-  if (ending == 0) return columns;
-  const auto rates = [&, &naming = naming, &front = front](const char* behind) {
-    return columns_of(index, *naming, front, behind).value_or(std::vector<Eigen::Index>());
-  };
-  columns.velocities = rates(velocity_endings[ending]);
-  if (!columns.velocities.empty()) columns.accelerations = rates(acceleration_endings[ending]);
+  JointColumns columns{found.front().columns, {}, {}};
+  add_rates(known, index, columns);
   return columns;
 }
 

@@ -14,6 +14,12 @@ struct JointColumns {
   std::vector<Eigen::Index> velocities, accelerations;  ///< empty where there are none
 };
 
+/// The lists of names that an arm's joints have: its own, and, of a built-in arm, the makers'.
+std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
+
+/// Whether each joint of one of these lists is part of the name of a column, in any case.
+bool names_all_joints(const Arm& arm, const std::vector<std::string>& columns);
+
 /// Finds them by the names that matched_to() describes, or by the joint map, unless it is empty.
 /// Throws Error for joints that are missing, or that the arm does not have.
 JointColumns joint_columns(const Arm& arm, const std::vector<std::string>& names,
