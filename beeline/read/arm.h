@@ -32,6 +32,14 @@ enum class ReadWarningKind {
   cycle,               ///< `joint` closes a cycle at `link`
   repeated_name,       ///< the name of `joint` or `link` is given twice
   unconnected_link,    ///< no joint connects `link`
+  unknown_type,        ///< the type `value` of `joint` is not one of URDF
+  zero_axis,           ///< the axis of `joint`, `numbers`, has no direction
+  limits_reversed,     ///< the lower limit of `joint` exceeds the upper one: `numbers`
+  velocity_limit,      ///< the velocity limit of `joint`, `numbers`, is below Limits::min_rate
+  unknown_leader,      ///< `joint` mimics the joint `value`, which is not in the file; `others` are
+                       ///< the known joints, none if there are more than 10,000
+  leader_cycle,        ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
+                       ///< other
   further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
@@ -65,6 +73,7 @@ struct ReadWarning {
   std::string element = {};                         ///< its tag, such as <xacro:include>
   ElementFault element_fault = ElementFault::none;  ///< of a malformed element
   std::string attribute = {}, value = {};           ///< of a malformed element
+  std::vector<double> numbers = {};                 ///< of the joint
   std::size_t count = 0;
 };
 

@@ -36,7 +36,9 @@ namespace beeline {
 ///   - Frames are the file's: each joint moves the frame of its child link (on the way up, of its
 ///     parent link), named in Joint::link.
 ///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
-///     connected, names given twice, elements of xacro. Without `ends.tip`, a
+///     connected, names given twice, elements of xacro, and joints with an unknown type, an axis
+///     without direction, a lower limit that exceeds the upper one, a velocity limit that is too
+///     small, or a leader that the file does not have. Without `ends.tip`, a
 ///     joint that moves and is not connected is refused if the chain may have lost it: the name of
 ///     its parent resembles that of a link, or as many joints move below it as on the chain.
 /// Throws FileError for text that is not URDF; several roots or tips without a choice by `ends`; a

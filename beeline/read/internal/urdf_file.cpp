@@ -7,6 +7,7 @@
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/internal/urdf_joint_faults.h>
 #include <beeline/read/internal/xml.h>
 #include <beeline/read/internal/xml_elements.h>
 
@@ -200,6 +201,12 @@ bool is_free(const UrdfFile::Joint& joint) {
   return joint.type == "floating" || joint.type == "planar";
 }
 
+const std::vector<std::string>& urdf_joint_types() {
+  static const std::vector<std::string> types{"fixed",     "revolute", "continuous",
+                                              "prismatic", "planar",   "floating"};
+  return types;
+}
+
 UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   const XmlElements elements(path);
   tinyxml2::XMLDocument document;
@@ -218,6 +225,7 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   for (const XMLElement* at = robot->FirstChildElement(); at; at = at->NextSiblingElement()) {
     reader.read(*at);
   }
+  find_joint_faults(file);
   return file;
 }
 

@@ -160,7 +160,8 @@ UrdfTree::Tip UrdfTree::tip(const std::string& name, std::size_t base) const {
   };
   if (!one_body && tool == ends.end()) {
     refuse("has " + std::to_string(ends.size()) + " tips " + (below ? "below " : "beyond ") +
-           name_of(base) + "; choose one as the tip: " + listed(names()) + before_gripper(ends));
+           name_of(base) + "; choose one as the tip: " + listed(names()) +
+           before_gripper(ends, base));
   }
   Tip tip{.link = (tool == ends.end() ? ends.front() : *tool).link};
   if (ends.size() == 1) return tip;
