@@ -112,11 +112,11 @@ bool is_fault(const ReadWarning& warning) {
 }
 
 std::string name(ElementFault fault) {
-  constexpr const char* names[] = {"none",         "missing_attribute", "missing_end",
-                                   "empty_name",   "long_name",         "control_character",
-                                   "not_utf8",     "not_three_numbers", "missing_number",
-                                   "not_a_number", "out_of_range",      "not_finite",
-                                   "not_a_limit"};
+  constexpr const char* names[] = {
+      "none",           "missing_attribute", "missing_end",     "empty_name",
+      "long_name",      "control_character", "not_utf8",        "not_three_numbers",
+      "missing_number", "not_a_number",      "out_of_range",    "not_finite",
+      "not_a_limit",    "not_four_numbers",  "not_unit_length", "two_orientations"};
   return names[static_cast<int>(fault)];
 }
 

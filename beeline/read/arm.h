@@ -58,7 +58,10 @@ enum class ElementFault {
   not_a_number,       ///< `value`, of `attribute`, is not a number
   out_of_range,       ///< the number `value` of `attribute` exceeds the range of numbers
   not_finite,         ///< the number `value` of `attribute` is not finite
-  not_a_limit         ///< the limit `value` of `attribute` is NaN
+  not_a_limit,        ///< the limit `value` of `attribute` is NaN or a word
+  not_four_numbers,   ///< `attribute`, a quaternion, has `count` numbers
+  not_unit_length,    ///< the quaternion `value` of `attribute` does not have length 1
+  two_orientations    ///< it has `attribute` and rpy
 };
 std::string name(ElementFault fault);
 

@@ -24,6 +24,7 @@ namespace beeline {
 ///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
 ///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
 ///     on the chain.
+///   - The orientation of an `<origin>` is `rpy`, or the quaternion `quat_xyzw` of URDF 1.2.
 ///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
 ///     ignored. Infinities and position limits beyond 1e6 rad or m stand for no limit.
 ///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on

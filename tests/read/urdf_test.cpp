@@ -297,7 +297,7 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "<origin>: rpy: \"2x\" is not a number");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"0 1 nan\"/>")), "must be finite");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"low\"/>")),
-                 "a.urdf:4: <limit>: lower: \"low\" is not a number");
+                 "a.urdf:4: <limit>: lower: \"low\" is not a limit; a limit is a number, or inf");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic joint=\"j\"/>")),

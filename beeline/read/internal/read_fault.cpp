@@ -53,6 +53,14 @@ std::string malformed_clause(const ReadWarning& fault) {
       return number_clause(fault, NumberFault::not_finite);
     case ElementFault::not_a_limit:
       return number_clause(fault, NumberFault::not_a_limit);
+    case ElementFault::not_four_numbers:
+      return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
+             " numbers; it must have four, x y z w";
+    case ElementFault::not_unit_length:
+      return fault.element + ": the quaternion " + fault.attribute + " " + in_quotes(fault.value) +
+             " does not have length 1";
+    case ElementFault::two_orientations:
+      return fault.element + ": has both rpy and " + fault.attribute + "; write one of them";
   }
   return fault.element + " cannot be read";
 }

@@ -81,6 +81,7 @@ class UrdfTree {
   void break_cycles();
   void find_moving_faults();
   bool misspelt(const std::string& name) const;
+  bool parts_tree(const UrdfFault& fault) const;
   const UrdfFault* cause_of_gap(std::size_t base, std::size_t tip) const;
   Indices links_below(Indices from) const;
   std::vector<End> moved_ends(std::size_t base, Way way) const;
