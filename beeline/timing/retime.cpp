@@ -151,6 +151,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
                              options.speed_scale, options.tool_speed, budget);
     if (!budget.complete() && !path.scaling) break;
     timed.reason = path.scaling.reason;
+    if (path.outside_between_samples) timed.reason += "; samples closer together would guide it";
     if (!timed) return timed;
     budget.report(fraction(0.5));
     const internal::SampledSection sampled = internal::sample_section(arm, path, section);

@@ -9,6 +9,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
+#include <beeline/planning/internal/singular_joint.h>
 
 namespace beeline::internal {
 namespace {
@@ -66,14 +67,16 @@ Probe probe(const Arm& arm, const Segment& segment, const Task& task, const Conf
 }
 
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
-/// no solution exists; then poses farther ahead are tried.
+/// no solution exists; then poses farther ahead are tried. Next to a singularity it may miss the
+/// solution by rounding; then one that is found farther ahead counts.
 Probe solve_ahead(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
-                  double s, const Budget& budget) {
+                  double s, bool singular, const Budget& budget) {
   const double unit = longest_probed(arm, segment);
   std::optional<Probe> found;
   for (const double ahead : {1e-3, 1e-2, 1e-1}) {
     Probe next = probe(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
-    if (!found || is_unreachable(next.answer)) found = std::move(next);
+    const bool solved = singular && next.answer.status == InverseStatus::solved;
+    if (!found || solved || is_unreachable(next.answer)) found = std::move(next);
     if (found->answer.status != InverseStatus::not_found) break;
   }
   return *found;
@@ -109,6 +112,24 @@ std::string unreachable_text(const Segment& segment, const Probe& ahead, const P
          (rotations_help ? ", a task that leaves rotations free may" : "");
 }
 
+/// Whether the fraction s of the segment is its beginning, up to a thousandth of the arm's size.
+bool is_beginning(const Arm& arm, const Segment& segment, double s) {
+  constexpr double nearby = 1e-3;
+  return s * weighted_length(segment) <= nearby * unit_of_length(arm);
+}
+
+/// Why a segment cannot begin with a configuration at which the arm is singular.
+std::string singular_start_text(const Arm& arm, const Task& task, const Configuration& q) {
+  const std::optional<int> k = singular_joint(arm, task, q);
+  const std::string direction =
+      "so the tool can leave it in this direction only with a jump of the joints";
+  if (!k) return "the arm is singular at this start, " + direction;
+  const Joint& joint = arm.joint_of(*k);
+  return "the arm is singular at this start, with joint " + joint.name + " at " +
+         with_unit(joint, q[*k]) + ", " + direction +
+         "; with another value of this joint it is not singular";
+}
+
 }  // namespace
 
 std::string stop_message(const Segment& segment, double s) {
@@ -129,18 +150,20 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
   const std::string where = stop_message(segment, s);
   const std::string joints = passed_limits(arm, segment, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
-  const Probe ahead = solve_ahead(arm, segment, task, q, s, budget);
   const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
+  const bool singular = condition >= regular_condition;
+  const Probe ahead = solve_ahead(arm, segment, task, q, s, singular, budget);
   switch (ahead.answer.status) {
     case InverseStatus::solved:
-      if (condition < regular_condition) {
+      if (!singular) {
         return {MotionStatus::not_proved,
                 where + "no step is proved to keep the tolerance; allow a larger one"};
       }
       return {MotionStatus::singular,
-              where +
-                  "the arm is singular there; it could continue only by jumping to another branch, "
-                  "such as another elbow"};
+              where + (is_beginning(arm, segment, s)
+                           ? singular_start_text(arm, task, q)
+                           : "the arm is singular there; it could continue only by jumping to "
+                             "another branch, such as another elbow")};
     case InverseStatus::outside_limits:
       return {MotionStatus::outside_limits, where + reason_at(segment, ahead)};
     case InverseStatus::unreachable:
@@ -155,9 +178,7 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
       break;
   }
   const std::string near_singular =
-      condition < regular_condition
-          ? ""
-          : ", and the arm is singular there, as at the edge of its workspace";
+      !singular ? "" : ", and the arm is singular there, as at the edge of its workspace";
   return {MotionStatus::not_found, where + "no configuration was found to continue with" +
                                        near_singular + "; " + reason_at(segment, ahead)};
 }

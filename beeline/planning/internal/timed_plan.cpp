@@ -97,6 +97,9 @@ void PlanTiming::add(BranchSection samples, const Deviation& tolerance, std::siz
   if (!section.timed.scaling) {
     status = MotionStatus::outside_limits;
     reason = section.timed.scaling.reason;
+    if (section.timed.outside_between_samples) {
+      reason += "; a smaller tolerance takes samples closer together";
+    }
     return;
   }
   section.required = section.path.segment_ends();

@@ -11,22 +11,24 @@
 namespace beeline::internal {
 namespace {
 
-/// Returns the reason if the path leaves the arm's position limits, otherwise an empty text.
-std::string outside(const Arm& arm, const JointPath& samples, const JointPath& refined,
-                    BudgetMeter& budget) {
+/// Sets the reason if the path leaves the arm's position limits.
+void find_outside(const Arm& arm, const JointPath& samples, BudgetMeter& budget,
+                  TimedPath& section) {
   for (const Configuration& q : samples.q) {
     const auto violations = limit_violations(arm, q);
-    if (!violations.empty()) return violations.front();
+    if (violations.empty()) continue;
+    section.scaling.reason = violations.front();
+    return;
   }
-  for (const Configuration& q : refined.q) {
-    if (budget.ended(0)) return {};
+  for (const Configuration& q : section.path.q) {
+    if (budget.ended(0)) return;
     const auto violations = limit_violations(arm, q);
-    if (!violations.empty()) {
-      return "between two samples the spline through them leaves the limits: " +
-             violations.front() + "; samples closer together would guide it";
-    }
+    if (violations.empty()) continue;
+    section.scaling.reason =
+        "between two samples the spline through them leaves the limits: " + violations.front();
+    section.outside_between_samples = true;
+    return;
   }
-  return {};
 }
 
 /// The least number of steps of the refined path: the default, and fewer for a path so short that
@@ -86,7 +88,7 @@ TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, dou
                      const ToolSpeeds& tool_speed, BudgetMeter& budget) {
   TimedPath section;
   section.path = refined(path, {.min_steps = steps_above_rounding(path), .budget = budget.part()});
-  section.scaling.reason = outside(arm, path, section.path, budget);
+  find_outside(arm, path, budget, section);
   if (!section.scaling.reason.empty()) return section;
   section.profile = profile;
   section.limits = path_limits(arm, speed_scale);

@@ -30,6 +30,8 @@ struct TimedPath {
   Profile profile = default_profile;
   PathLimits limits;
   TimeScaling scaling;
+  bool outside_between_samples =
+      false;  ///< the reason of the scaling: the spline leaves the limits
 };
 
 /// Slows the scaling down by the factor k.
