@@ -7,6 +7,7 @@
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/rounded_number.h>
+#include <beeline/math/revolution.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -80,7 +81,7 @@ class FaultSearch {
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
       return report(Fault::flip, k, i,
                     "rotates by " + number(step) + " rad to the next sample, " +
-                        number(std::abs(step) / (2 * std::numbers::pi)) + " revolutions");
+                        number(std::abs(step) / (revolution)) + " revolutions");
     }
     if (v_.empty() || !inside(q_[k + 1][i])) return;  // reported at the next sample
     const Polynomial p = interval_polynomial(trajectory_, k, i);
