@@ -47,7 +47,7 @@ def test_faults_beside_the_chain_are_warnings(beeline, written):
     assert answer.code == 0 and len(answer.json["joints"]) == 2
     malformed, xacro, unknown = sorted(warnings(answer), key=lambda text: ("xacro" in text, "unknown" in text))[0:1] + [
         next(text for text in warnings(answer) if "xacro" in text), next(text for text in warnings(answer) if "camera" in text)]
-    assert malformed.startswith("r.urdf:") and '"low" is not a number' in malformed and "left out" in malformed
+    assert malformed.startswith("r.urdf:") and '"low" is not a limit' in malformed and "left out" in malformed
     assert "<xacro:include> is left out; run xacro first" in xacro
     assert 'joint camera has an unknown parent link "chassis"' in unknown
 
