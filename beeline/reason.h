@@ -48,6 +48,7 @@ enum class ReasonCode {
   // Paths.
   would_pass_limits,    ///< of a joint, or of several, if the motion continued
   step_not_proved,      ///< no step keeps the tolerance
+  singular_at_start,    ///< by the value of `joint`
   singular_on_path,     ///< the arm could continue only by jumping to another branch
   pose_outside_limits,  ///< details: inverse kinematics at the pose ahead
   path_leaves_workspace,
@@ -168,6 +169,7 @@ enum class ReasonField {
   // What kind.
   ending,
   interpolation,
+  planned,
   refined,
   has_position,
   near_singular,

@@ -139,10 +139,30 @@ std::string verdict_on(const Diagnosis& diagnosis) {
   return text.empty() ? "nothing suspicious" : text;
 }
 
+/// Prints all faults of a file whose chain has one. A single fault is in the error alone.
+void print_faults(const std::string& path) {
+  std::vector<Finding> faults;
+  try {
+    faults = file_faults(path);
+  } catch (const Error&) {
+    return;  // the error says why the file cannot be read
+  }
+  if (faults.size() < 2) return;
+  warn(path + " has " + counted(static_cast<std::int64_t>(faults.size()), "fault") + ":");
+  for (const Finding& fault : faults) {
+    print_error("  " + fault.place + ": " + fault.what + "; " + fault.remedy);
+  }
+}
+
 /// The findings in one model.
 Answer diagnose_one(const DoctorArguments& arguments) {
   const ArmArgument& arm = arguments.arm;
-  (void)arm.read(arguments.unit);  // warns of what was selected
+  try {
+    (void)arm.read(arguments.unit);  // warns of what was selected
+  } catch (const FileError&) {
+    print_faults(arm.text);
+    throw;
+  }
   ChainEnds ends{.base = arm.base, .tip = arm.tip};
   if (!arm.group.empty()) ends = group_ends(read_srdf(arm.srdf), arm.group, arm.text);
   const Diagnosis diagnosis = diagnose(arm.text, ends);
@@ -207,8 +227,8 @@ Verb doctor_verb() {
           "right angles written with few digits and axes that nearly have a closed form of "
           "inverse kinematics (with the method that is lost), joints that move alike, a missing "
           "<axis>, limits without a range; and for faults of a URDF file beside the chain, such as "
-          "a "
-          "joint without its parent link. What may be meant is not reported.\n\n"
+          "an unknown parent link, type or leader, an axis of zeros, reversed limits. If the chain "
+          "has a fault (exit code 3), stderr lists all. What may be meant is not reported.\n\n"
           "With two, compares two descriptions of an arm: are they the same, and if not, what is "
           "different? The sequence of the joints' axes in space determines an arm up to its "
           "base, its tool, and the zeros and signs of its joints; so a difference is named as "

@@ -157,6 +157,10 @@ std::vector<Said> paths() {
                "would have to pass its upper limit of 1 rad (57.2958 deg)"},
       {{ReasonCode::step_not_proved, stop},
        stops + "no step is proved to keep the tolerance; allow a larger one"},
+      {{ReasonCode::singular_at_start, with(stop, with(of_joint, {{value, 0.0}}))},
+       stops + "the arm is singular at this start, with joint j2 at 0 rad (0 deg), so the tool can "
+               "leave it in this direction only with a jump of the joints; with another value of "
+               "this joint it is not singular"},
       {{ReasonCode::singular_on_path, stop},
        stops + "the arm is singular there; it could continue only by jumping to another branch, "
                "such as another elbow"},
@@ -195,6 +199,9 @@ std::vector<Said> times() {
       {{ReasonCode::spline_outside_limits, outside},
        "between two samples the spline through them leaves the limits: " + is_outside +
            "; samples closer together would guide it"},
+      {{ReasonCode::spline_outside_limits, with(outside, {{planned, true}})},
+       "between two samples the spline through them leaves the limits: " + is_outside +
+           "; a smaller tolerance takes samples closer together"},
       {{ReasonCode::end_speed_too_high, {{speed, 2.0}, {needed_speed, 1.0}}},
        "the speed at the path's end is above its limits: 2 instead of 1"},
       {{ReasonCode::end_speed_unreachable, {{s, 0.5}}},

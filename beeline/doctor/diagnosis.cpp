@@ -12,10 +12,9 @@ Diagnosis diagnose(const Arm& arm) {
 }
 
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends) {
-  std::vector<ReadWarning> warnings;
-  const Arm arm = read_arm(text, ends, &warnings);
+  const Arm arm = read_arm(text, ends);
   Diagnosis diagnosis;
-  internal::find_faults(warnings, diagnosis.findings);
+  internal::find_faults(text, diagnosis.findings);
   const AngleUnit unit = internal::find_in_file(text, arm, diagnosis.findings);
   internal::find_units(arm, diagnosis.findings);
   internal::find_axes(arm, diagnosis.findings);

@@ -50,4 +50,10 @@ Diagnosis diagnose(const Arm& arm);
 /// beside the chain. Throws Error and FileError as read_arm() does.
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 
+/// Returns the faults of a URDF file, on every chain, in the order of its lines: up to 100, and the
+/// number of the others. It needs no chain, so that a file which read_arm() refuses for its first
+/// fault shows all. Files of other formats have none. Throws FileError for a file that cannot be
+/// read or is not URDF.
+std::vector<Finding> file_faults(const std::string& path);
+
 }  // namespace beeline

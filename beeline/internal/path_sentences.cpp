@@ -44,6 +44,14 @@ std::string stop(const ReasonText& reason) {
          position_text(reason.point(position)) + ": ";
 }
 
+std::string singular_start(const ReasonText& reason) {
+  return "the arm is singular at this start, " +
+         (reason.has(joint) ? "with " + reason.joint() + " at " + reason.joint_value(value) + ", "
+                            : "") +
+         "so the tool can leave it in this direction only with a jump of the joints" +
+         (reason.has(joint) ? "; with another value of this joint it is not singular" : "");
+}
+
 std::string on_path(const ReasonText& reason) {
   switch (reason.code()) {
     case ReasonCode::would_pass_limits: {
@@ -54,6 +62,8 @@ std::string on_path(const ReasonText& reason) {
     }
     case ReasonCode::step_not_proved:
       return "no step is proved to keep the tolerance; allow a larger one";
+    case ReasonCode::singular_at_start:
+      return singular_start(reason);
     case ReasonCode::singular_on_path:
       return "the arm is singular there; it could continue only by jumping to another branch, "
              "such as another elbow";

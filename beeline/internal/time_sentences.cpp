@@ -16,7 +16,9 @@ std::string time_sentence(const ReasonText& reason) {
              " sections between stops" + reason.how_to_continue();
     case ReasonCode::spline_outside_limits:
       return "between two samples the spline through them leaves the limits: " +
-             outside_text(reason) + "; samples closer together would guide it";
+             outside_text(reason) +
+             (reason.is(planned) ? "; a smaller tolerance takes samples closer together"
+                                 : "; samples closer together would guide it");
     case ReasonCode::end_speed_too_high:
       return "the speed at the path's end is above its limits: " + reason.number(speed) +
              " instead of " + reason.number(needed_speed);

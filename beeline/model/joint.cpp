@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/model/internal/axis_direction.h>
 #include <beeline/model/joint.h>
 
 namespace beeline {
@@ -12,15 +13,21 @@ namespace {
 constexpr double smallest_pitch = 1e-12;
 
 Vector3 direction(const Vector3& axis) {
-  const double length = axis.stableNorm();
-  if (!(length > 1e-9) || !std::isfinite(length)) {
-    throw Error("axis " + number(axis.x()) + " " + number(axis.y()) + " " + number(axis.z()) +
-                " has no direction; give a vector of non-zero length");
-  }
-  return axis / length;
+  if (!internal::has_direction(axis)) throw Error(internal::no_direction(axis));
+  return axis / axis.stableNorm();
 }
 
 }  // namespace
+
+bool internal::has_direction(const Vector3& axis) {
+  const double length = axis.stableNorm();
+  return length > 1e-9 && std::isfinite(length);
+}
+
+std::string internal::no_direction(const Vector3& axis) {
+  return "axis " + number(axis.x()) + " " + number(axis.y()) + " " + number(axis.z()) +
+         " has no direction; give a vector of non-zero length";
+}
 
 Limits overridden(const Limits& limits, const LimitOverrides& overrides) {
   return {.lower = overrides.lower.value_or(limits.lower),

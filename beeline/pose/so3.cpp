@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
+#include <beeline/math/revolution.h>
 #include <beeline/pose/so3.h>
 
 namespace beeline {
@@ -64,15 +64,15 @@ Eigen::Matrix3d so3_left_jacobian_inverse(const Vector3& r) {
   return Eigen::Matrix3d::Identity() - 0.5 * r_hat + cotangent_quotient(r.norm()) * r_hat * r_hat;
 }
 
-double wrap_angle(double radians) { return std::remainder(radians, 2 * std::numbers::pi); }
+double wrap_angle(double radians) { return std::remainder(radians, internal::revolution); }
 
 double angle_difference(double a, double b) {
   return wrap_angle(wrap_angle(a) - wrap_angle(b));  // a - b could overflow, or lose b to rounding
 }
 
 double nearest_angle(double radians, double reference) {
-  constexpr double two_pi = 2 * std::numbers::pi;
-  return radians + two_pi * std::nearbyint((reference - radians) / two_pi);
+  using internal::revolution;
+  return radians + revolution * std::nearbyint((reference - radians) / revolution);
 }
 
 }  // namespace beeline

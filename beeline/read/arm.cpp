@@ -98,7 +98,9 @@ std::string name(ReadWarningKind kind) {
   constexpr const char* names[] = {"tip_among_frames", "tip_among_branches", "before_gripper",
                                    "below_free_joint", "malformed",          "xacro_tag",
                                    "unknown_link",     "two_parents",        "cycle",
-                                   "repeated_name",    "unconnected_link",   "further_faults"};
+                                   "repeated_name",    "unconnected_link",   "unknown_type",
+                                   "zero_axis",        "limits_reversed",    "velocity_limit",
+                                   "unknown_leader",   "leader_cycle",       "further_faults"};
   return names[static_cast<int>(kind)];
 }
 
@@ -110,11 +112,11 @@ bool is_fault(const ReadWarning& warning) {
 }
 
 std::string name(ElementFault fault) {
-  constexpr const char* names[] = {"none",         "missing_attribute", "missing_end",
-                                   "empty_name",   "long_name",         "control_character",
-                                   "not_utf8",     "not_three_numbers", "missing_number",
-                                   "not_a_number", "out_of_range",      "not_finite",
-                                   "not_a_limit"};
+  constexpr const char* names[] = {
+      "none",           "missing_attribute", "missing_end",     "empty_name",
+      "long_name",      "control_character", "not_utf8",        "not_three_numbers",
+      "missing_number", "not_a_number",      "out_of_range",    "not_finite",
+      "not_a_limit",    "not_four_numbers",  "not_unit_length", "two_orientations"};
   return names[static_cast<int>(fault)];
 }
 
@@ -134,13 +136,22 @@ std::string sentence(const ReadWarning& warning, OptionStyle style) {
              dashes + "tip selects another";
     case ReadWarningKind::before_gripper:
       return "the tip is " + warning.link + ", before joint " + warning.joint +
-             ", which moves a gripper; " + dashes + "tip" + (command ? " " : "=\"") +
-             listed(warning.others) + (command ? "" : "\"") + " includes it";
+             ", which moves a gripper; " +
+             (command ? "--tip " + internal::shell_word(listed(warning.others))
+                      : "tip=\"" + listed(warning.others) + "\"") +
+             " includes it";
     case ReadWarningKind::below_free_joint:
       return "the base is " + warning.link + ", below joint " + warning.joint +
              ", which places the arm in the world; " + dashes + "base selects another";
     case ReadWarningKind::further_faults:
       return located(internal::clause(warning));
+    case ReadWarningKind::unknown_type:
+    case ReadWarningKind::zero_axis:
+    case ReadWarningKind::limits_reversed:
+    case ReadWarningKind::velocity_limit:
+    case ReadWarningKind::unknown_leader:
+    case ReadWarningKind::leader_cycle:
+      return located(internal::clause(warning)) + "; the joint is beside the chain";
     case ReadWarningKind::xacro_tag:
       if (warning.joint.empty()) {
         return located(warning.element) +

@@ -32,6 +32,14 @@ enum class ReadWarningKind {
   cycle,               ///< `joint` closes a cycle at `link`
   repeated_name,       ///< the name of `joint` or `link` is given twice
   unconnected_link,    ///< no joint connects `link`
+  unknown_type,        ///< the type `value` of `joint` is not one of URDF
+  zero_axis,           ///< the axis of `joint`, `numbers`, has no direction
+  limits_reversed,     ///< the lower limit of `joint` exceeds the upper one: `numbers`
+  velocity_limit,      ///< the velocity limit of `joint`, `numbers`, is below Limits::min_rate
+  unknown_leader,      ///< `joint` mimics the joint `value`, which is not in the file; `others` are
+                       ///< the known joints, none if there are more than 10,000
+  leader_cycle,        ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
+                       ///< other
   further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
@@ -50,7 +58,10 @@ enum class ElementFault {
   not_a_number,       ///< `value`, of `attribute`, is not a number
   out_of_range,       ///< the number `value` of `attribute` exceeds the range of numbers
   not_finite,         ///< the number `value` of `attribute` is not finite
-  not_a_limit         ///< the limit `value` of `attribute` is NaN
+  not_a_limit,        ///< the limit `value` of `attribute` is NaN or a word
+  not_four_numbers,   ///< `attribute`, a quaternion, has `count` numbers
+  not_unit_length,    ///< the quaternion `value` of `attribute` does not have length 1
+  two_orientations    ///< it has `attribute` and rpy
 };
 std::string name(ElementFault fault);
 
@@ -65,6 +76,7 @@ struct ReadWarning {
   std::string element = {};                         ///< its tag, such as <xacro:include>
   ElementFault element_fault = ElementFault::none;  ///< of a malformed element
   std::string attribute = {}, value = {};           ///< of a malformed element
+  std::vector<double> numbers = {};                 ///< of the joint
   std::size_t count = 0;
 };
 

@@ -18,28 +18,13 @@ using internal::ChainJoint;
 using internal::UrdfFile;
 
 /// Returns the joint from its parent link to its child link, without the offset of its origin.
-Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf) {
+Joint moving_joint(const UrdfFile::Joint& urdf) {
   Joint joint;
   joint.name = urdf.name;
   joint.link = urdf.child;
   joint.limits = urdf.limits;
   joint.mimic = urdf.mimic;
-  try {
-    joint.screw =
-        urdf.type == "prismatic" ? translation_screw(urdf.axis) : rotation_screw(urdf.axis);
-  } catch (const Error& error) {
-    throw FileError(file.path, urdf.axis_line, "joint " + urdf.name + ": " + error.what());
-  }
-  if (urdf.limits.lower > urdf.limits.upper) {
-    throw FileError(file.path, urdf.limit_line,
-                    "joint " + urdf.name + ": lower limit " + number(urdf.limits.lower) +
-                        " exceeds upper limit " + number(urdf.limits.upper));
-  }
-  if (urdf.limits.velocity < Limits::min_rate) {
-    throw FileError(file.path, urdf.limit_line,
-                    "joint " + urdf.name + ": velocity limit " + number(urdf.limits.velocity) +
-                        " is below " + number(Limits::min_rate) + "; 0 and -1 stand for none");
-  }
+  joint.screw = urdf.type == "prismatic" ? translation_screw(urdf.axis) : rotation_screw(urdf.axis);
   return joint;
 }
 
@@ -47,7 +32,7 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf) {
 /// link's; `before` is the pose of its first link in the frame of the joint before it.
 Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& before) {
   const UrdfFile::Joint& urdf = file.joints[place.index];
-  Joint joint = moving_joint(file, urdf);
+  Joint joint = moving_joint(urdf);
   if (!place.reversed) {
     joint.offset = before * urdf.origin;
     return joint;
@@ -67,11 +52,11 @@ Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& bef
   const auto at = chain.begin() + static_cast<std::ptrdiff_t>(i);
   std::string cure;
   if (std::any_of(at, chain.end(), moves)) {
-    cure += "--base " + (chain[i].reversed ? joint.parent : joint.child);
+    cure += "--base " + internal::shell_word(chain[i].reversed ? joint.parent : joint.child);
   }
   if (std::any_of(chain.begin(), at, moves)) {
-    cure += (cure.empty() ? "" : " or ") +
-            ("--tip " + (chain[i].reversed ? joint.child : joint.parent));
+    cure += std::string(cure.empty() ? "" : " or ") + "--tip " +
+            internal::shell_word(chain[i].reversed ? joint.child : joint.parent);
   }
   throw FileError(file.path, joint.line,
                   "joint " + joint.name + " is " + internal::in_quotes(joint.type) +

@@ -24,6 +24,7 @@ namespace beeline {
 ///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
 ///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
 ///     on the chain.
+///   - The orientation of an `<origin>` is `rpy`, or the quaternion `quat_xyzw` of URDF 1.2.
 ///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
 ///     ignored. Infinities and position limits beyond 1e6 rad or m stand for no limit.
 ///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on
@@ -36,7 +37,9 @@ namespace beeline {
 ///   - Frames are the file's: each joint moves the frame of its child link (on the way up, of its
 ///     parent link), named in Joint::link.
 ///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
-///     connected, names given twice, elements of xacro. Without `ends.tip`, a
+///     connected, names given twice, elements of xacro, and joints with an unknown type, an axis
+///     without direction, a lower limit that exceeds the upper one, a velocity limit that is too
+///     small, or a leader that the file does not have. Without `ends.tip`, a
 ///     joint that moves and is not connected is refused if the chain may have lost it: the name of
 ///     its parent resembles that of a link, or as many joints move below it as on the chain.
 /// Throws FileError for text that is not URDF; several roots or tips without a choice by `ends`; a

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/revolution.h>
 #include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/internal/continuous_joint.h>
 

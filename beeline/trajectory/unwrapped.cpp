@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/math/revolution.h>
 #include <beeline/trajectory/internal/continuous_joint.h>
 #include <beeline/trajectory/trajectory.h>
 

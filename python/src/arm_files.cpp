@@ -21,6 +21,7 @@ void issue(const std::vector<ReadWarning>& warnings) {
     instance.attr("element_fault") = name(warning.element_fault);
     instance.attr("attribute") = warning.attribute;
     instance.attr("value") = warning.value;
+    instance.attr("numbers") = Value<std::vector<double>>::to(warning.numbers);
     instance.attr("count") = warning.count;
     nb::module_::import_("warnings").attr("warn")(instance);
   }
@@ -38,7 +39,7 @@ nb::object model_warning() {
       "beeline._core.ModelWarning",
       "What a reader of a file selected among several, or left out because of a fault beside the "
       "chain: its text, with the attributes kind, line, joint, link, others, element, "
-      "element_fault, attribute, value and count.",
+      "element_fault, attribute, value, numbers and count.",
       PyExc_UserWarning, nullptr);
   return nb::borrow(type);
 }

@@ -18,6 +18,12 @@ Diagnosis diagnosis_of(nb::handle model, nb::handle base, nb::handle tip) {
   return diagnose(text, ends);
 }
 
+std::vector<Finding> faults_of(nb::handle path) {
+  const std::string text = path_from(path, "path");
+  const LockRelease release;
+  return file_faults(text);
+}
+
 }  // namespace
 
 void bind_doctor(nb::module_& m) {
@@ -37,6 +43,13 @@ void bind_doctor(nb::module_& m) {
       .takes("tip", "str | None", "Link that it ends at.", "None");
   define(m, &diagnosis_of, one, nb::arg("model"), nb::kw_only(), nb::arg("base") = nb::none(),
          nb::arg("tip") = nb::none());
+
+  Signature faults("file_faults", "list[Finding]",
+                   "Returns all faults of a URDF file, on every chain, in the order of its lines. "
+                   "It needs no chain: a file that `Arm.load` refuses for its first fault shows "
+                   "all.");
+  faults.takes("path", path_like, "The file.");
+  define(m, &faults_of, faults, nb::arg("path"));
 
   Signature two("compare_arms", "ArmComparison",
                 "Finds what two descriptions of one arm have different: convention, units, mount, "

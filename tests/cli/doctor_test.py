@@ -158,6 +158,19 @@ def test_a_fault_beside_the_chain_is_a_finding(beeline, written):
     assert "r.urdf: 1 fault" in beeline("doctor", "r.urdf").out
 
 
+def test_all_faults_of_a_file_are_listed_where_its_chain_has_one(beeline, refused, written):
+    text = URDF.format(**RIGHT | {"lower": "2", "upper": "-2"})
+    lost = '<joint name="camera" type="fixed"><parent link="nowhere"/><child link="c"/></joint></robot>'
+    written("r.urdf", text.replace("</robot>", lost))
+    answer = beeline("doctor", "r.urdf", "--json")
+    assert answer.code == 3 and answer.out == ""
+    lines = answer.err.splitlines()
+    assert len(lines) >= 4 and "r.urdf has" in lines[0] and lines[-1].endswith("lower limit 2 exceeds upper limit -2")
+    assert any("nowhere" in line and "line 5" in line for line in lines[1:-1])
+    written("r.urdf", text.replace("</robot>", '<joint name="x" type="ball"><parent link="b"/><child link="x"/></joint><link name="x"/></robot>'))
+    assert "unknown type" in beeline("doctor", "r.urdf", "--tip", "b").err
+
+
 def test_no_number_is_minus_zero(beeline, written):
     written("a.json", table(changed(d={0: -0.0}, a={0: -0.0}), base={"xyz": [-0.0, 0, 0], "rpy": [0, 0, -0.0]}))
     written("b.json", table(changed(d={0: 0.2}, theta={1: -0.0}, a={2: -0.0})))

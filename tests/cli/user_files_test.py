@@ -1,6 +1,7 @@
 """Files of users: what Gazebo, Isaac Sim, SolidWorks and editors write, and what is left over in them."""
 
 import json
+import subprocess
 
 import pytest
 
@@ -46,7 +47,7 @@ def test_faults_beside_the_chain_are_warnings(beeline, written):
     assert answer.code == 0 and len(answer.json["joints"]) == 2
     malformed, xacro, unknown = sorted(warnings(answer), key=lambda text: ("xacro" in text, "unknown" in text))[0:1] + [
         next(text for text in warnings(answer) if "xacro" in text), next(text for text in warnings(answer) if "camera" in text)]
-    assert malformed.startswith("r.urdf:") and '"low" is not a number' in malformed and "left out" in malformed
+    assert malformed.startswith("r.urdf:") and '"low" is not a limit' in malformed and "left out" in malformed
     assert "<xacro:include> is left out; run xacro first" in xacro
     assert 'joint camera has an unknown parent link "chassis"' in unknown
 
@@ -162,3 +163,17 @@ def test_a_closed_form_names_joints_of_the_arm(beeline, written, arm, text, task
     numbers = [int(word) for word in named.split(" and ")[0].split(", ") if word.isdigit()]
     assert all(number <= joints for number in numbers), method
     assert len(numbers) == 3 or f"{3 - len(numbers)} virtual at the tool" in method
+
+
+@pytest.mark.parametrize("hand", ["hand", "the hand", "it's", "-palm", "palm;ls", "$HOME", "`ls`", "a\\b", 'say "x"'])
+def test_the_tip_that_a_refusal_names_works_when_it_is_pasted(beeline, build, written, tmp_path, hand):
+    name = hand.replace("&", "&amp;").replace('"', "&quot;")
+    hands = f'<link name="{name}"/><link name="finger1"/><link name="finger2"/>'
+    written("r.urdf", robot(ARM, hands, joint("mount", "fixed", "c", name), joint("f1", "prismatic", name, "finger1"),
+                            joint("f2", "prismatic", name, "finger2", '<mimic joint="f1"/>')))
+    refusal = beeline("show", "r.urdf")
+    assert refusal.code == 3
+    option = refusal.err.split("; ")[-1].removesuffix(" ends before the gripper\n")
+    assert option.startswith("--tip "), refusal.err
+    pasted = subprocess.run(f"{build}/beeline show r.urdf {option} --json", shell=True, capture_output=True, text=True, cwd=tmp_path)
+    assert pasted.returncode == 0 and len(json.loads(pasted.stdout)["joints"]) == 2, pasted.stderr

@@ -112,6 +112,48 @@ TEST(Diagnosis, FaultsBesideTheChainAreFound) {
   EXPECT_EQ(name(FindingKind::fault), "fault");
 }
 
+/// A file with several faults, of which the chain has some: all are listed, in the order of lines.
+TEST(Diagnosis, AllFaultsOfAFileAreListedAlsoWithoutAChain) {
+  using testing::joint, testing::link;
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.write(
+      "r.urdf",
+      testing::robot(link("a") + link("b") + link("c") + link("d") + link("e") +
+                     joint("ab", "revolute", "a", "b", "<limit lower=\"2\" upper=\"1\"/>") +
+                     joint("bc", "revolut", "b", "c") +
+                     joint("cd", "revolute", "c", "d", "<axis xyz=\"0 0 0\"/>") +
+                     joint("de", "revolute", "d", "e", "<mimic joint=\"no\"/>") +
+                     joint("lost", "fixed", "nowhere", "f") + link("e")));
+  EXPECT_REFUSED(diagnose(path), "r.urdf:12: two links have the name e");
+  const std::vector<Finding> faults = file_faults(path);
+  std::vector<std::string> places;
+  for (const Finding& fault : faults) {
+    EXPECT_EQ(fault.kind, FindingKind::fault);
+    EXPECT_FALSE(fault.remedy.empty());
+    places.push_back(fault.place);
+  }
+  EXPECT_EQ(places, (std::vector<std::string>{"line 7", "line 8", "line 9", "line 10", "line 11",
+                                              "line 12"}));
+  EXPECT_EQ(faults[0].what, "joint ab: lower limit 2 exceeds upper limit 1");
+  EXPECT_TRUE(file_faults("panda").empty());
+}
+
+TEST(Diagnosis, FaultsBesideTheChainAreListedUpToAHundred) {
+  using testing::joint, testing::link;
+  const testing::TemporaryFolder folder;
+  std::string text =
+      link("a") + link("b") + joint("j", "continuous", "a", "b", "<axis xyz=\"0 0 1\"/>");
+  for (int i = 0; i < 130; ++i) {
+    const std::string name = "x" + std::to_string(i);
+    text += link(name) + joint(name, "ball", "a", name);
+  }
+  const std::string path = folder.write("r.urdf", testing::robot(text));
+  const Diagnosis diagnosis = diagnose(path, {.tip = "b"});
+  ASSERT_EQ(diagnosis.findings.size(), 101u);
+  EXPECT_EQ(diagnosis.findings[99].place, "line 204");
+  EXPECT_EQ(diagnosis.findings.back().what, "has 30 more faults");
+}
+
 TEST(Diagnosis, NoNumberIsMinusZero) {
   std::vector<Joint> joints = built_in("ur5").joints();
   joints[3].limits.lower = joints[3].limits.upper = -0.0;

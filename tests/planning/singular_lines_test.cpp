@@ -4,6 +4,9 @@
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
 
+#include <tests/random.h>
+#include <tests/reason.h>
+
 namespace beeline {
 namespace {
 
@@ -24,6 +27,38 @@ TEST(SingularLines, BetweenTwoSingularPosesAreFound) {
   EXPECT_TRUE(motion) << motion.reason;
   const PathMotion again = move_in_lines(arm, {from, singular, from, singular});
   EXPECT_TRUE(again) << again.reason;
+}
+
+/// A refusal at a singular start says so and names the joint; at another start it does not.
+TEST(SingularLines, FromASingularStartAreRefusedWithItsJoint) {
+  testing::Random random;
+  int singular = 0, named = 0;
+  for (const char* name : {"puma560", "ur5"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < testing::cases(60); ++i) {
+      Configuration start = random.configuration(arm);
+      const bool stretched = i % 2 == 0;
+      start[4] = stretched ? random.uniform(-1e-9, 1e-9) : random.uniform(0.5, 1);
+      const Pose from = forward_kinematics(arm, start);
+      Pose to = from;
+      to.translation() +=
+          Vector3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
+      const PathMotion motion = move_in_lines(arm, start, {to});
+      if (motion) continue;
+      const bool at_start = motion.reason.code == ReasonCode::singular_at_start;
+      const bool joint = testing::joint(motion.reason) == "joint5";
+      EXPECT_FALSE(at_start && !stretched) << motion.reason;
+      if (stretched && motion.status == MotionStatus::singular) {
+        ++singular;
+        EXPECT_TRUE(at_start || motion.path_parameter > 1e-3) << motion.reason;
+      }
+      if (at_start) named += joint ? 1 : 0;
+      EXPECT_TRUE(motion.reason.code != ReasonCode::spline_outside_limits ||
+                  motion.reason.has(ReasonField::planned));
+    }
+  }
+  EXPECT_GT(singular, 5);
+  EXPECT_GE(named, singular - 2);
 }
 
 }  // namespace

@@ -37,6 +37,17 @@ def test_a_file_is_diagnosed(tmp_path):
         beeline.diagnose(tmp_path / "missing.urdf")
 
 
+def test_faults_of_a_file_need_no_chain(tmp_path):
+    joint = '<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/></joint>\n'
+    path = tmp_path / "r.urdf"
+    path.write_text('<robot name="r">\n<link name="a"/><link name="b"/><link name="c"/>\n' + joint.format("ab", "ball", "a", "b")
+                    + joint.format("bc", "revolute", "nowhere", "c") + "</robot>")
+    with pytest.raises(beeline.Error):
+        beeline.Arm.load(path)
+    assert [fault.place for fault in beeline.file_faults(path)] == ["line 3", "line 4"]
+    assert beeline.file_faults("panda") == []
+
+
 def test_mount_and_tool_are_recovered(rng):
     a = beeline.arms.puma560()
     mount, tool = (beeline.forward_kinematics(a, rng.uniform(-1, 1, 6)) for _ in range(2))

@@ -106,7 +106,7 @@ gripper_joint1: {limit: {velocity: 1}}
   EXPECT_EQ(file.joints.at("joint2").velocity, std::numbers::pi);
   EXPECT_EQ(file.notes, (Texts{"l.yaml: arm panda does not have gripper_joint1"}));
   EXPECT_REFUSED(from_yaml("joint1:\n limit:\n  velocity: x"),
-                 "l.yaml:3: joint1.limit.velocity: \"x\" is not a number");
+                 "l.yaml:3: joint1.limit.velocity: \"x\" is not a limit");
   EXPECT_REFUSED(from_yaml("joint1: {limit: {max: 1}}"), "joint1.limit: unknown key \"max\"");
   EXPECT_REFUSED(from_yaml("joint1: {limit: {lower: 2, upper: 1}}"), "lower limit 2 exceeds");
 }
@@ -199,7 +199,7 @@ TEST(JointLimits, RefuseBadValuesWithLineAndKey) {
   refused_for(".nan", ": \".nan\" is not a limit; a limit is a number, or inf for none");
   refused_for("-NaN", ": \"-NaN\" is not a limit");
   refused_for("-.inf", " must be at least 1e-09, not -inf");
-  refused_for("fast", ": \"fast\" is not a number");
+  refused_for("fast", ": \"fast\" is not a limit; a limit is a number, or inf for none");
   refused_for("0x10", ": \"0x10\" is not a number");
   refused_for("\"2.5\"", " must be a number, not text in quotes");
   refused_for("[1, 2]", " must be a number, not a list or a map");

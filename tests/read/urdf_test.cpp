@@ -297,14 +297,14 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "<origin>: rpy: \"2x\" is not a number");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"0 1 nan\"/>")), "must be finite");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"low\"/>")),
-                 "a.urdf:4: <limit>: lower: \"low\" is not a number");
+                 "a.urdf:4: <limit>: lower: \"low\" is not a limit; a limit is a number, or inf");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
   EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic joint=\"j\"/>")),
-                 "mimics itself through its leaders");
+                 "a.urdf:4: joint j mimics itself");
   EXPECT_REFUSED(parse_urdf(single("revolute", "\n<mimic joint=\"jj\"/>")),
                  "a.urdf:5: joint j mimics an unknown joint \"jj\"");
-  EXPECT_REFUSED(parse_urdf(single("")), "a chain has revolute");
+  EXPECT_REFUSED(parse_urdf(single("")), "a.urdf:4: joint j has an unknown type \"\"");
   EXPECT_REFUSED(parse_urdf(robot("<joint name=\"j\"/>")),
                  "a.urdf:2: <joint> needs the attribute type");
   EXPECT_REFUSED(parse_urdf(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");

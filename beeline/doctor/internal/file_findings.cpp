@@ -6,7 +6,10 @@
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/json.h>
+#include <beeline/read/internal/read_fault.h>
+#include <beeline/read/internal/urdf_fault.h>
 #include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/internal/urdf_tree.h>
 
 namespace beeline::internal {
 namespace {
@@ -98,6 +101,18 @@ std::string remedy_for(const ReadWarning& warning) {
       return "delete one of the joints: a robot is a tree of links";
     case ReadWarningKind::repeated_name:
       return "give each its own name";
+    case ReadWarningKind::unknown_type:
+      return "write one of " + listed(urdf_joint_types());
+    case ReadWarningKind::zero_axis:
+      return "write the axis, such as 0 0 1";
+    case ReadWarningKind::limits_reversed:
+      return "exchange lower and upper limit";
+    case ReadWarningKind::velocity_limit:
+      return "write the maker's limit, or 0 where it is unknown";
+    case ReadWarningKind::unknown_leader:
+      return "write the name of a joint of the file, or delete <mimic>";
+    case ReadWarningKind::leader_cycle:
+      return "delete <mimic> of the joint that leads the others";
     case ReadWarningKind::further_faults:
       return "mend those above first";
     default:
@@ -107,23 +122,67 @@ std::string remedy_for(const ReadWarning& warning) {
   }
 }
 
+Finding finding_of(const ReadWarning& warning, const std::string& what) {
+  return {.kind = FindingKind::fault,
+          .place = warning.line > 0 ? "line " + std::to_string(warning.line) : "file",
+          .what = what,
+          .remedy = remedy_for(warning)};
+}
+
+/// The faults of a URDF file in the order of its lines; those of its tree too, if it has links.
+std::vector<UrdfFault> faults_by_line(const UrdfFile& file) {
+  std::vector<UrdfFault> faults = file.links.empty() ? file.faults : UrdfTree(file).faults();
+  std::stable_sort(faults.begin(), faults.end(), [](const UrdfFault& a, const UrdfFault& b) {
+    return a.warning.line < b.warning.line;
+  });
+  return faults;
+}
+
+bool is_urdf(const std::string& path) {
+  const std::string ending = extension(path);
+  return ending == "urdf" || ending == "xml";
+}
+
+/// Appends the faults of the file: up to 100, and the number of the others. `text` writes one.
+void append_faults(const std::string& path, std::string (*text)(const ReadWarning&),
+                   std::vector<Finding>& found) {
+  if (!is_urdf(path)) return;
+  constexpr std::size_t most = 100;
+  const UrdfFile file = parse_urdf(read_file(path), path);
+  const std::vector<UrdfFault> faults = faults_by_line(file);
+  const std::size_t listed = std::min(most, faults.size());
+  for (std::size_t i = 0; i < listed; ++i) {
+    const ReadWarning warning = warning_of(file, faults[i]);
+    found.push_back(finding_of(warning, text(warning)));
+  }
+  const std::size_t further = faults.size() - listed + file.further_faults;
+  if (further == 0) return;
+  found.push_back(
+      finding_of({.kind = ReadWarningKind::further_faults, .path = path, .count = further},
+                 "has " + std::to_string(further) + " more faults"));
+}
+
 }  // namespace
 
-void find_faults(const std::vector<ReadWarning>& warnings, std::vector<Finding>& found) {
-  for (const ReadWarning& warning : warnings) {
-    if (!is_fault(warning)) continue;
-    found.push_back({.kind = FindingKind::fault,
-                     .place = warning.line > 0 ? "line " + std::to_string(warning.line) : "file",
-                     .what = sentence(warning),
-                     .remedy = remedy_for(warning)});
-  }
+void find_faults(const std::string& path, std::vector<Finding>& found) {
+  append_faults(
+      path, [](const ReadWarning& warning) { return sentence(warning); }, found);
 }
 
 AngleUnit find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
-  const std::string ending = extension(path);
-  if (ending == "json") return find_in_json(path, arm, found);
-  if (ending == "urdf" || ending == "xml") find_in_urdf(path, arm, found);
+  if (extension(path) == "json") return find_in_json(path, arm, found);
+  if (is_urdf(path)) find_in_urdf(path, arm, found);
   return AngleUnit::radians;
 }
 
 }  // namespace beeline::internal
+
+namespace beeline {
+
+std::vector<Finding> file_faults(const std::string& path) {
+  std::vector<Finding> found;
+  internal::append_faults(path, internal::clause, found);
+  return found;
+}
+
+}  // namespace beeline

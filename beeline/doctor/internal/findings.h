@@ -10,7 +10,8 @@ namespace beeline::internal {
 // Each appends what it finds suspicious.
 void find_units(const Arm& arm, std::vector<Finding>& found);
 void find_axes(const Arm& arm, std::vector<Finding>& found);
-void find_faults(const std::vector<ReadWarning>& warnings, std::vector<Finding>& found);
+/// From the text of a URDF file, whose chain has none: see file_faults().
+void find_faults(const std::string& path, std::vector<Finding>& found);
 
 /// `unit` is the unit of angles that the arm's file declares.
 void find_limits(const Arm& arm, AngleUnit unit, std::vector<Finding>& found);

@@ -7,6 +7,8 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/inverse/analytic/pieper_branches_lanes.cpp"
+#include <beeline/math/revolution.h>
+
 #include <hwy/foreach_target.h>  // before what is compiled for each target
 
 #include <beeline/inverse/analytic/pieper_equations-inl.h>
@@ -176,13 +178,13 @@ HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& requ
     // A value outside a limit by this much, the rounding of the angles, is set to the limit.
     constexpr double rounding = 1e-11;
     if (request.wraps[k]) {
-      constexpr double two_pi = 0x1.921fb54442d18p+2;
-      const Lanes highest = floor((upper + Lanes(rounding) - q) * Lanes(1 / two_pi));
-      const Lanes lowest = ceil((lower - Lanes(rounding) - q) * Lanes(1 / two_pi));
+      const Lanes highest = floor((upper + Lanes(rounding) - q) * Lanes(1 / internal::revolution));
+      const Lanes lowest = ceil((lower - Lanes(rounding) - q) * Lanes(1 / internal::revolution));
       // Where no multiple is within limits, `lowest` is `highest` + 1, and is taken.
-      const Lanes revolutions = max(min(round((seed - q) * Lanes(1 / two_pi)), highest), lowest);
-      q = fma(revolutions, Lanes(two_pi), q);
-      const Lanes below = q - Lanes(two_pi);
+      const Lanes revolutions =
+          max(min(round((seed - q) * Lanes(1 / internal::revolution)), highest), lowest);
+      q = fma(revolutions, Lanes(internal::revolution), q);
+      const Lanes below = q - Lanes(internal::revolution);
       q = choose((q > upper) & (lower - below < q - upper), below, q);
     }
     const Lanes on_limit = min(max(q, lower), upper);

@@ -3,6 +3,7 @@
 
 #include <beeline/inverse/analytic/raghavan_roth_newton.h>
 #include <beeline/inverse/analytic/raghavan_roth_solutions.h>
+#include <beeline/math/revolution.h>
 #include <beeline/pose/so3.h>
 
 namespace beeline::internal {
@@ -21,12 +22,12 @@ void add_solution(const double* q, double correction, RaghavanRothSolutions& sol
 }  // namespace
 
 std::optional<int> find_solution(const double* q, const RaghavanRothSolutions& solutions) {
-  constexpr double same = 1e-6, two_pi = 6.283185307179586477;
+  constexpr double same = 1e-6;
   for (int index = 0; index < solutions.count; ++index) {
     bool equal = true;
     for (int i = 0; i < 6 && equal; ++i) {
       const double difference = std::abs(q[i] - solutions.q[index][i]);
-      equal = difference < same || std::abs(difference - two_pi) < same;
+      equal = difference < same || std::abs(difference - revolution) < same;
     }
     if (equal) return index;
   }

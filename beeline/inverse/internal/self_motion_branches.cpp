@@ -5,11 +5,10 @@
 #include <beeline/inverse/internal/self_motion_branches.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/math/minimise.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Values of each free coordinate: 256, 24 or, of three and more, 8.
 std::size_t grid_of(std::size_t free_coordinates) {
@@ -48,7 +47,7 @@ class SelfMotionBranches {
  private:
   const FreeSolution& at(std::size_t point, std::size_t lane) const { return points_[point][lane]; }
 
-  double step() const { return two_pi / static_cast<double>(per_axis_); }
+  double step() const { return revolution / static_cast<double>(per_axis_); }
 
   std::vector<double> values_of(std::size_t point) const {
     std::vector<double> values = seed_values_;
@@ -74,8 +73,8 @@ class SelfMotionBranches {
     constexpr double far = std::numbers::pi / 2;
     for (int k = 0; k < a.size(); ++k) {
       const double revolutions =
-          is_periodic(request_.arm, k) ? std::round((b[k] - a[k]) / two_pi) : 0;
-      const double next = b[k] - two_pi * revolutions;
+          is_periodic(request_.arm, k) ? std::round((b[k] - a[k]) / revolution) : 0;
+      const double next = b[k] - revolution * revolutions;
       if (std::abs(next - a[k]) > far) return false;
       if (next < request_.bounds.lower[k] || next > request_.bounds.upper[k]) return false;
     }

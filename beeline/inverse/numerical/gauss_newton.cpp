@@ -9,6 +9,8 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/inverse/numerical/gauss_newton.cpp"
+#include <beeline/math/revolution.h>
+
 #include <hwy/foreach_target.h>
 
 #include <beeline/kinematics/chain_one-inl.h>
@@ -27,7 +29,6 @@ constexpr double acceleration_from = 1e-6;  // squared error; a plain step suffi
 constexpr double largest_step = 1;          // radians, or units of length
 constexpr double polished = 1e-26;          // squared error at the level of rounding
 constexpr double fine = 1e-21;              // squared error that suffices once it stops decreasing
-constexpr double two_pi = 0x1.921fb54442d18p+2;
 
 /// Computes the error to the goal (four columns of four) and the tool's position. Returns false if
 /// the orientation error is 90 degrees or more.
@@ -184,8 +185,8 @@ HWY_INLINE double step(const NumericalProblem& problem, bool accelerated, GaussN
     const auto& coordinate = problem.coordinates[k];
     double q = near.q[k] + near.move[k];
     if (coordinate.wraps) {
-      if (q > coordinate.upper) q -= two_pi;
-      if (q < coordinate.lower) q += two_pi;
+      if (q > coordinate.upper) q -= revolution;
+      if (q < coordinate.lower) q += revolution;
     }
     near.before[k] = near.q[k];
     near.q[k] = std::min(std::max(q, coordinate.lower), coordinate.upper);

@@ -6,6 +6,8 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/inverse/numerical/levenberg_marquardt_lanes.cpp"
+#include <beeline/math/revolution.h>
+
 #include <hwy/foreach_target.h>
 
 #include <beeline/kinematics/task-inl.h>
@@ -29,7 +31,6 @@ constexpr double polished = 1e-26;     // squared error at the level of rounding
 constexpr double fine = 1e-21;  // squared error that suffices once a step reduces it by less than 4
 constexpr double near_goal = 0.1;  // squared error above which joints at bounds are not solved
                                    // again: the step is inaccurate there in any case
-constexpr double two_pi = 0x1.921fb54442d18p+2;
 
 HWY_INLINE Lanes load(const EightNumbers& numbers) { return Lanes::load(numbers.lane); }
 HWY_INLINE void store(Lanes lanes, EightNumbers& numbers) { lanes.store(numbers.lane); }
@@ -209,7 +210,7 @@ HWY_INLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLan
   const Lanes scale = Lanes(largest_step) / longest;
   for (size_t k = 0; k < problem.coordinates.size(); ++k) {
     const auto& coordinate = problem.coordinates[k];
-    const Lanes lower(coordinate.lower), upper(coordinate.upper), period(two_pi);
+    const Lanes lower(coordinate.lower), upper(coordinate.upper), period(revolution);
     Lanes q = fma(load(lanes.step[k]), scale, load(lanes.q[k]));
     if (coordinate.wraps) {
       q = choose(q > upper, q - period, choose(q < lower, q + period, q));

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/inverse/numerical/numerical_problem.h>
 #include <beeline/inverse/numerical/representative.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 namespace {
@@ -35,7 +35,7 @@ NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bound
     coordinate.lower = coordinate.lowest = bounds.lower[k] / coordinate.unit;
     coordinate.upper = coordinate.highest = bounds.upper[k] / coordinate.unit;
     coordinate.periodic = is_periodic(arm, k);
-    if (coordinate.periodic && coordinate.upper - coordinate.lower >= 2 * std::numbers::pi) {
+    if (coordinate.periodic && coordinate.upper - coordinate.lower >= revolution) {
       coordinate.wraps = std::isfinite(coordinate.lower) || std::isfinite(coordinate.upper);
       coordinate.lowest = -HUGE_VAL;
       coordinate.highest = HUGE_VAL;

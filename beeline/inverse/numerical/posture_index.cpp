@@ -1,8 +1,8 @@
 #include <cmath>
-#include <numbers>
 
 #include <beeline/inverse/numerical/posture_index.h>
 #include <beeline/inverse/numerical/representative.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 // Wider than the tolerance of same_posture(), so that equal postures are in the same cell or in
 // neighbours; a whole number of cells makes a revolution.
 constexpr double cells_in_a_revolution = 2'000'000;
-constexpr double cell_width = 2 * std::numbers::pi / cells_in_a_revolution;
+constexpr double cell_width = revolution / cells_in_a_revolution;
 constexpr std::size_t few = 16;  // these are compared one by one
 
 double cell_of(double coordinate, bool periodic) {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/representative.h>
+#include <beeline/math/revolution.h>
 #include <beeline/pose/so3.h>
 
 namespace beeline::internal {
@@ -12,7 +12,6 @@ namespace {
 // Max distance outside a limit at which a solution is clamped to the limit, radians or metres: ten
 // times the default tolerance of a solution.
 constexpr double rounding = 1e-9;
-constexpr double two_pi = 2 * std::numbers::pi;
 
 }  // namespace
 
@@ -20,11 +19,11 @@ double nearest_angle_within(double angle, double reference, double lower, double
                             double slack) {
   const double nearest = nearest_angle(angle, std::clamp(reference, lower, upper));
   if (nearest < lower - slack) {
-    const double raised = nearest + two_pi;
+    const double raised = nearest + revolution;
     return raised - upper < lower - nearest ? raised : nearest;
   }
   if (nearest > upper + slack) {
-    const double lowered = nearest - two_pi;
+    const double lowered = nearest - revolution;
     return lower - lowered < nearest - upper ? lowered : nearest;
   }
   return nearest;
@@ -54,15 +53,15 @@ std::vector<Configuration> every_representative(const Arm& arm,
     if (!is_periodic(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
     std::vector<Configuration> result;
     for (const Configuration& q : all) {
-      const double first = std::ceil((lower - rounding - q[k]) / two_pi);
-      for (double revolutions = first; q[k] + revolutions * two_pi <= upper + rounding;
+      const double first = std::ceil((lower - rounding - q[k]) / revolution);
+      for (double revolutions = first; q[k] + revolutions * revolution <= upper + rounding;
            ++revolutions) {
         if (result.size() == max_count) {
           throw Error("arm " + arm.name() +
                       " has more than 100000 equivalent configurations within limits");
         }
         result.push_back(q);
-        result.back()[k] = std::clamp(q[k] + revolutions * two_pi, lower, upper);
+        result.back()[k] = std::clamp(q[k] + revolutions * revolution, lower, upper);
       }
     }
     all = result;

@@ -8,6 +8,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
+#include <beeline/planning/internal/singular_joint.h>
 
 namespace beeline::internal {
 namespace {
@@ -70,14 +71,16 @@ Probe probe(const Arm& arm, const Segment& segment, const Task& task, const Conf
 }
 
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
-/// no solution exists; then poses farther ahead are tried.
+/// no solution exists; then poses farther ahead are tried. Next to a singularity it may miss the
+/// solution by rounding; then one that is found farther ahead counts.
 Probe solve_ahead(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
-                  double s, const Budget& budget) {
+                  double s, bool singular, const Budget& budget) {
   const double unit = longest_probed(arm, segment);
   std::optional<Probe> found;
   for (const double ahead : {1e-3, 1e-2, 1e-1}) {
     Probe next = probe(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
-    if (!found || is_unreachable(next.answer)) found = std::move(next);
+    const bool solved = singular && next.answer.status == InverseStatus::solved;
+    if (!found || solved || is_unreachable(next.answer)) found = std::move(next);
     if (found->answer.status != InverseStatus::not_found) break;
   }
   return *found;
@@ -106,16 +109,34 @@ Reason unreachable_ahead(const Segment& segment, const Probe& ahead, const Probe
   return reason;
 }
 
-/// The status and reason where the solver's answer for the pose ahead, with or without a solution,
-/// does not let the arm continue.
+/// Whether the fraction s of the segment is its beginning, up to a thousandth of the arm's size.
+bool is_beginning(const Arm& arm, const Segment& segment, double s) {
+  constexpr double nearby = 1e-3;
+  return s * weighted_length(segment) <= nearby * unit_of_length(arm);
+}
+
+/// Why a segment cannot begin with a configuration at which the arm is singular.
+Reason singular_start(const Arm& arm, const Task& task, const Configuration& q) {
+  Reason reason{ReasonCode::singular_at_start};
+  if (const std::optional<int> k = singular_joint(arm, task, q)) {
+    reason.set(ReasonField::joint, arm.joint_of(*k).name);
+    reason.set(ReasonField::unit, unit(arm.joint_of(*k))).set(ReasonField::value, q[*k]);
+  }
+  return reason;
+}
+
+/// The status and reason by inverse kinematics for the poses ahead, with or without solutions.
 SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task& task,
-                             const Configuration& q, const Probe& ahead, const Budget& budget) {
+                             const Configuration& q, double s, const Budget& budget) {
   const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
-  const bool near_singular = !(condition < regular_condition);
+  const bool singular = !(condition < regular_condition);
+  const Probe ahead = solve_ahead(arm, segment, task, q, s, singular, budget);
   switch (ahead.answer.status) {
     case InverseStatus::solved:
-      if (!near_singular) return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
-      return {MotionStatus::singular, {ReasonCode::singular_on_path}};
+      if (!singular) return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
+      return {MotionStatus::singular, is_beginning(arm, segment, s)
+                                          ? singular_start(arm, task, q)
+                                          : Reason{ReasonCode::singular_on_path}};
     case InverseStatus::outside_limits:
       return {MotionStatus::outside_limits,
               {ReasonCode::pose_outside_limits, {}, {reason_at(segment, ahead)}}};
@@ -133,7 +154,7 @@ SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task&
   }
   return {MotionStatus::not_found,
           {ReasonCode::no_configuration_found,
-           {{ReasonField::near_singular, near_singular}},
+           {{ReasonField::near_singular, singular}},
            {reason_at(segment, ahead)}}};
 }
 
@@ -158,10 +179,7 @@ Reason passed_limit(const Arm& arm, int coordinate, bool lower) {
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget) {
   SegmentFailure failure{MotionStatus::outside_limits, passed_limits(arm, segment, task, q, s)};
-  if (!failure.reason) {
-    const Probe ahead = solve_ahead(arm, segment, task, q, s, budget);
-    failure = failure_ahead(arm, segment, task, q, ahead, budget);
-  }
+  if (!failure.reason) failure = failure_ahead(arm, segment, task, q, s, budget);
   set_stop(segment, s, failure.reason);
   return failure;
 }

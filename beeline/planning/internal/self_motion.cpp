@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/revolution.h>
 #include <beeline/planning/internal/self_motion.h>
 
 namespace beeline::internal {
@@ -58,7 +59,7 @@ Node SelfMotion::difference(const Node& b, const Node& a) const {
   Node d = b - a;
   for (Eigen::Index k = 0; k < d.size(); ++k) {
     const bool wraps = std::abs(d[k]) > std::numbers::pi && cyclic_[static_cast<std::size_t>(k)];
-    if (wraps) d[k] = std::remainder(d[k], 2 * std::numbers::pi);
+    if (wraps) d[k] = std::remainder(d[k], revolution);
   }
   return d;
 }

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/inverse/numerical/representative.h>
+#include <beeline/math/revolution.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/internal/self_motion_sweep.h>
 
@@ -13,7 +13,6 @@ using Node = RedundantConfiguration;
 using Place = SelfMotionLayer::Place;
 
 constexpr std::size_t nowhere = SelfMotionLayer::nowhere;
-constexpr double revolution = 2 * std::numbers::pi;
 constexpr double sweep_share = 0.8;  // of the progress; the rest is that of smooth_knots()
 // Largest change of one joint over an edge, radians or metres.
 constexpr double largest_change = 1.2;

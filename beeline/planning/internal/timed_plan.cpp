@@ -97,6 +97,7 @@ void PlanTiming::add(BranchSection samples, const Deviation& tolerance, std::siz
   if (!section.timed.scaling) {
     status = MotionStatus::outside_limits;
     reason = section.timed.scaling.reason;
+    reason.set(ReasonField::planned, true);
     return;
   }
   section.required = section.path.segment_ends();

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
@@ -8,6 +7,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/math/revolution.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/singular_waypoints.h>
 #include <beeline/planning/internal/track_branch.h>
@@ -15,8 +15,6 @@
 
 namespace beeline::internal {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 /// The range of a coordinate over the branch.
 struct Range {
@@ -58,7 +56,7 @@ double best_shift(const Branch& branch, int k, double lower, double upper) {
   const Range range = range_of(branch, k);
   double best = 0, best_parameter = -1, best_margin = 0;
   for (int i = 0; i <= 2 * max_revolutions; ++i) {
-    const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * full_turn;
+    const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * revolution;
     const double low = lower - shift - position_slack, high = upper - shift + position_slack;
     if (branch.start[k] < low || branch.start[k] > high) continue;
     const double parameter = leaves_at(branch, k, low, high);

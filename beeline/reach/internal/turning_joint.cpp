@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include <beeline/math/revolution.h>
 #include <beeline/model/internal/dh_row.h>
 #include <beeline/reach/internal/turning_joint.h>
 
@@ -27,7 +27,6 @@ bool turns_alone(const Arm& arm, int coordinate) {
 }
 
 std::optional<double> TurningJoint::turned(const Limits& limits, double q, double angle) const {
-  constexpr double revolution = 2 * std::numbers::pi;
   const double value = q + sign * angle;
   const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
   if (!bounded) return value;

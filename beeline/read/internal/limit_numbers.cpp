@@ -25,7 +25,11 @@ ElementFault read_limit(std::string_view text, double& value) {
     infinite = fault == std::errc::result_out_of_range && end == last && std::isinf(value) &&
                !digits.starts_with('-');
   }
-  if (!infinite) return read_number(text, value);
+  if (!infinite) {
+    const ElementFault fault = read_number(text, value);
+    const bool word = !lower.empty() && lower.front() >= 'a' && lower.front() <= 'z';
+    return fault == ElementFault::not_a_number && word ? ElementFault::not_a_limit : fault;
+  }
   value = negative ? -infinity : infinity;
   return ElementFault::none;
 }

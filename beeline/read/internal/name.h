@@ -17,6 +17,10 @@ std::string printable(std::string_view text);
 /// Returns printable(text) in double quotes.
 std::string in_quotes(std::string_view text);
 
+/// Returns text as one word of a command line, to be pasted into a shell: in single quotes unless
+/// it has only letters, digits and `_ - . / : + @ %`.
+std::string shell_word(std::string_view text);
+
 bool is_utf8(std::string_view text);
 
 /// Returns a text with each byte that is not UTF-8 written as `\xfc`.

@@ -1,8 +1,10 @@
 #include <beeline/error.h>
+#include <beeline/model/internal/axis_direction.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/read_fault.h>
 #include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/internal/text_fault.h>
+#include <beeline/read/internal/urdf_file.h>
 
 namespace beeline::internal {
 namespace {
@@ -42,6 +44,14 @@ std::string malformed_clause(const ReadWarning& fault) {
     case ElementFault::not_finite:
     case ElementFault::not_a_limit:
       return number_clause(fault);
+    case ElementFault::not_four_numbers:
+      return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
+             " numbers; it must have four, x y z w";
+    case ElementFault::not_unit_length:
+      return fault.element + ": the quaternion " + fault.attribute + " " + in_quotes(fault.value) +
+             " does not have length 1";
+    case ElementFault::two_orientations:
+      return fault.element + ": has both rpy and " + fault.attribute + "; write one of them";
   }
   return fault.element + " cannot be read";
 }
@@ -72,6 +82,25 @@ std::string clause(const ReadWarning& fault) {
                                  : "two joints have the name " + fault.joint;
     case ReadWarningKind::unconnected_link:
       return "link " + fault.link + " is not connected by any joint";
+    case ReadWarningKind::unknown_type:
+      return "joint " + fault.joint + " has an " +
+             unknown_name("type", printable(fault.value), urdf_joint_types()).what();
+    case ReadWarningKind::zero_axis:
+      return "joint " + fault.joint + ": " +
+             no_direction({fault.numbers[0], fault.numbers[1], fault.numbers[2]});
+    case ReadWarningKind::limits_reversed:
+      return "joint " + fault.joint + ": lower limit " + number(fault.numbers[0]) +
+             " exceeds upper limit " + number(fault.numbers[1]);
+    case ReadWarningKind::velocity_limit:
+      return "joint " + fault.joint + ": velocity limit " + number(fault.numbers[0]) +
+             " is below " + number(Limits::min_rate) + "; 0 and -1 stand for none";
+    case ReadWarningKind::unknown_leader:
+      return "joint " + fault.joint + " mimics an " +
+             unknown_name("joint", printable(fault.value), fault.others).what();
+    case ReadWarningKind::leader_cycle:
+      return "joint " + fault.joint +
+             (fault.value == fault.joint ? " mimics itself"
+                                         : " follows leaders that mimic each other");
     case ReadWarningKind::further_faults:
       return "has " + std::to_string(fault.count) + " more faults beside the chain";
     default:

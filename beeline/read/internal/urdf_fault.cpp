@@ -15,6 +15,9 @@ ReadWarning warning_of(const UrdfFile& file, const UrdfFault& fault) {
   if (warning.kind == ReadWarningKind::unknown_link && file.links.size() <= most_compared) {
     for (const auto& link : file.links) warning.others.push_back(link.name);
   }
+  if (warning.kind == ReadWarningKind::unknown_leader && file.joints.size() <= most_compared) {
+    for (const auto& joint : file.joints) warning.others.push_back(joint.name);
+  }
   return warning;
 }
 

@@ -1,12 +1,16 @@
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <tinyxml2.h>
 #include <unordered_set>
 
 #include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
 #include <beeline/pose/se3.h>
 #include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/internal/urdf_joint_faults.h>
 #include <beeline/read/internal/xml.h>
 #include <beeline/read/internal/xml_elements.h>
 
@@ -19,12 +23,52 @@ bool is_xacro(const XMLElement& element) {
   return std::string_view(element.Name()).starts_with("xacro:");
 }
 
+/// Refuses an element whose values stand elsewhere than in the attributes that are read, as in
+/// `<axis>0 0 1</axis>` or `<axis x="0" y="0" z="1"/>`. An empty one has the defaults.
+void check_attributes(const XmlElements& elements, const XMLElement& element,
+                      std::initializer_list<const char*> known) {
+  const bool written = std::any_of(known.begin(), known.end(), [&](const char* attribute) {
+    return element.Attribute(attribute) != nullptr;
+  });
+  const bool empty = element.FirstAttribute() == nullptr &&
+                     element.FirstChildElement() == nullptr && element.GetText() == nullptr;
+  if (!written && !empty) {
+    elements.refuse(element, *known.begin(), ElementFault::missing_attribute);
+  }
+}
+
+/// The orientation of an origin: rpy, or the quaternion of URDF 1.2. Both are refused.
+Rotation read_orientation(const XmlElements& elements, const XMLElement& origin,
+                          UrdfFile::Joint& joint) {
+  constexpr const char* quaternion = "quat_xyzw";
+  joint.rpy = elements.vector(origin, "rpy", Vector3::Zero());
+  const char* text = origin.Attribute(quaternion);
+  if (text == nullptr) return rotation(RollPitchYaw{joint.rpy.x(), joint.rpy.y(), joint.rpy.z()});
+  if (origin.Attribute("rpy") != nullptr) {
+    elements.refuse(origin, quaternion, ElementFault::two_orientations);
+  }
+  const std::vector<double> q = elements.numbers(origin, quaternion);
+  if (q.size() != 4) {
+    throw XmlError({.path = elements.path(),
+                    .line = origin.GetLineNum(),
+                    .element = described(origin),
+                    .element_fault = ElementFault::not_four_numbers,
+                    .attribute = quaternion,
+                    .count = q.size()});
+  }
+  try {
+    return rotation_from_quaternion(q[3], q[0], q[1], q[2]);
+  } catch (const Error&) {
+    elements.refuse(origin, quaternion, ElementFault::not_unit_length, text);
+  }
+}
+
 void read_origin(const XmlElements& elements, const XMLElement& element, UrdfFile::Joint& joint) {
   const XMLElement* origin = element.FirstChildElement("origin");
   if (origin == nullptr) return;
-  joint.rpy = elements.vector(*origin, "rpy", Vector3::Zero());
-  joint.origin = make_pose(elements.vector(*origin, "xyz", Vector3::Zero()),
-                           rotation(RollPitchYaw{joint.rpy.x(), joint.rpy.y(), joint.rpy.z()}));
+  check_attributes(elements, *origin, {"xyz", "rpy", "quat_xyzw"});
+  const Vector3 position = elements.vector(*origin, "xyz", Vector3::Zero());
+  joint.origin = make_pose(position, read_orientation(elements, *origin, joint));
 }
 
 /// A missing <limit> means no limit, although the format requires one; a missing lower or upper is
@@ -67,10 +111,12 @@ void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFil
   read_origin(elements, element, joint);
   if (!has_one_dof(joint)) return;  // many files give a fixed joint an axis of zeros
   if (const XMLElement* axis = element.FirstChildElement("axis")) {
+    check_attributes(elements, *axis, {"xyz"});
     joint.axis = elements.vector(*axis, "xyz", Vector3::UnitX());
     joint.axis_line = axis->GetLineNum();
   }
   if (const XMLElement* limit = element.FirstChildElement("limit")) {
+    check_attributes(elements, *limit, {"lower", "upper", "velocity", "effort"});
     joint.limits = read_limits(elements, *limit, joint.type == "continuous");
     joint.limit_line = limit->GetLineNum();
   }
@@ -190,6 +236,24 @@ class Reader {
   bool moves_ = false;  ///< a fault that moves has been added
 };
 
+/// Refuses a file without links whose links are spelled otherwise, as in `<Link>` or `<u:link>`, or
+/// are inside another element than `<robot>`.
+void refuse_misplaced_links(const XmlElements& elements, const XMLElement& robot) {
+  std::vector<const XMLElement*> pending{&robot};
+  while (!pending.empty()) {
+    const XMLElement* const parent = pending.back();
+    pending.pop_back();
+    for (const XMLElement* at = parent->FirstChildElement(); at; at = at->NextSiblingElement()) {
+      const std::string tag = lower_case(at->Name());
+      if (tag == "link" || tag.ends_with(":link")) {
+        elements.refuse(at->GetLineNum(), "has no <link> directly in <robot>, but " +
+                                              described(*at) + " in " + described(*parent));
+      }
+      pending.push_back(at);
+    }
+  }
+}
+
 }  // namespace
 
 bool has_one_dof(const UrdfFile::Joint& joint) {
@@ -198,6 +262,12 @@ bool has_one_dof(const UrdfFile::Joint& joint) {
 
 bool is_free(const UrdfFile::Joint& joint) {
   return joint.type == "floating" || joint.type == "planar";
+}
+
+const std::vector<std::string>& urdf_joint_types() {
+  static const std::vector<std::string> types{"fixed",     "revolute", "continuous",
+                                              "prismatic", "planar",   "floating"};
+  return types;
 }
 
 UrdfFile parse_urdf(std::string_view text, const std::string& path) {
@@ -218,6 +288,8 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   for (const XMLElement* at = robot->FirstChildElement(); at; at = at->NextSiblingElement()) {
     reader.read(*at);
   }
+  if (file.links.empty() && file.faults.empty()) refuse_misplaced_links(elements, *robot);
+  find_joint_faults(file);
   return file;
 }
 

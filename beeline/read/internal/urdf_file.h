@@ -38,7 +38,7 @@ struct UrdfFile {
   std::string name;  ///< of the robot; the file's name when the robot has none
   std::vector<Link> links;
   std::vector<Joint> joints;      ///< those with a name, a type, a parent and a child
-  std::vector<UrdfFault> faults;  ///< in the file's order
+  std::vector<UrdfFault> faults;  ///< of elements in the file's order, then of joints
   /// The number of further ones that no chain can have: beyond 10,000, elements without a name.
   std::size_t further_faults = 0;
 };
@@ -46,13 +46,16 @@ struct UrdfFile {
 /// Whether the joint has one degree of freedom: revolute, continuous or prismatic.
 bool has_one_dof(const UrdfFile::Joint& joint);
 
+/// The types of joints that URDF defines.
+const std::vector<std::string>& urdf_joint_types();
+
 /// Whether the joint is floating or planar, with several degrees of freedom.
 bool is_free(const UrdfFile::Joint& joint);
 
 /// Parses a URDF text. Its faults are recorded: elements that xacro should have replaced, an
-/// attribute that is missing or not a number, a name that is missing, not UTF-8 or given twice.
-/// Does not check that the links form a tree. Names have with_escaped_bytes(). Throws FileError for
-/// text that is not XML or has no <robot>.
+/// attribute that is missing or not a number, a name that is missing, not UTF-8 or given twice,
+/// and those of find_joint_faults(). Does not check that the links form a tree. Names have
+/// with_escaped_bytes(). Throws FileError for text that is not XML or has no <robot>.
 UrdfFile parse_urdf(std::string_view text, const std::string& path);
 
 }  // namespace beeline::internal

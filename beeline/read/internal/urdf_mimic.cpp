@@ -35,8 +35,7 @@ void keep_within(const UrdfFile::Joint& leader, const Mimic& mimic, Limits& limi
 
 class LeaderResolution {
  public:
-  LeaderResolution(const UrdfFile& file, std::vector<Joint>& joints)
-      : file_(file), joints_(joints) {
+  LeaderResolution(const UrdfFile& file, std::vector<Joint>& joints) : joints_(joints) {
     for (const UrdfFile::Joint& joint : file.joints) of_file_.emplace(joint.name, &joint);
     for (const Joint& joint : joints) on_chain_.insert(joint.name);
   }
@@ -44,7 +43,6 @@ class LeaderResolution {
   void run() {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       if (!joints_[i].mimic) continue;
-      check_leader(joints_[i]);
       joints_[i].mimic = resolved(joints_[i]);
       const Mimic& mimic = *joints_[i].mimic;
       if (!on_chain_.contains(mimic.leader)) followers_[mimic.leader].push_back(i);
@@ -58,25 +56,13 @@ class LeaderResolution {
   }
 
  private:
-  void check_leader(const Joint& joint) const {
-    if (of_file_.contains(joint.mimic->leader)) return;
-    std::vector<std::string> names;
-    for (const UrdfFile::Joint& known : file_.joints) names.push_back(known.name);
-    throw FileError(file_.path, of_file_.at(joint.name)->mimic_line,
-                    "joint " + joint.name + " mimics an " +
-                        unknown_name("joint", printable(joint.mimic->leader), names).what());
-  }
-
-  /// Follows the leaders beside the chain up to one on the chain, or to the last one.
+  /// Follows the leaders beside the chain up to one on the chain, or to the last one: they have no
+  /// leader_cycle.
   Mimic resolved(const Joint& joint) const {
     Mimic mimic = *joint.mimic;
-    for (std::size_t steps = 0; !on_chain_.contains(mimic.leader); ++steps) {
+    while (!on_chain_.contains(mimic.leader)) {
       const UrdfFile::Joint& leader = *of_file_.at(mimic.leader);
       if (!leader.mimic || !of_file_.contains(leader.mimic->leader)) return mimic;
-      if (steps > file_.joints.size()) {
-        throw FileError(file_.path, of_file_.at(joint.name)->mimic_line,
-                        "joint " + joint.name + " follows leaders that mimic each other");
-      }
       mimic = {leader.mimic->leader, mimic.multiplier * leader.mimic->multiplier,
                mimic.multiplier * leader.mimic->offset + mimic.offset};
     }
@@ -99,7 +85,6 @@ class LeaderResolution {
     }
   }
 
-  const UrdfFile& file_;
   std::vector<Joint>& joints_;
   FileJoints of_file_;
   std::unordered_set<std::string> on_chain_;

@@ -13,7 +13,7 @@ namespace beeline::internal {
 /// file has a coordinate of its own, within the limits that the leader's range leaves it, and the
 /// others follow that joint. With leader value L,
 ///     q_0 = m_0 L + o_0,  q_i = m_i L + o_i = (m_i / m_0) q_0 + o_i - (m_i / m_0) o_0.
-/// Throws FileError for a leader that the file does not have and for leaders that form a cycle.
+/// Each leader is in the file, and none leads itself: see find_joint_faults().
 void resolve_leaders(const UrdfFile& file, std::vector<Joint>& joints);
 
 }  // namespace beeline::internal

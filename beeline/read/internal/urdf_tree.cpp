@@ -137,8 +137,9 @@ std::size_t UrdfTree::base(const std::string& name) const {
   }
   if (roots.size() == 1) return roots.front();
   for (const UrdfFault& fault : faults_) {
-    if (fault.warning.kind == ReadWarningKind::two_parents) throw error_of(file_, fault);
+    if (parts_tree(fault)) throw error_of(file_, fault);
   }
+  if (file_.joints.empty()) refuse("has links, but no joints between them");
   refuse("has " + std::to_string(roots.size()) +
          " roots; choose the base: " + listed(names_of(roots)));
 }
@@ -160,7 +161,8 @@ UrdfTree::Tip UrdfTree::tip(const std::string& name, std::size_t base) const {
   };
   if (!one_body && tool == ends.end()) {
     refuse("has " + std::to_string(ends.size()) + " tips " + (below ? "below " : "beyond ") +
-           name_of(base) + "; choose one as the tip: " + listed(names()) + before_gripper(ends));
+           name_of(base) + "; choose one as the tip: " + listed(names()) +
+           before_gripper(ends, base));
   }
   Tip tip{.link = (tool == ends.end() ? ends.front() : *tool).link};
   if (ends.size() == 1) return tip;
@@ -193,6 +195,15 @@ std::vector<ChainJoint> UrdfTree::chain(std::size_t base, std::size_t tip) const
   return joints;
 }
 
+/// Whether the fault is of a joint that moves and has no place in the tree, or of two parents: it
+/// may be why links are not connected.
+bool UrdfTree::parts_tree(const UrdfFault& fault) const {
+  const ReadWarningKind kind = fault.warning.kind;
+  const bool unplaced =
+      (kind == ReadWarningKind::malformed && !fault.index) || kind == ReadWarningKind::unknown_link;
+  return (unplaced && fault.moves) || kind == ReadWarningKind::two_parents;
+}
+
 /// Returns the fault that is likely why two links are not connected; null where there is none.
 const UrdfFault* UrdfTree::cause_of_gap(std::size_t base, std::size_t tip) const {
   const UrdfFault* unconnected = nullptr;
@@ -203,10 +214,8 @@ const UrdfFault* UrdfTree::cause_of_gap(std::size_t base, std::size_t tip) const
     if (fault.warning.kind != ReadWarningKind::unconnected_link) return &fault;
     unconnected = &fault;
   }
-  for (const UrdfFault& fault : faults_) {  // joints without a place in the tree
-    const bool unplaced =
-        fault.warning.kind == ReadWarningKind::malformed && !fault.index && fault.moves;
-    if (unplaced || fault.warning.kind == ReadWarningKind::two_parents) return &fault;
+  for (const UrdfFault& fault : faults_) {
+    if (parts_tree(fault)) return &fault;
   }
   return unconnected;
 }

@@ -81,10 +81,11 @@ class UrdfTree {
   void break_cycles();
   void find_moving_faults();
   bool misspelt(const std::string& name) const;
+  bool parts_tree(const UrdfFault& fault) const;
   const UrdfFault* cause_of_gap(std::size_t base, std::size_t tip) const;
   Indices links_below(Indices from) const;
   std::vector<End> moved_ends(std::size_t base, Way way) const;
-  std::string before_gripper(const std::vector<End>& ends) const;
+  std::string before_gripper(const std::vector<End>& ends, std::size_t base) const;
   std::size_t palm_above(std::size_t link,
                          std::unordered_map<std::size_t, std::size_t>& known) const;
   std::vector<std::size_t> joint_depths() const;

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include <beeline/error.h>
+#include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_fault.h>
 #include <beeline/read/internal/urdf_gripper.h>
 #include <beeline/read/internal/urdf_tree.h>
@@ -7,19 +10,23 @@
 
 namespace beeline::internal {
 
-/// Names the link that all these ends are the fingers of; empty where there is none.
-std::string UrdfTree::before_gripper(const std::vector<End>& ends) const {
+/// Names the link that all fingers among these ends belong to, with the option that ends the chain
+/// there; empty where there is none, or where no joint moves it relative to the base.
+std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t base) const {
   std::unordered_map<std::size_t, std::size_t> known;
-  const std::size_t palm = palm_above(ends.front().link, known);
-  if (palm == no_link) return "";
+  std::size_t palm = no_link;
   for (const End& end : ends) {
-    if (palm_above(end.link, known) != palm) return "";
+    const std::size_t own = palm_above(end.link, known);
+    if (own == no_link) continue;
+    if (palm != no_link && own != palm) return "";
+    palm = own;
   }
-  for (std::size_t link = palm; parent_joint_[link] != no_joint; link = parent_of(link)) {
-    if (!has_one_dof(file_.joints[parent_joint_[link]])) continue;
-    return "; before the gripper is " + name_of(palm);
-  }
-  return "";
+  if (palm == no_link) return "";
+  const std::vector<ChainJoint> joints = chain(base, palm);
+  const bool moves = std::any_of(joints.begin(), joints.end(), [&](const ChainJoint& joint) {
+    return has_one_dof(file_.joints[joint.index]);
+  });
+  return moves ? "; --tip " + shell_word(name_of(palm)) + " ends before the gripper" : "";
 }
 
 /// Returns the link above the uppermost of the joints of fingers over a link, fixed joints aside;

@@ -48,6 +48,11 @@ const UrdfFault* UrdfTree::first_fault_on(const std::vector<ChainJoint>& chain) 
         return members.has(fault) ||
                (warning.element_fault == ElementFault::not_utf8 && members.has_named(warning));
       case ReadWarningKind::xacro_tag:
+      case ReadWarningKind::zero_axis:
+      case ReadWarningKind::limits_reversed:
+      case ReadWarningKind::velocity_limit:
+      case ReadWarningKind::unknown_leader:
+      case ReadWarningKind::leader_cycle:
         return members.has(fault);
       case ReadWarningKind::repeated_name:
         return members.has_named(warning);

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include <beeline/math/revolution.h>
 #include <beeline/record/internal/recorded_units.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr double revolution = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double slack = 1e-3;          // radians or metres, of a joint that is at its limit
 constexpr double excess_of_fit = 0.05;  // radians or metres: recordings exceed limits a little

@@ -21,11 +21,10 @@ Reason outside(const Arm& arm, const JointPath& samples, const JointPath& refine
   for (const Configuration& q : refined.q) {
     if (budget.ended(0)) return {};
     const auto violations = limit_violations(arm, q);
-    if (!violations.empty()) {
-      Reason reason = violations.front();
-      reason.code = ReasonCode::spline_outside_limits;
-      return reason;
-    }
+    if (violations.empty()) continue;
+    Reason reason = violations.front();
+    reason.code = ReasonCode::spline_outside_limits;
+    return reason;
   }
   return {};
 }
