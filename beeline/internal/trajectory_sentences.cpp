@@ -1,9 +1,9 @@
 #include <cmath>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/internal/reason_text.h>
 #include <beeline/internal/rounded_number.h>
-#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 namespace {
@@ -42,7 +42,7 @@ std::string of_joint(const ReasonText& reason) {
              reason.text(interpolation) + " with its velocities: outside " + range(reason);
     case ReasonCode::rotates_too_far:
       return "rotates by " + reason.number(change) + " rad to the next sample, " +
-             number(std::abs(reason.value(change)) / revolution) + " revolutions";
+             number(std::abs(reason.value(change)) / (2 * std::numbers::pi)) + " revolutions";
     case ReasonCode::derivative_needed:
       return "needs " + above_limit(reason, " over the next samples");
     case ReasonCode::derivative_reached:

@@ -18,10 +18,9 @@ Diagnosis diagnosis_of(nb::handle model, nb::handle base, nb::handle tip) {
   return diagnose(text, ends);
 }
 
-std::vector<Finding> faults_of(nb::handle path) {
+nb::object faults_of(nb::handle path) {
   const std::string text = path_from(path, "path");
-  const LockRelease release;
-  return file_faults(text);
+  return Value<std::vector<Finding>>::to(without_lock([&] { return file_faults(text); }));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ FLAWS = {  # file: what is wrong in it, read from its text
     "so101.urdf": {"rounded_angle"},  # 1.5708
     "tiago_pro.urdf": {"rounded_angle"},  # 1.5708
     "xarm7.urdf": {"rounded_angle"},  # 1.5708
+    "alex_psyonic_hands.urdf": {"fault"},  # fingers mimic joints of another prefix
     "centauro.urdf": {"no_range"},  # wheels that are revolute, limits 0 and 0
     "double_pendulum.urdf": {"no_range"},
     "double_pendulum_simple.urdf": {"no_range"},

@@ -226,6 +226,9 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
   if (!budget.complete()) return set_ended(path, budget.ending(), branch);
   branch.status = failure.status;
   branch.reason = std::move(failure.reason);
+  if (w > 0 && branch.reason.code == ReasonCode::singular_at_start) {
+    branch.reason.code = ReasonCode::singular_on_path;
+  }
   set_segment(path, w, branch.reason);
 }
 
