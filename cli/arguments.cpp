@@ -7,9 +7,9 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/internal/numbers.h>
-#include <beeline/read/joint_limits.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/joint_limits.h>
 
 #include "command/streams.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <beeline/kinematics/task.h>
-#include <beeline/read/pose_list.h>
+#include <beeline/io/text/pose_list.h>
 
 #include "command/option.h"
 

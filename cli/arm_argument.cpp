@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include <beeline/error.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/internal/name.h>
-#include <beeline/read/joint_limits.h>
-#include <beeline/read/urdf.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/urdf.h>
 
 #include "command/streams.h"
 #include "pose_argument.h"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/record/number_rows.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/number_rows.h>
 
 #include "batch_work.h"
 #include "command/progress.h"

@@ -7,7 +7,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
-#include <beeline/read/internal/pose_form.h>
+#include <beeline/io/text/internal/pose_form.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 
 using namespace beeline;

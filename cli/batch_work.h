@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <beeline/batch/batch.h>
-#include <beeline/record/number_rows.h>
+#include <beeline/io/number_rows.h>
 
 #include "inverse_argument.h"
 

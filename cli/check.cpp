@@ -5,7 +5,7 @@
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/trajectory/difference.h>
+#include <beeline/trajectory/trajectory.h>
 
 #include "arm_argument.h"
 #include "motion_report.h"

@@ -4,8 +4,8 @@
 #include <beeline/doctor/comparison.h>
 #include <beeline/doctor/diagnosis.h>
 #include <beeline/error.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/urdf.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/urdf.h>
 
 #include "arm_argument.h"
 #include "command/streams.h"

@@ -4,7 +4,7 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "animation_argument.h"
 #include "arm_argument.h"

@@ -5,11 +5,11 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/internal/csv_rows.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/internal/file_stream.h>
-#include <beeline/record/internal/time_column.h>
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/internal/time_column.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"

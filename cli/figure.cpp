@@ -1,10 +1,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/chapter.h>
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "animation_argument.h"
 #include "arguments.h"

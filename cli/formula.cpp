@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/formula/code.h>
 #include <beeline/formula/document.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "arm_argument.h"
 #include "format.h"

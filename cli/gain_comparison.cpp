@@ -5,7 +5,7 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "format.h"
 #include "json_reason.h"

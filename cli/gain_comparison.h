@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/control/controlled_motion.h>
+#include <beeline/control/joint.h>
 
 #include "command/verb.h"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 using namespace beeline;
 

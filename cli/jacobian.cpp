@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/analytical_jacobian.h>
-#include <beeline/kinematics/derivatives.h>
+#include <beeline/io/text/internal/numbers.h>
 #include <beeline/kinematics/internal/mask.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
-#include <beeline/read/internal/numbers.h>
 
 #include "arm_argument.h"
 #include "format.h"

@@ -6,7 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/planning/program.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/planning/branch.h>
-#include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/limit_usage.h>
+#include <beeline/trajectory/trajectory.h>
 
 #include "arguments.h"
 #include "command/json.h"

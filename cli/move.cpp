@@ -4,7 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"

@@ -7,9 +7,9 @@
 #include <map>
 
 #include <beeline/error.h>
-#include <beeline/read/arm_json.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/internal/json.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/json.h>
 
 #include "command/json.h"
 

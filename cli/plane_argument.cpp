@@ -1,7 +1,7 @@
 #include "plane_argument.h"
 
 #include <beeline/error.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 using namespace beeline;
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/reach/slice.h>
+#include <beeline/reach/surface.h>
 
 #include "command/option.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include <beeline/read/pose_list.h>
+#include <beeline/io/text/pose_list.h>
 
 #include "arguments.h"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <beeline/io/program.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 

@@ -4,7 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/manipulability.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 #include "command/streams.h"
 #include "format.h"

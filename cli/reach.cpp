@@ -1,4 +1,5 @@
-#include <beeline/reach/compute_map.h>
+#include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 #include "reach_totals.h"
 #include "result_files.h"

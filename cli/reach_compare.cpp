@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/reach_figure.h>
-#include <beeline/reach/comparison.h>
+#include <beeline/draw/timing_figure.h>
+#include <beeline/reach/surface.h>
 
 #include "format.h"
 #include "plane_argument.h"

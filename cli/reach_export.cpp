@@ -1,7 +1,7 @@
 #include <beeline/error.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/reach/npz_file.h>
-#include <beeline/reach/vti_file.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/reach/surface.h>
 
 #include "command/verb.h"
 #include "reach_totals.h"

@@ -5,8 +5,9 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/reach/compute_map.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include <beeline/reach/compute_map.h>
+#include <beeline/reach/reach_map.h>
+#include <beeline/reach/reach.h>
 
 /// What `reach map` is to compute.
 struct ReachMapJob {

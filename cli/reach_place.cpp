@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/reach/place.h>
-#include <beeline/read/internal/file.h>
 
 #include "budget_argument.h"
 #include "command/progress.h"

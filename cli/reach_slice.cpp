@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/reach_figure.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/reach/slice.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/reach/surface.h>
 
 #include "command/verb.h"
 #include "format.h"

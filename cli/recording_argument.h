@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "arguments.h"
 #include "command/json.h"

@@ -6,8 +6,8 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/trajectory_file.h>
 
 using namespace beeline;
 

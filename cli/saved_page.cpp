@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include <beeline/error.h>
-#include <beeline/read/arm_json.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
 
 using namespace beeline;
 

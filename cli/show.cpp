@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
-#include <beeline/read/arm_json.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/urdf.h>
 
 #include "arm_argument.h"
 #include "arm_document.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "arm_argument.h"
 #include "command/interrupt.h"

@@ -5,7 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/read/arm.h>
+#include <beeline/io/text/arm.h>
 
 int main() {
   const beeline::Arm arm = beeline::read_arm("panda");  // or "robot.urdf", or "RRR:3.5,3.5,2"

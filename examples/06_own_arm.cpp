@@ -3,11 +3,10 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se3.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/arm_json.h>
 
 int main() {
   // A crane: rotates about z, lifts along z, extends along x.

@@ -1,7 +1,6 @@
 // Formulas: eq. 1.2 and 1.7 of the chapter in symbols, the determinant of a UR5, and code for it.
 #include <iostream>
 
-#include <beeline/formula/code.h>
 #include <beeline/formula/document.h>
 #include <beeline/model/catalog.h>
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/reach_figure.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se3.h>

@@ -71,7 +71,7 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
     )
     assert done.returncode != 0
     message = " ".join(done.stderr.split())  # CMake breaks lines
-    assert "beeline has no component 'legs': core, batch, reach, read, formula, doctor, draw" in message
+    assert "beeline has no component 'legs': core, batch, reach, io, formula, doctor, draw" in message
 
 
 def test_every_public_header_is_installed(prefix, root):

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <ostream>
 
-#include <beeline/certificate/joint_faults.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>

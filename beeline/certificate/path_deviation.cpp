@@ -4,7 +4,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/path_tracker.h>

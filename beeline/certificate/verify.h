@@ -8,11 +8,98 @@
 #include <vector>
 
 #include <beeline/budget.h>
-#include <beeline/certificate/joint_faults.h>
-#include <beeline/certificate/path_deviation.h>
 #include <beeline/error.h>
+#include <beeline/kinematics/task.h>
+#include <beeline/path/tool_path.h>
+#include <beeline/reason.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
+
+/// Deviation of a joint motion from its path; metres and radians. sampled <= measured <= bound.
+struct PathDeviation {
+  Deviation sampled;   ///< largest deviation at the samples
+  Deviation measured;  ///< largest deviation at the samples and at some times between them
+  Deviation bound;     ///< proved upper bound at all times
+  std::vector<Deviation> interval_bounds;  ///< proved from sample k to the next
+  Ending ending = Ending::complete;        ///< otherwise `bound` is infinite
+};
+
+/// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from
+/// the path, for the motion that the columns mean (see Interpolation). `path_parameters[k]` is the
+/// path parameter of sample k: whole segments, with a fraction of the next. On a line the deviation
+/// is from its nearest point, whatever the fraction; verify() also checks that each line is
+/// traversed to its end.
+///
+/// Between two samples the error's quintic Hermite polynomial is compared with the error itself by
+/// a bound on the sixth derivative (certificate/internal/interval_deviation.h): for samples on the
+/// path that have its velocity and acceleration, the bound falls with the sixth power of the time
+/// between them.
+///
+/// Throws Error when sizes do not fit, the path parameters are not on the path or decrease, or the
+/// task leaves rows free that the path's segments need (see PathMotionOptions::task).
+PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
+                             std::span<const double> path_parameters, const ToolPath& path,
+                             const Task& task, const Budget& budget = {});
+
+/// Computes the path parameters of samples along the path; sample `arrivals[i]` is at the end of
+/// segment i. Samples between two of these get the parameter of the nearest point, and those after
+/// the last one its segment's end. Throws Error when the arrivals are not indices of samples in
+/// order, or more than segments.
+std::vector<double> path_parameters_along(const Arm& arm, std::span<const Configuration> samples,
+                                          const ToolPath& path,
+                                          std::span<const std::size_t> arrivals, const Task& task);
+
+/// Returns the index of the first sample at or after the end of each segment, for the segments
+/// whose end the path parameters reach.
+std::vector<std::size_t> arrivals(std::span<const double> path_parameters);
+
+/// The faults that verify() finds in a trajectory.
+enum class Fault {
+  none,
+  limits,       ///< a joint exceeds its position limits, at a sample or between two
+  flip,         ///< a joint rotates by pi or more between two samples
+  deviation,    ///< the tool leaves the path, at a sample or possibly between two
+  backwards,    ///< the tool moves back on the path, at a sample or possibly between two
+  not_through,  ///< a waypoint is not reached
+  velocity,     ///< a velocity limit is exceeded between two samples
+  acceleration,
+  jerk,
+  moving,      ///< a joint moves at the start, the end or a waypoint at which a program stops
+  dwell,       ///< the arm does not rest long enough at a waypoint of a program
+  tool_speed,  ///< the tool is faster than a move of a program allows
+};
+std::string name(Fault fault);
+std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
+
+/// The ends of a trajectory at which the joints may move; at the others they start from rest, or
+/// come to rest.
+struct MovingEnds {
+  bool start = false, end = false;
+};
+
+struct JointFault {
+  Fault kind = Fault::none;
+  std::size_t sample = 0;  ///< the fault is at this sample, or between it and the next
+  Reason reason = {};      ///< joint, value, limit
+};
+
+/// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
+/// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
+/// Derivatives may exceed their limits by a millionth, or by the fraction `limit_tolerance` if that
+/// is more, and by what the rounding of times to doubles makes of them after hours, at most a ten
+/// thousandth. Nothing where the budget ends it before.
+/// Throws Error when the trajectory does not fit the arm.
+std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
+                                            const MovingEnds& moving = {},
+                                            const Budget& budget = {}, double limit_tolerance = 0);
+
+namespace internal {
+
+/// Throws Error unless a limit tolerance is from 0 to 0.1.
+void check_limit_tolerance(double limit_tolerance);
+
+}  // namespace internal
 
 struct VerifyOptions {
   MovingEnds moving = {};                   ///< default: the trajectory starts and ends at rest

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include <beeline/control/controlled_motion.h>
+#include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 

@@ -2,13 +2,76 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
-#include <beeline/control/controlled_motion.h>
-#include <beeline/control/pid.h>
+#include <beeline/budget.h>
 #include <beeline/error.h>
+#include <beeline/model/arm.h>
+#include <beeline/planning/branch.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
+
+/// A motion simulated with a feedback controller, or planned by move_joints().
+struct ControlledMotion {
+  MotionStatus status = MotionStatus::reached;
+  Reason reason = {};                 ///< none when reached
+  Trajectory trajectory;              ///< every step, also when the goal was not reached
+  std::vector<std::size_t> arrivals;  ///< the sample at which each goal was reached
+  int steps = 0;
+  int slowed = 0;        ///< steps that were scaled down for the velocity limits
+  double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
+  double error = 0;      ///< remaining error of the last goal, radians or metres
+
+  explicit operator bool() const { return status == MotionStatus::reached; }
+};
+
+struct SimulationOptions {
+  double tolerance = 1e-6;  ///< max error of a goal that is reached, metres and radians, above 0
+  int max_steps = 100'000;  ///< of the whole motion, 1 to 1e7; else not_converged
+  double time_step = 0.02;  ///< of the controller, seconds, above 0
+  Budget budget = {};       ///< of the whole motion
+};
+
+/// Gains of a discrete PID controller: each step is kp e + ki Σe + kd (e − last e) with the error
+/// e = goal − q. With ki = kd = 0 this is eq. 1.3 of Dellaert, *Serial Link Manipulators*: it
+/// approaches the goal monotonically for kp < 1, overshoots and oscillates for 1 < kp < 2, and does
+/// not converge for kp ≥ 2.
+struct PidGains {
+  double kp = 0.1;
+  double ki = 0;
+  double kd = 0;
+};
+
+/// A PID controller in joint space, with its state: the sum of the errors and the last error.
+/// Joint values are plain numbers; angles are not wrapped. No step allocates.
+class Pid {
+ public:
+  /// Throws Error unless kp > 0, ki >= 0, kd >= 0 and all are finite, as the goal is.
+  Pid(const PidGains& gains, const ConfigurationRef& goal);
+
+  /// Resets the state to q: the sum is zero, and q is the reference of the next difference.
+  /// Throws Error when the size of q is not the goal's or a value is not finite.
+  void start(const ConfigurationRef& q);
+
+  /// Changes the goal and keeps the state. The change of the goal does not enter the difference of
+  /// the error. Throws Error when its size is not the old goal's or a value is
+  /// not finite.
+  void set_goal(const ConfigurationRef& goal);
+
+  /// Returns the change of q, valid until the next step. A first step without start() starts at q.
+  /// Throws Error when the size of q is not the goal's or a value is not finite; the state stays.
+  const Configuration& step(const ConfigurationRef& q);
+
+ private:
+  void check(const ConfigurationRef& q) const;
+
+  PidGains gains_;
+  Configuration goal_, sum_, last_error_, change_;
+  bool started_ = false;
+};
 
 /// Joint-space motion control from `start` to `goal`. With kp alone the motion is a straight line
 /// in joint space, which is a curve of the tool. Joint values are plain numbers; angles are not

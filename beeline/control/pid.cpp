@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <beeline/control/pid.h>
+#include <beeline/control/joint.h>
 #include <beeline/error.h>
 
 namespace beeline {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <beeline/certificate/joint_faults.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/control/internal/recording_limits.h>
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/replay.h>

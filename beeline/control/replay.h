@@ -5,7 +5,7 @@
 
 #include <beeline/budget.h>
 #include <beeline/error.h>
-#include <beeline/planning/status.h>
+#include <beeline/planning/branch.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {

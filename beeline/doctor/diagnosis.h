@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
-#include <beeline/read/arm.h>
+#include <beeline/io/text/arm.h>
 
 namespace beeline {
 

@@ -2,7 +2,7 @@
 #include <beeline/draw/internal/cairo.h>
 #include <beeline/draw/internal/svg.h>
 #include <beeline/error.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 namespace beeline {
 

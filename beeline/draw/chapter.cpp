@@ -6,7 +6,6 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
 #include <beeline/draw/internal/concept_figures.h>

@@ -4,7 +4,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/arm_scene.h>
-#include <beeline/draw/reach_figure.h>
+#include <beeline/draw/timing_figure.h>
 
 namespace beeline {
 namespace {

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/paper.h>
 #include <beeline/error.h>
+#include <beeline/reach/surface.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -56,5 +59,13 @@ struct NamedMotion {
 /// without samples, a goal of another size, and a goal equal to the start.
 Drawing step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
                              const std::string& title);
+
+/// Draws a slice of a reach map: each position that is reached in the colour of its value, with a
+/// scale beside it, and the arm.
+Figure reach_figure(const ReachSlice& slice);
+
+/// Draws slices of two maps beside each other, with one scale: of slices_of(), for example. Throws
+/// Error for slices of different measures or planes.
+Figure reach_figure(const std::array<ReachSlice, 2>& slices);
 
 }  // namespace beeline

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <beeline/formula/code.h>
+#include <beeline/formula/document.h>
 #include <beeline/formula/internal/code_writer.h>
 #include <beeline/formula/internal/program_chain.h>
 

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <beeline/formula/formula.h>
 #include <beeline/formula/internal/arm_namer.h>
 #include <beeline/formula/internal/dimensions.h>
 #include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/symbolic_chain.h>
-#include <beeline/formula/symbolic_arm.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline {

@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include <beeline/kinematics/analytical_jacobian.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {

@@ -1,6 +1,6 @@
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/jacobian_frame.h>
+#include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
 namespace {

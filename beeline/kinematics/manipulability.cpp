@@ -4,8 +4,8 @@
 #include <string>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/internal/mask.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/math/six_row_svd.h>
 

@@ -1,5 +1,5 @@
 #include <beeline/error.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {

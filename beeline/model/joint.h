@@ -4,7 +4,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <beeline/error.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {
@@ -146,5 +148,54 @@ Twist joint_velocity(const Joint& joint, const Pose& world_T_link, const Vector3
 
 /// T_i^{i-1}(q) = offset * exp(screw * q).
 Pose joint_transform(const Joint& joint, double q);
+
+/// The two conventions of Denavit-Hartenberg parameters. A table does not show which one it uses,
+/// so it must be stated.
+enum class DhConvention {
+  standard,  ///< T = Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit & Hartenberg 1955, Paul 1981
+  modified,  ///< T = Tx(a) Rx(alpha) Rz(theta) Tz(d): Craig 1986, with a and alpha of link i-1
+};
+
+/// One row of a Denavit-Hartenberg table, metres and radians. The joint's coordinate is added to
+/// theta (revolute) or d (prismatic).
+struct DhRow {
+  double a = 0;
+  double alpha = 0;
+  double d = 0;
+  double theta = 0;
+  JointKind kind = JointKind::revolute;
+};
+
+/// Returns the joint of one row, with the convention's link frame.
+/// Throws Error for a helical row, which neither convention has.
+Joint dh_joint(const DhRow& row, DhConvention convention);
+
+/// A joint type: its letter in joint strings, its name in JSON, and whether it has several degrees
+/// of freedom.
+struct JointType {
+  char letter;
+  std::string name;
+  bool composite;
+};
+
+/// All joint types. To add one, add a row to the table in composite.cpp.
+const std::vector<JointType>& joint_types();
+
+/// Expands a joint type (Dellaert, *Serial Link Manipulators*, Figures 1.1 and 1.2) into
+/// one-degree-of-freedom joints with coincident frames, in this order:
+///   R  revolute: rotation about z
+///   P  prismatic: translation along x, the link's direction
+///   H  helical: rotation about z with translation along z, `pitch` metres per radian
+///   S  spherical: rotations about z, y, x
+///   U  universal: rotations about z, y
+///   C  cylindrical: rotation about z, translation along z
+///   E  planar: translations along x and y, rotation about z
+/// A single joint has the name `name`; several are named after their axes, `name_z` for a rotation
+/// and `name_slide_x` for a translation. Throws Error for another letter.
+std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch = 0);
+
+/// A planar link (section 1.4 of the chapter): `joint`, rotated by `angle` (rad) about z, then
+/// `length` metres along x to the link frame.
+Joint planar_link(Joint joint, double length, double angle = 0);
 
 }  // namespace beeline

@@ -4,7 +4,7 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/internal/self_motion_graph.h>
-#include <beeline/planning/nearby_path.h>
+#include <beeline/planning/move_along.h>
 
 namespace beeline {
 namespace {

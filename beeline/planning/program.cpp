@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include <beeline/certificate/joint_faults.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>

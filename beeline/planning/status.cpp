@@ -1,6 +1,6 @@
 #include <ostream>
 
-#include <beeline/planning/status.h>
+#include <beeline/planning/branch.h>
 
 namespace beeline {
 

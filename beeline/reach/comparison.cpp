@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include <beeline/reach/comparison.h>
 #include <beeline/reach/internal/positions.h>
+#include <beeline/reach/surface.h>
 
 namespace beeline {
 namespace {

@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include <beeline/internal/budget_meter.h>
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
 #include <beeline/reach/internal/parts.h>
+#include <beeline/reach/reach_map.h>
 
 namespace beeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include <beeline/reach/direction_grid.h>
+#include <beeline/reach/grid.h>
 
 namespace beeline {
 

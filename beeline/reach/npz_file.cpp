@@ -2,11 +2,11 @@
 #include <array>
 #include <bit>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/reach/internal/coordinates.h>
 #include <beeline/reach/internal/positions.h>
 #include <beeline/reach/internal/zip_archive.h>
 #include <beeline/reach/npz_file.h>
-#include <beeline/read/arm_json.h>
 
 namespace beeline {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include <beeline/reach/internal/positions.h>
-#include <beeline/reach/slice.h>
+#include <beeline/reach/surface.h>
 
 namespace beeline {
 namespace {

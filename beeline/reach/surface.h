@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string>
 #include <vector>
 
 #include <beeline/error.h>
 #include <beeline/reach/grid.h>
+#include <beeline/reach/reach_map.h>
 
 namespace beeline {
 
@@ -28,5 +31,63 @@ struct ReachSurface {
 /// Throws Error for another number of values, a level that is NaN, and fewer than three azimuths of
 /// a cylindrical grid.
 ReachSurface reach_surface(const ReachGrid& grid, const std::vector<float>& values, double level);
+
+/// What a picture of a map shows of a position: the best of its orientations.
+enum class ReachMeasure { directions, branches, manipulability, margin };
+std::string name(ReachMeasure measure);
+
+/// The positions of a map in a plane perpendicular to an axis of the world.
+struct ReachSlice {
+  Arm arm;
+  std::string title = arm.name();  ///< in pictures
+  ReachMeasure measure = ReachMeasure::directions;
+  int normal = 2;             ///< the axis: 0 x, 1 y, 2 z
+  double at = 0;              ///< the coordinate of the centres of its cells, m
+  std::array<int, 2> axes{};  ///< the two others
+  std::array<ReachAxis, 2> grid{};
+  Eigen::MatrixXf values{};  ///< (cells of axes[0], cells of axes[1]); NaN: not reached
+};
+
+/// Reads the cells around the coordinate `at` (m) of an axis; of a cylindrical map, those that
+/// contain the centres of ReachGrid::cartesian_axes(). Directions are their fraction that is
+/// reached. Throws Error for a coordinate outside the map and for an incomplete map.
+ReachSlice slice_of(const ReachMap& map, int normal, double at,
+                    ReachMeasure measure = ReachMeasure::directions);
+
+/// Writes the positions of a map as an image of VTK, which ParaView opens: the cell data
+/// `directions` (the fraction that is reached), `branches`, `manipulability` and `margin`, each the
+/// best of the orientations at a position; the last two are NaN where none is reached. The image of
+/// a cylindrical map has the cells of ReachGrid::cartesian_axes(). Throws Error for more than 1e9
+/// cells, FileError for a file that cannot be written, and for an incomplete map.
+void write_vti(const ReachMap& map, const std::string& path);
+
+/// What one of two maps has, at the points at which they are compared. Volumes are areas, m^2, if
+/// both arms are planar.
+struct ReachSide {
+  double volume = 0;      ///< reached in some orientation, m^3
+  double alone = 0;       ///< of it, not reached by the other
+  double better = 0;      ///< where it reaches more of the directions than the other, m^3
+  double directions = 0;  ///< mean fraction reached, where either arm reaches some
+  /// Means of the best at each point, where both arms reach some orientation; NaN if nowhere.
+  double manipulability = 0, margin = 0;
+};
+
+struct ReachComparison {
+  std::array<ReachSide, 2> sides;
+  double both = 0;  ///< volume that both reach, m^3
+  double step = 0;  ///< between the points, m
+};
+
+/// Compares two maps, of two arms, mounts or tools, in the same world: at the centres of cells
+/// along x, y and z that cover both, each map with the position that contains the point. Maps of
+/// the same box are compared cell by cell. Fractions of directions are comparable between maps with
+/// the same kind of orientations. Throws Error for maps of which one has headings, directions, or
+/// one orientation and the other another kind, or of which one is by sampling, for an incomplete
+/// one, and for more than 1e8 points.
+ReachComparison compare_reach(const ReachMap& first, const ReachMap& second);
+
+/// The slices of both maps at the same cells, as slice_of() reads them.
+std::array<ReachSlice, 2> slices_of(const ReachMap& first, const ReachMap& second, int normal,
+                                    double at, ReachMeasure measure = ReachMeasure::directions);
 
 }  // namespace beeline

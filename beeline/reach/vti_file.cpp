@@ -2,10 +2,10 @@
 #include <bit>
 #include <functional>
 
+#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/internal/numbers.h>
 #include <beeline/reach/internal/positions.h>
-#include <beeline/reach/vti_file.h>
-#include <beeline/read/internal/file_stream.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/reach/surface.h>
 
 namespace beeline {
 namespace {

@@ -4,7 +4,7 @@
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/jerk_limited.h>
 #include <beeline/timing/internal/scalar_profile.h>
-#include <beeline/timing/profile.h>
+#include <beeline/timing/time_scaling.h>
 
 namespace beeline {
 namespace {

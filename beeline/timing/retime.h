@@ -6,7 +6,7 @@
 
 #include <beeline/budget.h>
 #include <beeline/error.h>
-#include <beeline/timing/profile.h>
+#include <beeline/timing/time_scaling.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {

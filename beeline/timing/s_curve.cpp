@@ -4,7 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/timing/internal/s_curve_state.h>
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 
 namespace beeline {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/path/joint_path.h>
 
@@ -43,5 +44,51 @@ struct TimeScaling {
   explicit operator bool() const { return !reason; }
   double duration() const { return t.empty() ? 0 : t.back(); }
 };
+
+/// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
+/// limits of velocity and acceleration. The samples of a motion keep known jerk limits by every
+/// profile: by those without jerk in their form through wider ramps of acceleration or a slowdown.
+/// To add one, add its name here and its row, in the same order, to the table in profile.cpp.
+enum class Profile {
+  /// Minimum time under velocity and acceleration limits, or the motion by `jerk` if that is
+  /// shorter.
+  fastest,
+  /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
+  jerk,
+  /// One trapezoid of ds/dt: constant acceleration, cruise, constant deceleration.
+  trapezoidal,
+  /// s = 10 u^3 - 15 u^4 + 6 u^5 in u = t / T; s(t) keeps jerk limits.
+  quintic,
+  /// One s-curve: d2s/dt2 is a trapezoid in each half, d3s/dt3 piecewise constant; s(t) keeps jerk
+  /// limits.
+  s_curve,
+};
+
+/// The profile's name, as in "s-curve".
+std::string name(Profile profile);
+
+/// The names of all profiles.
+std::vector<std::string> profile_names();
+
+/// Throws Error listing the names of the profiles for another name.
+Profile profile_named(const std::string& name);
+
+/// Whether the time scaling s(t) keeps jerk limits, and a motion assumed ones.
+bool keeps_jerk(Profile profile);
+
+/// The profile of motions for which none is given.
+constexpr Profile default_profile = Profile::jerk;
+
+/// Returns the time scaling of a path by a profile:
+///     minimise T  subject to  |dq_i/dt| <= velocity_i,  |d2q_i/dt2| <= acceleration_i,
+///                             |d3q_i/dt3| <= jerk_i (where the profile keeps it),
+///                             ds/dt <= speed,  at rest at t = 0 and t = T,
+/// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
+/// Where the budget ends the search of the profile jerk, returns the best found so far, which keeps
+/// the limits; none, with the reason, where it ends the computation before there is one. Throws
+/// Error for a path or limits that check_path() or check_limits() refuse, and for Profile::jerk
+/// without any jerk limit.
+TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
+                         const Budget& budget = {});
 
 }  // namespace beeline

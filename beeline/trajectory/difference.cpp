@@ -4,8 +4,8 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/revolution.h>
-#include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/internal/continuous_joint.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 namespace {

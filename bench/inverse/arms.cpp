@@ -6,7 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::bench {
 namespace {

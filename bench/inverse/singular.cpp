@@ -12,7 +12,7 @@
 
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/arm.h>
+#include <beeline/io/text/arm.h>
 
 #include "poses.h"
 

@@ -4,9 +4,9 @@
 #include <map>
 
 #include <beeline/error.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/model/catalog.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/read/joint_string.h>
 
 std::string current_option_name(const std::string& name) {
   static const std::map<std::string, std::string> renamed{{"--law", "--profile"},

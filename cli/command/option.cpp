@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 using namespace beeline;
 

@@ -4,7 +4,7 @@
 #include <new>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/file_stream.h>
+#include <beeline/io/text/internal/file_stream.h>
 
 #include "completion.h"
 #include "former_names.h"

@@ -8,7 +8,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
-#include <beeline/read/internal/file_stream.h>
+#include <beeline/io/text/internal/file_stream.h>
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,8 +1,6 @@
-#include <beeline/read/arm.h>
-#include <beeline/read/arm_json.h>
-#include <beeline/read/internal/name.h>
-#include <beeline/read/joint_limits.h>
-#include <beeline/read/joint_string.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/joint_limits.h>
 
 #include "arm_fields.h"
 #include "bindings.h"

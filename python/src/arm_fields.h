@@ -2,7 +2,7 @@
 
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 #include "record.h"
 

@@ -1,6 +1,6 @@
-#include <beeline/read/arm.h>
-#include <beeline/read/internal/text_encoding.h>
-#include <beeline/read/urdf.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/text_encoding.h>
+#include <beeline/io/text/urdf.h>
 
 #include "arm_fields.h"
 #include "bindings.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/reach/comparison.h>
+#include <beeline/reach/surface.h>
 
 #include "record.h"
 

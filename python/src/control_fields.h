@@ -2,7 +2,6 @@
 
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
-#include <beeline/control/pid.h>
 #include <beeline/control/replay.h>
 
 #include "planning_fields.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include <beeline/read/internal/file.h>
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "bindings.h"
 #include "program_fields.h"

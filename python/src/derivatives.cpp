@@ -1,5 +1,5 @@
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 
 #include "bindings.h"
 #include "kinematics_fields.h"

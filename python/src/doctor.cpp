@@ -20,7 +20,12 @@ Diagnosis diagnosis_of(nb::handle model, nb::handle base, nb::handle tip) {
 
 nb::object faults_of(nb::handle path) {
   const std::string text = path_from(path, "path");
-  return Value<std::vector<Finding>>::to(without_lock([&] { return file_faults(text); }));
+  std::vector<Finding> found;
+  {
+    const LockRelease release;
+    found = file_faults(text);
+  }
+  return Value<std::vector<Finding>>::to(found);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <beeline/draw/chapter.h>
+#include <beeline/draw/arm_figure.h>
 
 #include "bindings.h"
 #include "draw_fields.h"

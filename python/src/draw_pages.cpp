@@ -1,6 +1,6 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/internal/animation_frames.h>
-#include <beeline/read/internal/file.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "draw_fields.h"
 

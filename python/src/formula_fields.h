@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include <beeline/formula/code.h>
 #include <beeline/formula/document.h>
 
 #include "kinematics_fields.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <beeline/batch/batch.h>
-#include <beeline/kinematics/analytical_jacobian.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/kinematics/task.h>
 

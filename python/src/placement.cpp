@@ -1,5 +1,5 @@
-#include <beeline/draw/reach_figure.h>
-#include <beeline/reach/vti_file.h>
+#include <beeline/draw/timing_figure.h>
+#include <beeline/reach/surface.h>
 
 #include "bindings.h"
 #include "draw_fields.h"

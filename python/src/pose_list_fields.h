@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/read/pose_list.h>
+#include <beeline/io/text/pose_list.h>
 
 #include "record.h"
 

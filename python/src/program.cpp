@@ -1,6 +1,7 @@
 #include <map>
 
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/program.h>
+#include <beeline/io/text/internal/numbers.h>
 
 #include "bindings.h"
 #include "interruption.h"

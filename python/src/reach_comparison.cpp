@@ -1,4 +1,4 @@
-#include <beeline/reach/comparison.h>
+#include <beeline/reach/surface.h>
 
 #include "bindings.h"
 #include "comparison_fields.h"

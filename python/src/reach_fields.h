@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/place.h>
-#include <beeline/reach/slice.h>
+#include <beeline/reach/reach_map.h>
+#include <beeline/reach/reach.h>
+#include <beeline/reach/surface.h>
 
 #include "kept_array.h"
 #include "record.h"

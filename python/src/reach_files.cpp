@@ -1,5 +1,6 @@
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/npz_file.h>
+#include <beeline/reach/reach_map.h>
+#include <beeline/reach/reach.h>
 
 #include "bindings.h"
 #include "reach_arrays.h"

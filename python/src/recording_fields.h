@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "signature.h"
 #include "trajectory_fields.h"

@@ -1,4 +1,4 @@
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/trajectory_file.h>
 
 #include "bindings.h"
 #include "interruption.h"

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <beeline/budget.h>
-#include <beeline/record/trajectory_file.h>
-#include <beeline/trajectory/difference.h>
+#include <beeline/io/trajectory_file.h>
 #include <beeline/trajectory/limit_usage.h>
 #include <beeline/trajectory/trajectory.h>
 

@@ -1,4 +1,4 @@
-#include <beeline/certificate/joint_faults.h>
+#include <beeline/certificate/verify.h>
 
 #include <tests/certificate/two_joints.h>
 #include <tests/reason.h>

@@ -2,7 +2,7 @@
 
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/path/internal/path_tracker.h>

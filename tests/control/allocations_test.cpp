@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <beeline/control/pid.h>
+#include <beeline/control/joint.h>
 #include <beeline/control/player.h>
 #include <beeline/control/servo.h>
 #include <beeline/control/tracker.h>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/control/cartesian.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>

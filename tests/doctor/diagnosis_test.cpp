@@ -4,7 +4,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/doctor/random_table.h>
-#include <tests/read/urdf_samples.h>
+#include <tests/io/text/urdf_samples.h>
 #include <tests/temporary_folder.h>
 
 namespace beeline {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 #include <tests/random.h>
 

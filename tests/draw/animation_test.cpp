@@ -7,7 +7,6 @@
 
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/animation_frames.h>
 #include <beeline/draw/internal/page_layout.h>
 #include <beeline/model/catalog.h>

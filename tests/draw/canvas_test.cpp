@@ -2,7 +2,6 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/chapter.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/refusal.h>

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
 #include <beeline/draw/internal/page.h>

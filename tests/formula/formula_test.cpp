@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <beeline/formula/code.h>
+#include <beeline/formula/document.h>
 #include <beeline/formula/formula.h>
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>

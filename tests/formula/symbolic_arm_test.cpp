@@ -3,7 +3,7 @@
 
 #include <beeline/formula/formula.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 #include <tests/random.h>
 

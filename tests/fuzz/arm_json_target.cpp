@@ -1,6 +1,5 @@
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/arm_json.h>
 
 #include <tests/fuzz/target.h>
 

@@ -1,5 +1,5 @@
 #include <beeline/model/catalog.h>
-#include <beeline/read/joint_limits.h>
+#include <beeline/io/text/joint_limits.h>
 
 #include <tests/fuzz/target.h>
 

@@ -1,4 +1,4 @@
-#include <beeline/read/joint_string.h>
+#include <beeline/io/text/arm.h>
 
 #include <tests/fuzz/target.h>
 

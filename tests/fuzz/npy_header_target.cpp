@@ -1,4 +1,4 @@
-#include <beeline/record/internal/npy.h>
+#include <beeline/io/internal/npy.h>
 
 #include <tests/fuzz/target.h>
 

@@ -1,4 +1,4 @@
-#include <beeline/read/pose_list.h>
+#include <beeline/io/text/pose_list.h>
 
 #include <tests/fuzz/target.h>
 

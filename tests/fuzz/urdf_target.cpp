@@ -1,5 +1,4 @@
-#include <beeline/read/arm.h>
-#include <beeline/read/arm_json.h>
+#include <beeline/io/text/arm.h>
 
 #include <tests/fuzz/target.h>
 

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se3.h>
 
 #include <tests/inverse/answer.h>

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/kinematics/analytical_jacobian.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se3.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/internal/tool_motion.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>

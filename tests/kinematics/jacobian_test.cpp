@@ -6,7 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se3.h>
 
 #include <tests/degrees.h>

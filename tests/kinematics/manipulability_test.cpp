@@ -9,7 +9,7 @@
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>

@@ -4,7 +4,7 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 
 #include <tests/degrees.h>
 #include <tests/random.h>

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

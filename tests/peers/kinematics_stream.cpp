@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include <beeline/kinematics/derivatives.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/read/arm.h>
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
-#include <beeline/planning/nearby_path.h>
+#include <beeline/planning/move_along.h>
 
 #include <tests/planning/dense_search.h>
 #include <tests/planning/motion_promises.h>

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>

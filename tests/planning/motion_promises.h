@@ -8,7 +8,7 @@
 #include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>

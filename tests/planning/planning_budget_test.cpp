@@ -4,7 +4,6 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/planning/nearby_path.h>
 #include <beeline/planning/program.h>
 
 #include "../ended_budget.h"

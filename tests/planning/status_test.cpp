@@ -2,7 +2,7 @@
 #include <set>
 #include <sstream>
 
-#include <beeline/planning/status.h>
+#include <beeline/planning/branch.h>
 
 namespace beeline {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/draw/reach_figure.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/model/catalog.h>
-#include <beeline/reach/comparison.h>
+#include <beeline/reach/surface.h>
 
 #include "tests/degrees.h"
 #include "tests/refusal.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/reach/direction_grid.h>
+#include <beeline/reach/grid.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"

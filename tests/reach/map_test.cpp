@@ -7,8 +7,9 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/internal/slabs.h>
+#include <beeline/reach/reach_map.h>
+#include <beeline/reach/reach.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"

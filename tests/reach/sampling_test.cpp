@@ -5,7 +5,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/reach.h>
-#include <beeline/read/arm.h>
+#include <beeline/io/text/arm.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"

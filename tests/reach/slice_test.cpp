@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/reach_figure.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/model/catalog.h>
-#include <beeline/reach/slice.h>
-#include <beeline/reach/vti_file.h>
+#include <beeline/reach/surface.h>
 
 #include "tests/degrees.h"
 #include "tests/refusal.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/timing/profile.h>
+#include <beeline/timing/time_scaling.h>
 
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/model/catalog.h>
-#include <beeline/trajectory/difference.h>
+#include <beeline/trajectory/trajectory.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/trajectory/trajectory.h>
 
 #include <tests/random.h>

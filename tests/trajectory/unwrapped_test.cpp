@@ -4,7 +4,6 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/internal/continuous_joint.h>
 #include <beeline/trajectory/trajectory.h>
 

@@ -4,9 +4,8 @@
 #include <map>
 #include <utility>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/model/catalog.h>
-#include <beeline/read/arm.h>
-#include <beeline/read/arm_json.h>
 
 #include "beeline.h"
 #include "fault.h"

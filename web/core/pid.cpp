@@ -1,4 +1,4 @@
-#include <beeline/control/pid.h>
+#include <beeline/control/joint.h>
 
 #include "arms.h"
 #include "beeline.h"

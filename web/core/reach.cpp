@@ -6,7 +6,7 @@
 
 #include <beeline/reach/reach.h>
 #include <beeline/reach/surface.h>
-#include <beeline/read/arm.h>
+#include <beeline/io/text/arm.h>
 
 #include "fault.h"
 #include "handles.h"

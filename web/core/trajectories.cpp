@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <beeline/record/trajectory_file.h>
+#include <beeline/io/trajectory_file.h>
 #include <beeline/trajectory/trajectory.h>
 
 #include "arms.h"

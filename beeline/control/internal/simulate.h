@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <beeline/control/controlled_motion.h>
+#include <beeline/control/joint.h>
 
 namespace beeline::internal {
 

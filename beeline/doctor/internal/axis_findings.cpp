@@ -9,7 +9,7 @@
 #include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/pose/se3.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {

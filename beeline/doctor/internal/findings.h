@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <beeline/doctor/diagnosis.h>
-#include <beeline/read/pose_list.h>
+#include <beeline/io/text/pose_list.h>
 
 namespace beeline::internal {
 

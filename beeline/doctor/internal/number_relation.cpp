@@ -6,7 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <beeline/doctor/internal/reconciliation.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

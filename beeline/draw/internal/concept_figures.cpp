@@ -6,8 +6,8 @@
 #include <beeline/draw/internal/concept_figures.h>
 #include <beeline/draw/internal/joint_pictures.h>
 #include <beeline/draw/internal/text.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/joint_string.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/text_width.h>
-#include <beeline/read/internal/numbers.h>
+#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include <beeline/formula/symbolic_arm.h>
+#include <beeline/formula/formula.h>
 
 namespace beeline::internal {
 

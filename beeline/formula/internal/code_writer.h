@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/formula/code.h>
+#include <beeline/formula/document.h>
 #include <beeline/formula/internal/program_chain.h>
 
 namespace beeline::internal {

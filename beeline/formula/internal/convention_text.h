@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <beeline/formula/symbolic_arm.h>
+#include <beeline/formula/formula.h>
 
 namespace beeline::internal {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <beeline/model/arm.h>
-#include <beeline/model/dh.h>
 #include <beeline/model/internal/dh_row.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include <beeline/formula/formula.h>
 #include <beeline/formula/internal/tree.h>
-#include <beeline/formula/symbolic_arm.h>
 
 namespace beeline::internal {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <beeline/formula/formula.h>
 #include <beeline/formula/internal/program.h>
 #include <beeline/formula/internal/symbolic_vector.h>
 #include <beeline/formula/internal/tree.h>
-#include <beeline/formula/symbolic_arm.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline::internal {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include <beeline/formula/formula.h>
 #include <beeline/formula/internal/symbolic_vector.h>
-#include <beeline/formula/symbolic_arm.h>
 
 namespace beeline::internal {
 

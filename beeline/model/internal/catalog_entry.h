@@ -6,7 +6,7 @@
 
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::internal {

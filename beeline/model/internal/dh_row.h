@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <beeline/model/arm.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <beeline/certificate/internal/path_checks.h>
-#include <beeline/certificate/joint_faults.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/planning/internal/inset_limits.h>
 #include <beeline/planning/internal/motion_proof.h>
 #include <beeline/planning/internal/planned_motion.h>

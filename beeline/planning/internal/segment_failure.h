@@ -3,7 +3,7 @@
 #include <beeline/budget.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/segment.h>
-#include <beeline/planning/status.h>
+#include <beeline/planning/branch.h>
 #include <beeline/reason.h>
 
 namespace beeline::internal {

@@ -2,10 +2,10 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/reach/internal/branches.h>
 #include <beeline/reach/internal/coordinates.h>
 #include <beeline/reach/internal/map_header.h>
-#include <beeline/read/arm_json.h>
 
 namespace beeline::internal {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <beeline/reach/slice.h>
+#include <beeline/reach/surface.h>
 
 namespace beeline::internal {
 

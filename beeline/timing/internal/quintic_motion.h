@@ -2,7 +2,7 @@
 
 #include <beeline/path/internal/joint_path_derivatives.h>
 #include <beeline/timing/internal/duration_problem.h>
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 #include <beeline/timing/time_scaling.h>
 
 namespace beeline::internal {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 
 namespace beeline::internal {
 

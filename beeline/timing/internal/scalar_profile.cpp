@@ -7,7 +7,7 @@
 #include <beeline/path/internal/joint_path_derivatives.h>
 #include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/scalar_profile.h>
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline::internal {

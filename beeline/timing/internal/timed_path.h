@@ -5,7 +5,7 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/path/joint_path.h>
-#include <beeline/timing/profile.h>
+#include <beeline/timing/time_scaling.h>
 
 namespace beeline::internal {
 

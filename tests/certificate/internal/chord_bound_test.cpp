@@ -5,7 +5,7 @@
 #include <beeline/certificate/internal/chord_bound.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 
 #include <tests/path/random_segment.h>
 #include <tests/random.h>

@@ -4,7 +4,7 @@
 #include <beeline/certificate/internal/matched_step.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/path/tool_path.h>
 
 #include <tests/path/random_segment.h>

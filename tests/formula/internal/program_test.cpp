@@ -3,8 +3,8 @@
 #include <map>
 
 #include <beeline/formula/internal/program_chain.h>
-#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>

@@ -7,7 +7,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/composite.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>

@@ -10,7 +10,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/dh.h>
+#include <beeline/model/joint.h>
 #include <beeline/pose/so3.h>
 
 #include <tests/random.h>

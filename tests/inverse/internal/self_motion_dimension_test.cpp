@@ -3,9 +3,9 @@
 #include <beeline/inverse/internal/self_motion_dimension.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/read/joint_string.h>
 
 #include <tests/random_arm.h>
 

@@ -3,7 +3,7 @@
 
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/scalar_profile.h>
-#include <beeline/timing/s_curve.h>
+#include <beeline/timing/point_to_point.h>
 
 #include <tests/path/random_joint_path.h>
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <beeline/io/trajectory_file.h>
+
+namespace beeline::internal {
+
+/// What is the same for all trajectories in one form.
+struct FormDescription {
+  ControllerForm form;
+  const char* name;
+  std::vector<std::string> endings;
+  bool six_axes;  ///< of a program for an arm of six revolute joints
+};
+
+const std::vector<FormDescription>& controller_forms();
+
+/// Throws Error unless the form can hold a motion of this arm, and at this rate.
+void check_arm_in(const FormDescription& form, const Arm& arm);
+void check_rate_in(const FormDescription& form, const std::optional<double>& rate);
+
+/// Returns the sentences of ControllerFile::proof and ::note.
+std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool resampled);
+std::string note_on_form(const FormDescription& form, const Trajectory& samples);
+
+}  // namespace beeline::internal

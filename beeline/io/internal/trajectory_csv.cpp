@@ -1,0 +1,346 @@
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+#include <utility>
+
+#include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
+#include <beeline/io/text/internal/csv_items.h>
+#include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/internal/rate_columns.h>
+#include <beeline/io/internal/recordable.h>
+#include <beeline/io/internal/time_column.h>
+#include <beeline/io/internal/trajectory_csv.h>
+
+namespace beeline::internal {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+using Columns = ColumnIndex;
+
+/// Appends the row's values in these columns, if there are any.
+void append_values(const std::vector<double>& row, const Indices& columns,
+                   const std::vector<double>& factors, std::vector<Configuration>& values) {
+  if (columns.empty()) return;
+  Configuration& last = values.emplace_back(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const double value = row[columns[k]];
+    last[static_cast<Eigen::Index>(k)] = factors.empty() ? value : factors[columns[k]] * value;
+  }
+}
+
+/// Which columns hold what.
+struct Layout {
+  std::optional<TimeColumns> times;
+  Indices positions = {}, velocities = {}, accelerations = {};
+  /// What the values of each column are multiplied by: of rates that have another unit than their
+  /// joint. Empty: 1.
+  std::vector<double> factors = {};
+};
+
+/// Throws Error for a time unit where the table's columns give another one, or there are no times.
+void check_time_unit(const Layout& layout, const TableOptions& options,
+                     const std::vector<std::string>& header) {
+  if (!options.time_unit || options.time_unit_is_optional) return;
+  if (layout.times && !layout.times->nanoseconds) return;
+  if (!layout.times) throw Error(std::string("has no times; ") + time_unit_refusal);
+  if (*options.time_unit == TimeUnit::seconds) return;
+  throw Error("columns " + printable(header[layout.times->index]) + " and " +
+              printable(header[*layout.times->nanoseconds]) + " are seconds and nanoseconds; " +
+              time_unit_refusal);
+}
+
+/// The times of the rows of a table.
+class RowTimes {
+ public:
+  RowTimes(const std::optional<TimeColumns>& columns, const TableOptions& options, CsvRows& rows)
+      : columns_(columns), rows_(rows), given_(options.time_unit) {
+    if (!columns_) return;
+    if (!given_) given_ = columns_->unit;
+    if (columns_->nanoseconds) given_ = TimeUnit::seconds;
+    rows_.count_from_first(columns_->index);
+  }
+
+  /// Decides by the first row how times are read.
+  void start(const std::vector<double>& row, const std::string& path,
+             std::vector<RecordingNote>& notes) {
+    if (!columns_) return;
+    const std::string& column = rows_.columns()[columns_->index];
+    const double first = row[columns_->index];
+    unit_ = given_.value_or(column == "t" ? TimeUnit::seconds : unit_of_times(first));
+    // The digits of a double do not suffice for a time since 1970 in small units.
+    const bool small = unit_ != TimeUnit::seconds || columns_->nanoseconds;
+    counts_ = small && is_since_1970(first * seconds_per(unit_));
+    if (!counts_) return;
+    if (columns_->nanoseconds) first_nanoseconds_ = row[*columns_->nanoseconds];
+    RecordingNote note{.kind = RecordingNoteKind::times_since_1970,
+                       .path = path,
+                       .columns = {column},
+                       .time_unit = unit_};
+    if (columns_->nanoseconds) note.columns.push_back(rows_.columns()[*columns_->nanoseconds]);
+    notes.push_back(note);
+  }
+
+  /// The time of the last row that was read, in seconds.
+  double time(const std::vector<double>& row, std::size_t sample) const {
+    if (!columns_) return static_cast<double>(sample);
+    const double value = counts_ ? rows_.from_first() : row[columns_->index];
+    if (columns_->nanoseconds) {
+      return (value * 1e9 + (row[*columns_->nanoseconds] - first_nanoseconds_)) / 1e9;
+    }
+    if (unit_ == TimeUnit::seconds) return value;
+    return value / std::round(1 / seconds_per(unit_));
+  }
+
+ private:
+  std::optional<TimeColumns> columns_;
+  CsvRows& rows_;
+  std::optional<TimeUnit> given_;
+  TimeUnit unit_ = TimeUnit::seconds;
+  bool counts_ = false;           ///< times count from the first
+  double first_nanoseconds_ = 0;  ///< of the first sample, where times count from it
+};
+
+void append_row(const std::vector<double>& row, double time, const Layout& layout,
+                const std::string& column, Trajectory& trajectory) {
+  if (trajectory.size() > 0 && !(time > trajectory.times.back())) {
+    throw Error("column " + printable(column) + ": time " + exact(time) + " is not after " +
+                exact(trajectory.times.back()) + "; times must increase");
+  }
+  trajectory.times.push_back(time);
+  append_values(row, layout.positions, layout.factors, trajectory.positions);
+  append_values(row, layout.velocities, layout.factors, trajectory.velocities);
+  append_values(row, layout.accelerations, layout.factors, trajectory.accelerations);
+}
+
+/// Refuses names that would read back as other columns.
+void check_names(const std::vector<std::string>& joints) {
+  const std::unordered_set<std::string> names(joints.begin(), joints.end());
+  for (const std::string& joint : joints) {
+    const std::string other = joint_of_rate(joint);
+    if (joint != "t" && !names.contains(other)) continue;
+    throw Error("joint " + in_quotes(joint) +
+                " cannot be written to a .csv file, where this is the " +
+                (joint == "t" ? "time" : "name of a column of joint " + in_quotes(other)) +
+                "; write .json instead");
+  }
+}
+
+/// Returns the columns of positions: all except those named by another column and a suffix.
+Indices position_columns(const std::vector<std::string>& all, const Columns& columns) {
+  Indices joints;
+  std::unordered_set<std::string> names;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = all[i];
+    if (!columns.contains(name) || columns.contains(joint_of_rate(name))) continue;
+    joints.push_back(i);
+    names.insert(name);
+  }
+  for (const auto& [name, index] : columns) {
+    if (names.contains(name) || names.contains(joint_of_rate(name))) continue;
+    throw Error("column " + in_quotes(name) + " does not belong to a joint");
+  }
+  return joints;
+}
+
+/// Whether a column has texts: names of joints or frames, as in tables of ROS's messages.
+bool has_texts(const std::string& column) {
+  std::string_view stem = column;
+  while (!stem.empty() &&
+         std::string_view("0123456789[]_.").find(stem.back()) != std::string_view::npos) {
+    stem.remove_suffix(1);
+  }
+  const std::size_t begin = stem.find_last_of("/.");
+  const std::string_view last = begin == std::string_view::npos ? stem : stem.substr(begin + 1);
+  return last == "name" || last == "frame_id" || last == "child_frame_id";
+}
+
+/// The columns of times. In a path T is a joint, if the arm has one of this name.
+std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
+                                    const TableOptions& options) {
+  std::optional<TimeColumns> times = time_columns(header);
+  const auto& joints = options.joint_names;
+  const bool has_joint = std::find(joints.begin(), joints.end(), "T") != joints.end();
+  if (times && header[times->index] == "T" && has_joint && !options.needs_times) return {};
+  return times;
+}
+
+/// The indices of the columns of quantities: all but those of times and of texts, which the rows
+/// ignore.
+Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
+                         const std::optional<TimeColumns>& times) {
+  Columns columns;
+  for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
+  if (times) {
+    columns.erase(header[times->index]);
+    if (times->nanoseconds) columns.erase(header[*times->nanoseconds]);
+    for (const std::size_t i : times->others) columns.erase(header[i]);
+  }
+  // Beside a column `t`, as in files of this library, all columns are joints.
+  const bool may_have_texts = times && header[times->index] != "t";
+  std::vector<bool> texts(header.size());
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    texts[i] = may_have_texts && has_texts(header[i]);
+    if (texts[i]) columns.erase(header[i]);
+  }
+  rows.ignore(std::move(texts));
+  return columns;
+}
+
+/// Gives each joint one unit: the one of its positions, else of its rates, which are converted to
+/// it.
+void use_one_unit(Layout& layout, std::vector<std::optional<JointUnit>>& units) {
+  for (std::size_t k = 0; k < layout.positions.size(); ++k) {
+    std::optional<JointUnit>& unit = units[layout.positions[k]];
+    for (const Indices* rates : {&layout.velocities, &layout.accelerations}) {
+      if (rates->empty()) continue;
+      const std::optional<JointUnit> own = units[(*rates)[k]];
+      if (!unit) unit = own;
+      if (!own || own == unit) continue;
+      layout.factors.resize(units.size(), 1);
+      layout.factors[(*rates)[k]] = si_per(*own) / si_per(*unit);
+    }
+  }
+}
+
+/// Reads the header of a trajectory, whose joints' columns are `joints` then.
+Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& joints) {
+  const bool has_arm = !options.joint_names.empty();
+  RecordedColumns all{rows.columns(), rows.columns()};
+  all.units.resize(all.names.size());
+  if (has_arm) all = columns_in_units(rows.columns(), options.joint_names);
+  std::vector<std::string> header = with_known_suffixes(all.names);
+  Layout layout{.times = times_in(rows.columns(), options)};
+  check_time_unit(layout, options, rows.columns());
+  if (!layout.times && options.needs_times) {
+    throw Error(
+        "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
+        "with a unit as in time_ms");
+  }
+  Columns columns = quantity_columns(rows, header, layout.times);
+  if (has_arm) rename_rates(header, columns, options.joint_names);
+  layout.positions = position_columns(header, columns);
+  if (layout.positions.empty()) {
+    throw Error("there are no columns besides " +
+                in_quotes(header[layout.times ? layout.times->index : 0]));
+  }
+  for (const std::size_t i : layout.positions) joints.names.push_back(header[i]);
+  layout.velocities = rate_columns(joints.names, columns, velocity_suffix);
+  layout.accelerations = rate_columns(joints.names, columns, acceleration_suffix);
+  use_one_unit(layout, all.units);
+  for (const std::size_t i : layout.positions) {
+    joints.given.push_back(all.given[i]);
+    joints.units.push_back(all.units[i]);
+  }
+  return layout;
+}
+
+/// The columns that a table without a header may have.
+std::vector<std::vector<std::string>> forms_of(const TableOptions& options) {
+  std::vector<std::vector<std::string>> forms;
+  if (options.joint_names.empty()) return forms;
+  std::vector<std::string> form{"t"};
+  for (const std::string_view suffix : {std::string_view(), velocity_suffix, acceleration_suffix}) {
+    for (const std::string& joint : options.joint_names) {
+      form.push_back(joint + std::string(suffix));
+    }
+    forms.push_back(form);
+  }
+  if (!options.needs_times) forms.push_back(options.joint_names);
+  return forms;
+}
+
+void append(std::string& text, const Configuration& values) {
+  for (const double value : values) text += ',' + exact(value);
+}
+
+/// Whether the names in a comment may be a header.
+bool is_header(const std::vector<std::string>& names, const TableOptions& options) {
+  if (options.needs_times && !names_times(names)) return false;
+  return options.is_header ? options.is_header(names) : names_times(names);
+}
+
+TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
+                                    const TableOptions& options) {
+  CsvRows rows(
+      lines, path,
+      {.without_header = forms_of(options),
+       .accepts = names_times,
+       .accepts_comment = [&options](const auto& names) { return is_header(names, options); }});
+  TableRecording table;
+  Recording& recording = table.recording;
+  Trajectory& trajectory = recording.trajectory;
+  if (!rows.has_header()) {
+    recording.notes.push_back(
+        {.kind = RecordingNoteKind::no_header, .path = path, .columns = rows.columns()});
+  }
+  int line = 0;
+  try {
+    const Layout layout = layout_of(rows, options, table.columns);
+    trajectory.joint_names = table.columns.names;
+    recording.has_times = layout.times.has_value();
+    recording.in_time_unit =
+        options.time_unit && layout.times &&
+        (!layout.times->nanoseconds || *options.time_unit == TimeUnit::seconds);
+    const std::string column = layout.times ? rows.columns()[layout.times->index] : "";
+    RowTimes times(layout.times, options, rows);
+    for (std::vector<double> row; rows.next(row);) {
+      line = rows.line();
+      if (trajectory.size() == 0) times.start(row, path, recording.notes);
+      append_row(row, times.time(row, trajectory.size()), layout, column, trajectory);
+    }
+    line = 0;
+    check_recordable(trajectory);
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw FileError(path, line, error.what());
+  }
+  return table;
+}
+
+}  // namespace
+
+TableRecording recording_from_csv(std::string_view text, const std::string& path,
+                                  const TableOptions& options) {
+  CsvLines lines(text, path);
+  return recording_from_lines(lines, path, options);
+}
+
+TableRecording recording_from_csv(InputFile& file, const TableOptions& options) {
+  constexpr std::size_t max_line = std::size_t{4} << 20;  // 100 000 columns
+  CsvLines lines(file, max_line);
+  return recording_from_lines(lines, file.path(), options);
+}
+
+Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
+  return recording_from_csv(text, path).recording.trajectory;
+}
+
+std::string trajectory_to_csv(const Trajectory& trajectory) {
+  check_recordable(trajectory);
+  check_names(trajectory.joint_names);
+  const bool velocities = !trajectory.velocities.empty();
+  const bool accelerations = !trajectory.accelerations.empty();
+  std::string text = "t";
+  const auto add_names = [&](std::string_view suffix) {
+    for (const std::string& name : trajectory.joint_names) {
+      text += ',' + csv_name(name + std::string(suffix));
+    }
+  };
+  add_names("");
+  if (velocities) add_names(velocity_suffix);
+  if (accelerations) add_names(acceleration_suffix);
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    text += '\n' + exact(trajectory.times[k]);
+    append(text, trajectory.positions[k]);
+    if (velocities) append(text, trajectory.velocities[k]);
+    if (accelerations) append(text, trajectory.accelerations[k]);
+  }
+  text += '\n';
+  return text;
+}
+
+}  // namespace beeline::internal

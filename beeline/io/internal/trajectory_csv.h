@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/internal/column_unit.h>
+#include <beeline/io/trajectory_file.h>
+
+namespace beeline::internal {
+
+/// What is known of a table besides its text.
+struct TableOptions {
+  /// Of the arm, also in a table without a header. Empty: no arm, whose table needs a header and
+  /// has files of this library's names: no units, and rates NAME_vel, NAME_acc only.
+  std::vector<std::string> joint_names = {};
+  /// Whether the names in a comment are a header; null: all are that name a time.
+  std::function<bool(const std::vector<std::string>&)> is_header = {};
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  bool time_unit_is_optional = false;
+  bool needs_times = true;  ///< otherwise rows without times are at 0, 1, 2, ... s
+};
+
+struct TableRecording {
+  Recording recording;      ///< as written
+  RecordedColumns columns;  ///< of the trajectory's joints
+};
+
+/// Parses columns of times (time_columns()), then the joints' names, and NAME_vel, NAME_acc where
+/// known, in any order. A column is a velocity if its name without `_vel` is also a column. Columns
+/// of names and frames, texts, are skipped. With an arm, names have units as columns_in_units()
+/// says, rates that have another unit than their joint are converted to it, NAME_velocity,
+/// velocity_NAME and the like are rates of a column NAME if all columns have them, and efforts are
+/// skipped. The unit of times is that of the options, else that in the column's name, else, unless
+/// the column is `t`, unit_of_times(); in a smaller unit than seconds, or with nanoseconds beside,
+/// times since 1970 count from the first. Times must increase. Names of columns and endings are in
+/// upper or lower case. Without a header there is a row of t and the joints' positions or, three
+/// times as long, their velocities and accelerations too. The memory is that of the numbers and of
+/// one row. Throws FileError that names the line and the column.
+TableRecording recording_from_csv(std::string_view text, const std::string& path,
+                                  const TableOptions& options = {});
+TableRecording recording_from_csv(InputFile& file, const TableOptions& options = {});
+/// Returns its trajectory.
+Trajectory trajectory_from_csv(std::string_view text, const std::string& path);
+
+/// Throws Error for a joint with the name `t` or with the name of another joint's velocity or
+/// acceleration.
+std::string trajectory_to_csv(const Trajectory& trajectory);
+
+}  // namespace beeline::internal

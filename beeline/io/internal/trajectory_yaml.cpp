@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <utility>
+
+#include <beeline/error.h>
+#include <beeline/io/text/internal/json_parse.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/internal/yaml.h>
+#include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/internal/trajectory_yaml.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr YamlBounds trajectory_bounds{.bytes = std::size_t{4} << 20, .values = 300'000};
+
+/// The number that a plain scalar means, or its text; null is an empty text.
+Json scalar(const std::string& text, const std::string& tag) {
+  const bool plain = tag.empty() || tag == "?";
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, fault] = parse_double(text.data() + sign, last, value);
+  if (plain && !text.empty() && fault == std::errc() && end == last) return {value};
+  return {text};
+}
+
+/// The same value as JSON.
+Json json_of(Yaml&& yaml) {
+  Json json;
+  if (auto* text = std::get_if<std::string>(&yaml.value)) {
+    json = scalar(*text, yaml.tag);
+  } else if (auto* items = std::get_if<Yaml::Items>(&yaml.value)) {
+    Json::Items list;
+    for (Yaml& item : *items) list.push_back(json_of(std::move(item)));
+    json.value = std::move(list);
+  } else {
+    Json::Members members;
+    for (YamlMember& member : std::get<Yaml::Members>(yaml.value)) {
+      members.push_back({std::move(member.key), json_of(std::move(member.value))});
+    }
+    json.value = std::move(members);
+  }
+  json.line = yaml.line;
+  return json;
+}
+
+Yaml* member_of(Yaml& yaml, std::string_view key) {
+  auto* members = std::get_if<Yaml::Members>(&yaml.value);
+  if (members == nullptr) return nullptr;
+  for (YamlMember& member : *members) {
+    if (member.key == key) return &member.value;
+  }
+  return nullptr;
+}
+
+/// The message itself, or the part of a goal or a plan that is one.
+Yaml& message_in(Yaml& root) {
+  for (const char* key : {"trajectory", "joint_trajectory"}) {
+    Yaml* const part = member_of(root, key);
+    if (part != nullptr) return message_in(*part);
+  }
+  return root;
+}
+
+/// Returns the text without a line `---` at its end, which separates messages.
+std::string_view without_separator(std::string_view text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n");
+  text = text.substr(0, end == std::string_view::npos ? 0 : end + 1);
+  if (text.ends_with("\n---")) text.remove_suffix(3);
+  return text;
+}
+
+Trajectory trajectory_from_values(std::string_view text, const std::string& path) {
+  Yaml root = parse_yaml(without_separator(text), path, trajectory_bounds);
+  Yaml& message = message_in(root);
+  if (!std::holds_alternative<Yaml::Members>(message.value)) {
+    throw FileError(path, message.line, "is no map with the keys joint_names and points");
+  }
+  std::vector<Yaml> points;
+  if (Yaml* const found = member_of(message, "points")) {
+    if (auto* items = std::get_if<Yaml::Items>(&found->value)) points.swap(*items);
+  }
+  Json rest = json_of(std::move(message));
+  PointReader reader(path);
+  for (Yaml& point : points) {
+    Yaml taken = std::move(point);  // whose memory ends here
+    reader.take(rest, json_of(std::move(taken)));
+  }
+  return reader.finish(std::move(rest));
+}
+
+/// Whether the value behind comments is in braces.
+bool is_in_braces(std::string_view text) {
+  for (;;) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return false;
+    text.remove_prefix(begin);
+    if (text.front() != '#' && !text.starts_with("---")) return text.front() == '{';
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+}  // namespace
+
+Trajectory trajectory_from_yaml(std::string_view text, const std::string& path) {
+  if (!is_in_braces(text)) return trajectory_from_values(text, path);
+  try {
+    PointReader reader(path);
+    Json root = parse_json(text, path, sink_of(reader), JsonFront::yaml_comments);
+    return reader.finish(std::move(root));
+  } catch (const FileError&) {
+    constexpr std::size_t written_by_hand = std::size_t{1} << 20;
+    if (text.size() > written_by_hand) throw;
+    return trajectory_from_values(text, path);  // names without quotation marks, for example
+  }
+}
+
+Trajectory trajectory_from_yaml(InputFile& file) {
+  constexpr std::size_t front = std::size_t{1} << 16;  // comments
+  const bool large = !file.size() || *file.size() > trajectory_bounds.bytes;
+  if (large && is_in_braces(file.peek(front))) {
+    PointReader reader(file.path());
+    Json root = parse_json(file, sink_of(reader), JsonFront::yaml_comments);
+    return reader.finish(std::move(root));
+  }
+  std::string text(trajectory_bounds.bytes + 1, '\0');
+  text.resize(file.read(text.data(), text.size()));
+  return trajectory_from_yaml(text, file.path());
+}
+
+}  // namespace beeline::internal

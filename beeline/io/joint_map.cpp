@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/internal/column_unit.h>
+#include <beeline/io/trajectory_file.h>
+
+namespace beeline {
+namespace {
+
+using internal::Json;
+using internal::JsonDocument;
+
+/// Radians or metres per unit. Throws Error for a unit that the joint does not have.
+double unit_named(const std::string& name, const Joint& joint) {
+  using enum JointUnit;
+  const bool slides = kind(joint) == JointKind::prismatic;
+  const std::vector<JointUnit> choices = slides ? std::vector<JointUnit>{metres, millimetres}
+                                                : std::vector<JointUnit>{radians, degrees};
+  return internal::si_per(internal::unit_among(choices, name, "unit of joint " + joint.name));
+}
+
+MappedJoint joint_from_json(const JsonDocument& document, const Json& json, const Joint& joint) {
+  MappedJoint mapped{.name = joint.name};
+  if (const auto* text = std::get_if<std::string>(&json.value)) {
+    mapped.name = *text;
+    return mapped;
+  }
+  document.check_keys(json, {"name", "sign", "offset", "unit"});
+  if (const Json* name = document.find(json, "name")) mapped.name = document.text(*name);
+  if (const Json* sign = document.find(json, "sign")) {
+    mapped.sign = document.number(*sign);
+    if (std::abs(mapped.sign) != 1) document.refuse(*sign, "must be 1 or -1");
+  }
+  if (const Json* offset = document.find(json, "offset")) mapped.offset = document.number(*offset);
+  if (const Json* unit = document.find(json, "unit")) {
+    try {
+      mapped.unit = unit_named(document.text(*unit), joint);
+    } catch (const FileError&) {
+      throw;
+    } catch (const Error& error) {
+      document.refuse(*unit, error.what());
+    }
+  }
+  return mapped;
+}
+
+JointMap joint_map_from_file(const std::string& path, const Arm& arm) {
+  const JsonDocument document(internal::read_file(path), path);
+  document.check_keys(document.root(), arm.joint_names());
+  JointMap map;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Joint& joint = arm.joint_of(k);
+    const Json* json = document.find(document.root(), joint.name);
+    map.push_back(json == nullptr ? MappedJoint{.name = joint.name}
+                                  : joint_from_json(document, *json, joint));
+  }
+  return map;
+}
+
+}  // namespace
+
+MappedJoint mapped_joint(std::string_view name) {
+  name = internal::trimmed(name);
+  const bool minus = name.starts_with('-');
+  if (minus) name.remove_prefix(1);
+  internal::check_name(name, "a name of the joint map");
+  return {.name = std::string(name), .sign = minus ? -1.0 : 1.0};
+}
+
+JointMap read_joint_map(const std::string& text, const Arm& arm) {
+  if (internal::extension(text) == "json") return joint_map_from_file(text, arm);
+  JointMap map;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    map.push_back(mapped_joint(std::string_view(text).substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (static_cast<int>(map.size()) != arm.dof()) {
+    throw Error("the joint map has " + std::to_string(map.size()) + " name" +
+                (map.size() == 1 ? "" : "s") + ", not " + std::to_string(arm.dof()) + ", for " +
+                listed(arm.joint_names()) + "; a file of a joint map ends in .json");
+  }
+  return map;
+}
+
+}  // namespace beeline

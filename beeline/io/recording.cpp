@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
+#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/internal/column_unit.h>
+#include <beeline/io/internal/recorded_units.h>
+#include <beeline/io/internal/time_column.h>
+#include <beeline/io/internal/trajectory_csv.h>
+#include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/internal/trajectory_yaml.h>
+#include <beeline/io/trajectory_file.h>
+#include <beeline/trajectory/internal/joint_columns.h>
+
+namespace beeline {
+namespace {
+
+/// A recording as the file has it.
+struct Content {
+  Recording recording;
+  internal::RecordedColumns columns;  ///< of the trajectory's joints; empty without an arm
+  bool table = false;                 ///< otherwise a message of ROS
+};
+
+Content message(Trajectory trajectory, const std::string& path,
+                const internal::TableOptions& options) {
+  const bool seconds = options.time_unit == TimeUnit::seconds;
+  if (options.time_unit && !seconds && !options.time_unit_is_optional) {
+    throw FileError(
+        path, 0,
+        std::string("has times in seconds and nanoseconds; ") + internal::time_unit_refusal);
+  }
+  Content content{{.trajectory = std::move(trajectory), .in_time_unit = seconds}, {}, false};
+  if (!options.joint_names.empty()) {
+    Trajectory& read = content.recording.trajectory;
+    content.columns = internal::columns_in_units(read.joint_names, options.joint_names);
+    read.joint_names = content.columns.names;
+  }
+  return content;
+}
+
+Content table(internal::TableRecording read) {
+  return {std::move(read.recording), std::move(read.columns), true};
+}
+
+Content content_of_file(const std::string& path, const internal::TableOptions& options) {
+  trajectory_format(path, "");  // refuses another ending before the file is read
+  internal::InputFile file(path);
+  constexpr std::size_t begin = 4096;  // of a file without an ending
+  switch (trajectory_format(path, file.peek(begin))) {
+    case TrajectoryFormat::json:
+      return message(internal::trajectory_from_json(file), path, options);
+    case TrajectoryFormat::yaml:
+      return message(internal::trajectory_from_yaml(file), path, options);
+    default:
+      return table(internal::recording_from_csv(file, options));
+  }
+}
+
+Content content_of(std::string_view text, const std::string& path,
+                   const internal::TableOptions& options) {
+  switch (trajectory_format(path, text)) {
+    case TrajectoryFormat::json:
+      return message(internal::trajectory_from_json(text, path), path, options);
+    case TrajectoryFormat::yaml:
+      return message(internal::trajectory_from_yaml(text, path), path, options);
+    default:
+      return table(internal::recording_from_csv(text, path, options));
+  }
+}
+
+/// The column of the recording that a name of the joint map means; none if there is none.
+std::optional<std::size_t> mapped_column(const internal::RecordedColumns& columns,
+                                         const std::string& name) {
+  for (const auto* names : {&columns.given, &columns.names}) {
+    const auto found = std::find(names->begin(), names->end(), name);
+    if (found != names->end()) return static_cast<std::size_t>(found - names->begin());
+  }
+  for (const auto* names : {&columns.given, &columns.names}) {
+    const auto is_name = [&name](const std::string& other) {
+      return internal::same_ignoring_case(other, name);
+    };
+    if (std::count_if(names->begin(), names->end(), is_name) != 1) continue;
+    const auto found = std::find_if(names->begin(), names->end(), is_name);
+    return static_cast<std::size_t>(found - names->begin());
+  }
+  return std::nullopt;
+}
+
+/// Whether the columns, in a comment, are a header: they have all joints, by name or by the map.
+bool is_header(const Arm& arm, const JointMap& joint_map, const std::vector<std::string>& names) {
+  if (internal::names_all_joints(arm, names)) return true;
+  const internal::RecordedColumns columns = internal::columns_in_units(names, arm.joint_names());
+  return !joint_map.empty() &&
+         std::all_of(joint_map.begin(), joint_map.end(), [&columns](const MappedJoint& joint) {
+           return mapped_column(columns, joint.name).has_value();
+         });
+}
+
+/// `arm` and `options` must outlive the result.
+internal::TableOptions table_options(const Arm& arm, const RecordingOptions& options) {
+  return {.joint_names = arm.joint_names(),
+          .is_header =
+              [&arm, &options](const std::vector<std::string>& names) {
+                return is_header(arm, options.match.joint_map, names);
+              },
+          .time_unit = options.time_unit,
+          .time_unit_is_optional = options.time_unit_is_optional,
+          .needs_times = options.needs_times};
+}
+
+/// The first unit that is known.
+std::optional<JointUnit> first_known(std::initializer_list<std::optional<JointUnit>> units) {
+  for (const std::optional<JointUnit>& unit : units) {
+    if (unit) return unit;
+  }
+  return std::nullopt;
+}
+
+/// The columns of a joint's position and rates that give no unit get the one that another gives.
+void complete_units(const internal::JointColumns& order,
+                    std::vector<std::optional<JointUnit>>& units) {
+  const auto unit = [&units](const std::vector<Eigen::Index>& columns, std::size_t k) {
+    return columns.empty() ? std::nullopt : units[static_cast<std::size_t>(columns[k])];
+  };
+  for (std::size_t k = 0; k < order.positions.size(); ++k) {
+    const auto known = first_known(
+        {unit(order.positions, k), unit(order.velocities, k), unit(order.accelerations, k)});
+    for (const auto* columns : {&order.positions, &order.velocities, &order.accelerations}) {
+      if (!columns->empty() && !unit(*columns, k)) {
+        units[static_cast<std::size_t>((*columns)[k])] = known;
+      }
+    }
+  }
+}
+
+/// Throws Error for a unit that the joint does not have.
+void check_unit(const Joint& joint, const std::string& column, JointUnit unit) {
+  const bool slides = kind(joint) == JointKind::prismatic;
+  if (slides != internal::is_angle(unit)) return;
+  throw Error("column " + internal::in_quotes(column) + " is in " + name(unit) + ", but joint " +
+              joint.name + (slides ? " slides: m or mm" : " turns: rad or deg"));
+}
+
+/// Sets the units of the columns that give one, with a note for each unit. Returns the joint map
+/// with these units, for the evidence of others.
+JointMap set_named_units(const Arm& arm, const std::string& path,
+                         const internal::RecordedColumns& recorded, MatchOptions& match,
+                         std::vector<RecordingNote>& notes) {
+  const internal::JointColumns order =
+      internal::joint_columns(arm, recorded.names, match.joint_map);
+  std::vector<std::optional<JointUnit>> units = recorded.units;
+  complete_units(order, units);
+  for (const std::optional<JointUnit>& unit : units) {
+    match.column_units.push_back(unit ? std::optional(internal::si_per(*unit)) : std::nullopt);
+  }
+  JointMap known = match.joint_map;
+  known.resize(order.positions.size());
+  const std::size_t first_note = notes.size();
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const auto i = static_cast<std::size_t>(order.positions[k]);
+    if (known[k].unit || !units[i]) continue;
+    check_unit(arm.joint_of(static_cast<Eigen::Index>(k)), recorded.given[i], *units[i]);
+    known[k].unit = internal::si_per(*units[i]);
+    const auto note =
+        std::find_if(notes.begin() + static_cast<std::ptrdiff_t>(first_note), notes.end(),
+                     [&](const RecordingNote& other) { return other.joint_unit == units[i]; });
+    if (note != notes.end()) {
+      note->columns.push_back(recorded.given[i]);
+    } else {
+      notes.push_back({.kind = RecordingNoteKind::named_unit,
+                       .path = path,
+                       .columns = {recorded.given[i]},
+                       .joint_unit = units[i]});
+    }
+  }
+  return known;
+}
+
+RecordingNote note_on(const internal::UnitEvidence& evidence, const Arm& arm,
+                      const std::string& path, RecordingNoteKind kind) {
+  return {.kind = kind,
+          .path = path,
+          .joint = arm.joint_of(evidence.coordinate).name,
+          .value = evidence.value};
+}
+
+/// Whether the recording has all columns of a planned motion that this library has written, and so
+/// is in radians.
+bool is_planned_motion(const Arm& arm, const internal::RecordedColumns& columns,
+                       const Trajectory& recorded) {
+  return columns.given == arm.joint_names() && !recorded.accelerations.empty();
+}
+
+/// Matches `recorded` to the arm: in degrees where only degrees are possible and the options ask
+/// for it. Adds notes on units.
+void match_in_units(const Arm& arm, const std::string& path, const Trajectory& recorded,
+                    const internal::RecordedColumns& columns, MatchOptions match,
+                    const RecordingOptions& options, Recording& recording) {
+  const JointMap known = set_named_units(arm, path, columns, match, recording.notes);
+  recording.trajectory = matched_to(arm, recorded, match);
+  const auto add = [&](const internal::UnitEvidence& evidence, RecordingNoteKind kind) {
+    recording.notes.push_back(note_on(evidence, arm, path, kind));
+  };
+  if (match.angle_unit == 1 && !options.angle_unit_is_known) {
+    const Trajectory& found = recording.trajectory;
+    const auto degrees = internal::evidence_of_degrees(arm, found, known);
+    const auto revolutions =
+        internal::evidence_of_revolutions(arm, found, known, recording.has_times);
+    if (degrees && options.detect_degrees) {
+      add(*degrees, RecordingNoteKind::read_in_degrees);
+      match.angle_unit = std::numbers::pi / 180;
+      recording.trajectory = matched_to(arm, recorded, match);
+    } else if (degrees) {
+      add(*degrees, RecordingNoteKind::likely_degrees);
+    } else if (revolutions) {
+      add(*revolutions, RecordingNoteKind::many_revolutions);
+    } else if (options.detect_degrees && !is_planned_motion(arm, columns, recorded) &&
+               internal::may_be_in_degrees(arm, found, known)) {
+      recording.notes.push_back({.kind = RecordingNoteKind::read_in_radians, .path = path});
+    }
+  }
+  const auto millimetres = internal::evidence_of_millimetres(arm, recording.trajectory, known);
+  if (millimetres) add(*millimetres, RecordingNoteKind::likely_millimetres);
+}
+
+/// The joint map with the names of the columns that it means, unless it is for another file.
+JointMap map_of_file(const internal::RecordedColumns& columns, const RecordingOptions& options) {
+  JointMap joint_map = options.match.joint_map;
+  bool any = false;
+  for (MappedJoint& joint : joint_map) {
+    const auto column = mapped_column(columns, joint.name);
+    any = any || column.has_value();
+    if (column) joint.name = columns.names[*column];
+  }
+  return any || !options.map_is_optional ? joint_map : JointMap();
+}
+
+Recording matched(Content content, const std::string& path, const Arm& arm,
+                  const RecordingOptions& options) {
+  Recording recording = std::move(content.recording);
+  MatchOptions match = options.match;
+  const Trajectory recorded = std::move(recording.trajectory);
+  match.joint_map = map_of_file(content.columns, options);
+  recording.mapped = !match.joint_map.empty();
+  try {
+    match_in_units(arm, path, recorded, content.columns, std::move(match), options, recording);
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+  if (!content.table || !recording.has_times) return recording;
+  if (const auto period = internal::evidence_of_milliseconds(arm, recording.trajectory)) {
+    recording.notes.push_back(
+        {.kind = RecordingNoteKind::likely_milliseconds, .path = path, .value = *period});
+  }
+  return recording;
+}
+
+}  // namespace
+
+Trajectory read_trajectory(const std::string& path) {
+  return content_of_file(path, {}).recording.trajectory;
+}
+
+Trajectory parse_trajectory(std::string_view text, const std::string& path) {
+  return content_of(text, path, {}).recording.trajectory;
+}
+
+Recording read_recording(const std::string& path, const Arm& arm, const RecordingOptions& options) {
+  return matched(content_of_file(path, table_options(arm, options)), path, arm, options);
+}
+
+Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
+                          const RecordingOptions& options) {
+  return matched(content_of(text, path, table_options(arm, options)), path, arm, options);
+}
+
+}  // namespace beeline

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <string_view>
+
+#include <beeline/error.h>
+#include <beeline/internal/letter_case.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/read_fault.h>
+#include <beeline/io/text/urdf.h>
+#include <beeline/model/catalog.h>
+#include <beeline/model/joint.h>
+
+namespace beeline {
+namespace {
+
+using internal::in_quotes;
+
+/// A format of arm files.
+struct ArmFormat {
+  std::string_view ending;
+  bool tree;  ///< files describe a tree of links, of which ChainEnds selects a chain
+  Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends,
+               std::vector<ReadWarning>* warnings);
+};
+
+Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/,
+               std::vector<ReadWarning>* /*warnings*/) {
+  return arm_from_json(text, path);
+}
+
+/// Every format of arm files. A new reader is one row here.
+constexpr ArmFormat arm_formats[] = {
+    {"urdf", true, arm_from_urdf},
+    {"xml", true, arm_from_urdf},
+    {"json", false, parse_json},
+};
+
+void refuse_ends(const std::string& text, const ChainEnds& ends) {
+  if (ends.base.empty() && ends.tip.empty()) return;
+  throw Error("base and tip select a chain of a URDF file; " + in_quotes(text) + " is not one");
+}
+
+std::string known_endings() {
+  std::vector<std::string> endings;
+  for (const ArmFormat& format : arm_formats) endings.push_back("." + std::string(format.ending));
+  return listed(endings);
+}
+
+/// The format of a file that describes an arm, by its ending.
+const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) {
+  const std::string ending = internal::extension(path);
+  if (ending == "xacro") {
+    throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
+  }
+  if (ending == "srdf") {
+    throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
+  }
+  const auto* const format =
+      std::find_if(std::begin(arm_formats), std::end(arm_formats),
+                   [&](const ArmFormat& known) { return known.ending == ending; });
+  if (format == std::end(arm_formats)) {
+    throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
+  }
+  if (!format->tree) refuse_ends(path, ends);
+  return *format;
+}
+
+/// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
+/// string such as RRR is not a name, although an arm is called rrr.
+std::string built_in_name(const std::string& text) {
+  const std::string lower = internal::lower_case(text);
+  const std::vector<std::string> names = built_in_names();
+  const bool known = std::find(names.begin(), names.end(), lower) != names.end();
+  return known && (lower == text || !is_joint_string(text)) ? lower : "";
+}
+
+/// Refuses capitals most of which are joint types: a joint string with a letter that is none.
+void refuse_unknown_letters(const std::string& text) {
+  constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (text.find_first_not_of(capitals) != std::string::npos) return;
+  const auto known = std::count_if(text.begin(), text.end(), [](char letter) {
+    return is_joint_string(std::string_view(&letter, 1));
+  });
+  if (2 * static_cast<std::size_t>(known) <= text.size()) return;
+  try {
+    for (const char letter : text) composite_joint(letter, "joint");
+  } catch (const Error& error) {
+    throw Error("joint string " + internal::printable(text) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+std::string name(ReadWarningKind kind) {
+  constexpr const char* names[] = {"tip_among_frames", "tip_among_branches", "before_gripper",
+                                   "below_free_joint", "malformed",          "xacro_tag",
+                                   "unknown_link",     "two_parents",        "cycle",
+                                   "repeated_name",    "unconnected_link",   "unknown_type",
+                                   "zero_axis",        "limits_reversed",    "velocity_limit",
+                                   "unknown_leader",   "leader_cycle",       "further_faults"};
+  return names[static_cast<int>(kind)];
+}
+
+bool is_fault(const ReadWarning& warning) {
+  return warning.kind != ReadWarningKind::tip_among_frames &&
+         warning.kind != ReadWarningKind::tip_among_branches &&
+         warning.kind != ReadWarningKind::before_gripper &&
+         warning.kind != ReadWarningKind::below_free_joint;
+}
+
+std::string name(ElementFault fault) {
+  constexpr const char* names[] = {
+      "none",           "missing_attribute", "missing_end",     "empty_name",
+      "long_name",      "control_character", "not_utf8",        "not_three_numbers",
+      "missing_number", "not_a_number",      "out_of_range",    "not_finite",
+      "not_a_limit",    "not_four_numbers",  "not_unit_length", "two_orientations"};
+  return names[static_cast<int>(fault)];
+}
+
+std::string sentence(const ReadWarning& warning, OptionStyle style) {
+  const bool command = style == OptionStyle::command;
+  const std::string dashes = command ? "--" : "";
+  const auto located = [&](const std::string& text) {
+    return std::string(FileError(warning.path, warning.line, text).what());
+  };
+  switch (warning.kind) {
+    case ReadWarningKind::tip_among_frames:
+      return "the tip is " + warning.link +
+             "; other tips, fixed to the same link: " + listed(warning.others) + "; " + dashes +
+             "tip selects another";
+    case ReadWarningKind::tip_among_branches:
+      return "the tip is " + warning.link + "; other tips: " + listed(warning.others) + "; " +
+             dashes + "tip selects another";
+    case ReadWarningKind::before_gripper:
+      return "the tip is " + warning.link + ", before joint " + warning.joint +
+             ", which moves a gripper; " +
+             (command ? "--tip " + internal::shell_word(listed(warning.others))
+                      : "tip=\"" + listed(warning.others) + "\"") +
+             " includes it";
+    case ReadWarningKind::below_free_joint:
+      return "the base is " + warning.link + ", below joint " + warning.joint +
+             ", which places the arm in the world; " + dashes + "base selects another";
+    case ReadWarningKind::further_faults:
+      return located(internal::clause(warning));
+    case ReadWarningKind::unknown_type:
+    case ReadWarningKind::zero_axis:
+    case ReadWarningKind::limits_reversed:
+    case ReadWarningKind::velocity_limit:
+    case ReadWarningKind::unknown_leader:
+    case ReadWarningKind::leader_cycle:
+      return located(internal::clause(warning)) + "; the joint is beside the chain";
+    case ReadWarningKind::xacro_tag:
+      if (warning.joint.empty()) {
+        return located(warning.element) +
+               " is left out; run xacro first if it stands for links or joints";
+      }
+      break;
+    default:
+      break;
+  }
+  return located(internal::clause(warning)) + "; it is beside the chain and left out";
+}
+
+Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {
+  const std::string name = built_in_name(text);
+  if (!name.empty() || is_joint_string(text)) {
+    refuse_ends(text, ends);
+    return name.empty() ? arm_from_joint_string(text) : built_in(name);
+  }
+  if (text.find_first_of("./") != std::string::npos) {
+    const ArmFormat& format = format_of_file(text, ends);
+    return format.parse(internal::read_file(text), text, ends, warnings);
+  }
+  refuse_unknown_letters(text);
+  throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
+              "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
+}
+
+Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends,
+                  std::vector<ReadWarning>* warnings) {
+  return format_of_file(path, ends).parse(text, path, ends, warnings);
+}
+
+}  // namespace beeline

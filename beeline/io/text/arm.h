@@ -1,0 +1,152 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+
+namespace beeline {
+
+/// Selects a chain of a tree of links. It runs from the base up to a common ancestor and down to
+/// the tip.
+struct ChainEnds {
+  std::string base = {};  ///< name of a link; empty: the root
+  std::string tip = {};   ///< name of a link; empty: the one that read_urdf() selects
+};
+
+/// What a reader selected, or left out because of a fault beside the chain.
+enum class ReadWarningKind {
+  tip_among_frames,    ///< the chain ends at `link`; `others` are frames fixed to the same body
+  tip_among_branches,  ///< the chain ends at `link`; `others` are ends of other branches
+  before_gripper,      ///< the chain ends at `link`, above `joint`, which moves a gripper's finger;
+                       ///< `others` is the end below it
+  below_free_joint,    ///< the chain begins at `link`, below `joint`, which is floating or planar
+  malformed,           ///< `element`, of `joint` if it has one, cannot be read: see ElementFault
+  xacro_tag,           ///< `element`, in `joint` if it has one, which xacro should have replaced
+  unknown_link,        ///< `joint` connects by `element`, `parent` or `child`, the unknown `link`;
+                       ///< `others` are the known links, none if there are more than 10,000
+  two_parents,         ///< `link` has two parents: `joint` and the joint in `others`
+  cycle,               ///< `joint` closes a cycle at `link`
+  repeated_name,       ///< the name of `joint` or `link` is given twice
+  unconnected_link,    ///< no joint connects `link`
+  unknown_type,        ///< the type `value` of `joint` is not one of URDF
+  zero_axis,           ///< the axis of `joint`, `numbers`, has no direction
+  limits_reversed,     ///< the lower limit of `joint` exceeds the upper one: `numbers`
+  velocity_limit,      ///< the velocity limit of `joint`, `numbers`, is below Limits::min_rate
+  unknown_leader,      ///< `joint` mimics the joint `value`, which is not in the file; `others` are
+                       ///< the known joints, none if there are more than 10,000
+  leader_cycle,        ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
+                       ///< other
+  further_faults       ///< there are `count` more
+};
+std::string name(ReadWarningKind kind);
+
+/// Why an element of an XML file, or a name or number in it, cannot be read.
+enum class ElementFault {
+  none,
+  missing_attribute,  ///< it needs `attribute`
+  missing_end,        ///< `joint` has no `element`, which is `parent` or `child`
+  empty_name,         ///< `attribute`, a name, is empty
+  long_name,          ///< the name `value` of `attribute` is longer than 1000 bytes
+  control_character,  ///< the name `value` of `attribute` has control characters
+  not_utf8,           ///< the name `value` of `attribute` is not UTF-8
+  not_three_numbers,  ///< `attribute` has `count` numbers
+  missing_number,     ///< a number of `attribute` is missing
+  not_a_number,       ///< `value`, of `attribute`, is not a number
+  out_of_range,       ///< the number `value` of `attribute` exceeds the range of numbers
+  not_finite,         ///< the number `value` of `attribute` is not finite
+  not_a_limit,        ///< the limit `value` of `attribute` is NaN or a word
+  not_four_numbers,   ///< `attribute`, a quaternion, has `count` numbers
+  not_unit_length,    ///< the quaternion `value` of `attribute` does not have length 1
+  two_orientations    ///< it has `attribute` and rpy
+};
+std::string name(ElementFault fault);
+
+/// A warning of a reader: data, from which sentence() makes the text. Names, elements and values of
+/// a file are UTF-8: a byte that is not is written `\xfc`.
+struct ReadWarning {
+  ReadWarningKind kind = ReadWarningKind::malformed;
+  std::string path = {};                            ///< of the file
+  int line = 0;                                     ///< of a fault
+  std::string joint = {}, link = {};                ///< names
+  std::vector<std::string> others = {};             ///< names
+  std::string element = {};                         ///< its tag, such as <xacro:include>
+  ElementFault element_fault = ElementFault::none;  ///< of a malformed element
+  std::string attribute = {}, value = {};           ///< of a malformed element
+  std::vector<double> numbers = {};                 ///< of the joint
+  std::size_t count = 0;
+};
+
+/// Whether the warning is of a fault; the others are selections.
+bool is_fault(const ReadWarning& warning);
+
+/// How a sentence writes an option: `tip="hand"`, as in Python, or `--tip hand`.
+enum class OptionStyle { keyword, command };
+
+/// Returns one sentence without a full stop, such as `the tip is tool0; other tips: finger; --tip
+/// selects another`. It says which option makes another choice.
+std::string sentence(const ReadWarning& warning, OptionStyle style = OptionStyle::keyword);
+
+/// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
+/// link lengths
+/// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is
+/// for URDF files only. Appends to `warnings`, unless null, what was selected among several or left
+/// out.
+/// Throws Error for a text that is none of these (it suggests the most similar built-in name), and
+/// FileError for a file that cannot be read.
+Arm read_arm(const std::string& text, const ChainEnds& ends = {},
+             std::vector<ReadWarning>* warnings = nullptr);
+
+/// The same from the text of a file; the ending of `path` gives its format, and messages name it.
+Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends = {},
+                  std::vector<ReadWarning>* warnings = nullptr);
+
+// A joint string describes an arm by its joints: `LETTERS[:ITEM,ITEM,...]`, one item per letter.
+//   letters  R P H S C E U, as in composite_joint()
+//   item     `length[@angle][pPITCH]`: metres along x to the next joint; a fixed rotation about z
+//            before the joint, in degrees; metres of travel per revolution, for H only
+// Default lengths are 1 m (0 for P, where the coordinate is the length), default pitches 1 m.
+//   RRR:3.5,3.5,2   the arm of Dellaert, Serial Link Manipulators
+//   PP:0,0@90       two prismatic joints at right angles
+//   RHS:1,0.2p0.05,0   with a screw of 5 cm per revolution and a spherical wrist
+// The joints are called joint1, joint2, ... by letter; composite joints append their axes
+// (joint3_z).
+
+/// Whether `text` has the form of a joint string: only these letters, or capitals before a colon.
+bool is_joint_string(std::string_view text);
+
+/// Returns the arm, whose name is the joint string. Throws Error for an unknown letter, a wrong
+/// number of items, an item that cannot be parsed, or more than 100 letters.
+Arm arm_from_joint_string(std::string_view text);
+
+/// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
+///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
+///      "controller_base": POSE, "flange": POSE,           so are the ControllerFrames,
+///      "controller_base_assumed", "flange_assumed",       which count as stated unless true
+///      "maker", "model", "source", "note",                and these texts
+///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
+///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
+///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
+///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}
+/// or, instead of "joints", one of
+///      "joint_string": "RRP:1,0.5,0.2"
+///      "dh": {"convention": "standard" or "modified", "degrees": true or false,
+///             "rows": [{"name", "type", "a", "alpha", "d", "theta", "limits"}, ...]}
+/// "degrees": alpha, theta and the limits of revolute rows are in degrees, as in makers' tables.
+/// Throws FileError for anything else; it names the line and the value: `joints[2].limits.lower`.
+Arm read_arm_json(const std::string& path);
+/// The same from a text; `path` names it in messages.
+Arm arm_from_json(std::string_view text, const std::string& path);
+
+/// Returns the arm as JSON, described by its joints; it reads back exactly.
+/// Throws Error for a name that is empty, longer than 1000 bytes, not UTF-8, or that contains
+/// control characters.
+std::string arm_to_json(const Arm& arm);
+
+/// Writes arm_to_json() to a file. Throws FileError when the file cannot be written.
+void write_arm_json(const std::string& path, const Arm& arm);
+
+}  // namespace beeline

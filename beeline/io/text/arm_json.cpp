@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/joint_from_json.h>
+#include <beeline/io/text/internal/joint_to_json.h>
+#include <beeline/io/text/internal/json_write.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/pose_json.h>
+#include <beeline/model/internal/ranges.h>
+
+namespace beeline {
+namespace {
+
+using internal::check_name;
+using internal::Json;
+using internal::JsonDocument;
+
+const std::vector<std::string> descriptions{"joints", "joint_string", "dh"};
+
+std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& list) {
+  std::vector<Joint> joints;
+  for (const Json& item : document.items(list)) {
+    for (Joint& joint : joints_from_json(document, item)) joints.push_back(std::move(joint));
+  }
+  return joints;
+}
+
+std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) {
+  document.check_keys(dh, {"convention", "degrees", "rows"});
+  const Json* convention = document.find(dh, "convention");
+  const std::string text = convention == nullptr ? "" : document.text(*convention);
+  if (text != "standard" && text != "modified") {
+    document.refuse(convention == nullptr ? dh : *convention,
+                    std::string(convention == nullptr ? "needs the key \"convention\": it must say "
+                                                      : "must be ") +
+                        "standard or modified, because the numbers do not determine which");
+  }
+  const Json* degrees = document.find(dh, "degrees");
+  const bool in_degrees = degrees != nullptr && document.truth(*degrees);
+  const double angle_unit = in_degrees ? std::numbers::pi / 180 : 1;
+  std::vector<Joint> joints;
+  for (const Json& row : document.items(document.need(dh, "rows"))) {
+    joints.push_back(dh_joint_from_json(
+        document, row, text == "modified" ? DhConvention::modified : DhConvention::standard,
+        angle_unit, joints.size() + 1));
+  }
+  return joints;
+}
+
+std::vector<Joint> joints_of(const JsonDocument& document) {
+  const Json& root = document.root();
+  std::vector<std::string> given;
+  for (const std::string& key : descriptions) {
+    if (document.find(root, key) != nullptr) given.push_back(key);
+  }
+  if (given.size() != 1) {
+    document.refuse(root, "needs exactly one of the keys " + listed(descriptions) + "; it has " +
+                              (given.empty() ? "none" : listed(given)));
+  }
+  const Json& description = document.need(root, given.front());
+  if (given.front() == "joints") return joints_from_list(document, description);
+  if (given.front() == "dh") return joints_from_dh(document, description);
+  try {
+    return arm_from_joint_string(document.text(description)).joints();
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    document.refuse(description, std::string("is not readable: ") + error.what());
+  }
+}
+
+/// Whether the frame of `key` is assumed: the document has none, or says so of the one that it has.
+bool is_assumed(const JsonDocument& document, const char* key) {
+  const Json* frame = document.find(document.root(), key);
+  const Json* assumed = document.find(document.root(), std::string(key) + "_assumed");
+  if (assumed == nullptr) return frame == nullptr;
+  if (frame == nullptr) {
+    document.refuse(*assumed, "is given without the key \"" + std::string(key) + "\"");
+  }
+  return document.truth(*assumed);
+}
+
+ControllerFrames controller_frames(const JsonDocument& document, const Pose& tool) {
+  const Json* base = document.find(document.root(), "controller_base");
+  const Json* flange = document.find(document.root(), "flange");
+  return {.base = base == nullptr ? Pose::Identity() : pose_from_json(document, *base),
+          .base_assumed = is_assumed(document, "controller_base"),
+          .flange = flange == nullptr ? tool : pose_from_json(document, *flange),
+          .flange_assumed = is_assumed(document, "flange")};
+}
+
+/// Refuses lists of names that are none. They are for the catalogue, which an arm's name selects.
+void check_joint_names(const JsonDocument& document, const Json& lists) {
+  for (const Json& list : document.items(lists)) {
+    if (document.items(list).empty()) document.refuse(list, "has no names");
+    for (const Json& name : document.items(list)) {
+      try {
+        check_name(document.text(name), "it");
+      } catch (const FileError&) {
+        throw;
+      } catch (const Error& error) {
+        document.refuse(name, std::string("is no name: ") + error.what());
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Arm arm_from_json(std::string_view text, const std::string& path) {
+  const JsonDocument document(text, path);
+  const Json& root = document.root();
+  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
+                             "controller_base", "controller_base_assumed", "flange",
+                             "flange_assumed", "joints", "joint_string", "dh", "joint_names"});
+  for (const char* key : {"maker", "model", "source", "note"}) {
+    if (const Json* found = document.find(root, key)) document.text(*found);
+  }
+  if (const Json* names = document.find(root, "joint_names")) check_joint_names(document, *names);
+  const Json* base = document.find(root, "base");
+  const Json* tool = document.find(root, "tool");
+  const std::string& name = document.text(document.need(root, "name"));
+  std::vector<Joint> joints = joints_of(document);
+  if (joints.size() > internal::max_joints) {
+    document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
+                              std::to_string(internal::max_joints) + " are accepted");
+  }
+  const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
+  const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);
+  const ControllerFrames controller = controller_frames(document, tool_pose);
+  try {
+    check_name(name, "the arm's name");
+    return {name, std::move(joints), tool_pose, base_pose, controller};
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+}
+
+Arm read_arm_json(const std::string& path) {
+  return arm_from_json(internal::read_file(path), path);
+}
+
+namespace {
+
+/// The keys of a frame of the controller; none for an assumed one where readers assume it.
+std::string frame_to_json(const std::string& key, const Pose& frame, bool assumed,
+                          const Pose& otherwise) {
+  if (assumed && frame.matrix() == otherwise.matrix()) return "";
+  return ",\n  \"" + key + "\": " + internal::pose_to_json(frame) +
+         (assumed ? ",\n  \"" + key + "_assumed\": true" : "");
+}
+
+}  // namespace
+
+std::string arm_to_json(const Arm& arm) {
+  internal::check_names(arm);
+  std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
+  if (!arm.base().matrix().isIdentity(0))
+    text += ",\n  \"base\": " + internal::pose_to_json(arm.base());
+  const ControllerFrames& controller = arm.controller();
+  text +=
+      frame_to_json("controller_base", controller.base, controller.base_assumed, Pose::Identity());
+  text += ",\n  \"joints\": [";
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    text += (i == 0 ? "\n    " : ",\n    ") + internal::joint_to_json(arm.joints()[i]);
+  }
+  text += "\n  ]";
+  if (!arm.tool().matrix().isIdentity(0))
+    text += ",\n  \"tool\": " + internal::pose_to_json(arm.tool());
+  text += frame_to_json("flange", controller.flange, controller.flange_assumed, arm.tool());
+  return text + "\n}\n";
+}
+
+void write_arm_json(const std::string& path, const Arm& arm) {
+  internal::write_file(path, arm_to_json(arm));
+}
+
+}  // namespace beeline

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <beeline/io/text/joint_limits.h>
+
+namespace beeline::internal {
+
+/// Parses MoveIt's joint_limits.yaml as read_joint_limits() documents. Does not check that the
+/// limits fit those of the arm that remain.
+JointLimits limits_from_yaml(std::string_view text, const std::string& path, const Arm& arm);
+
+}  // namespace beeline::internal

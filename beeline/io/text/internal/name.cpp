@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/internal/utf8.h>
+#include <beeline/model/arm.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/text_fault.h>
+
+namespace beeline::internal {
+
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:+@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) {
+    return std::string(text);
+  }
+  std::string word = "'";
+  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return word + "'";
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t max_shown = 80;
+  std::string shown;
+  while (!text.empty() && shown.size() < max_shown) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0 || is_control(text[0])) {
+      shown += '?';
+    } else {
+      shown += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return text.empty() ? shown : shown + "...";
+}
+
+std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
+
+std::string with_escaped_bytes(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) {
+      const auto byte = static_cast<unsigned char>(text[0]);
+      escaped += "\\x";
+      escaped += {digits[byte / 16], digits[byte % 16]};
+    } else {
+      escaped += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return escaped;
+}
+
+ElementFault name_fault(std::string_view name) {
+  constexpr std::size_t max_length = 1000;
+  if (name.empty()) return ElementFault::empty_name;
+  if (name.size() > max_length) return ElementFault::long_name;
+  if (!is_utf8(name)) return ElementFault::not_utf8;
+  const bool controls = std::any_of(name.begin(), name.end(), [](char c) { return is_control(c); });
+  return controls ? ElementFault::control_character : ElementFault::none;
+}
+
+void check_name(std::string_view name, std::string_view what) {
+  const ElementFault fault = name_fault(name);
+  if (fault != ElementFault::none) throw Error(std::string(what) + " " + clause(fault, name));
+}
+
+void check_names(const Arm& arm) {
+  check_name(arm.name(), "the arm's name");
+  for (const Joint& joint : arm.joints()) {
+    check_name(joint.name, "a joint's name");
+    if (!joint.link.empty()) check_name(joint.link, "a link's name");
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include <beeline/pose/se3.h>
+#include <beeline/io/text/internal/json.h>
+
+namespace beeline::internal {
+
+/// Reads a pose: {"xyz": [x, y, z], "rpy": [roll, pitch, yaw]} in metres and radians, where a
+/// missing key means zeros; {"xyz", "quaternion": {"qw", "qx", "qy", "qz"}}; or {"matrix": four
+/// rows of four numbers}. Throws FileError that names the value.
+Pose pose_from_json(const JsonDocument& document, const Json& json);
+
+/// Writes a pose on one line: by xyz and rpy when these read back exactly, otherwise by its matrix.
+std::string pose_to_json(const Pose& pose);
+
+Vector3 vector_from_json(const JsonDocument& document, const Json& json);
+
+}  // namespace beeline::internal

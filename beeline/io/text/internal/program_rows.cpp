@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <array>
+
+#include <beeline/error.h>
+#include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/internal/pose_form.h>
+#include <beeline/io/text/pose_list.h>
+
+namespace beeline {
+namespace {
+
+using internal::in_quotes;
+using Columns = std::vector<std::string>;
+
+constexpr std::size_t max_program_rows = 100'000;
+
+const Columns& motions() {
+  static const Columns names{"joint", "line", "screw", "arc", "spline", "via"};
+  return names;
+}
+
+const Columns& frames() {
+  static const Columns names{"previous", "next"};
+  return names;
+}
+
+bool has(const Columns& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The columns of a program file: the index of each in a row.
+struct ProgramColumns {
+  std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
+  std::vector<std::size_t> pose;                    ///< in the order of the form
+  const internal::PoseColumns* form = nullptr;      ///< none: all rows have joint values
+};
+
+ProgramColumns program_columns_of(const Columns& header) {
+  ProgramColumns columns{.named = {}, .pose = {}};
+  const auto index_of = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+  };
+  Columns others;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (!has(program_columns(), header[i])) others.push_back(header[i]);
+  }
+  for (std::size_t i = 0; i < program_columns().size(); ++i) {
+    const std::string& name = program_columns()[i];
+    if (has(header, name)) columns.named[i] = index_of(name);
+  }
+  if (others.empty() && columns.named[2]) return columns;
+  columns.form = &internal::pose_columns_of(others);
+  for (const std::string& name : columns.form->names) columns.pose.push_back(index_of(name));
+  return columns;
+}
+
+/// Whether the names are those of a pose or of a program.
+bool are_known(const Columns& names) {
+  try {
+    program_columns_of(internal::in_known_case(names));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::optional<double> optional_number(internal::CsvRows& rows, const std::string& item,
+                                      const std::string& column) {
+  if (item.empty()) return std::nullopt;
+  return rows.number(item, column);
+}
+
+/// The number of leading columns of a form that give the position, if others give the orientation.
+std::size_t position_size(const internal::PoseColumns& form) {
+  if (!form.oriented || form.form == PoseForm::matrix) return form.names.size();
+  return form.planar ? 2 : 3;
+}
+
+/// Of a row whose orientation does not count, it may be empty: that of the frame.
+std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<std::string>& items,
+                                   const ProgramColumns& columns, const Columns& header,
+                                   const PoseFormat& format, bool orientation_counts) {
+  if (columns.form == nullptr) return std::nullopt;
+  std::vector<double> numbers;
+  const auto is_empty = [&](std::size_t i) { return items[i].empty(); };
+  if (std::all_of(columns.pose.begin(), columns.pose.end(), is_empty)) return std::nullopt;
+  const auto orientation =
+      columns.pose.begin() + static_cast<std::ptrdiff_t>(position_size(*columns.form));
+  const bool position_only =
+      !orientation_counts && std::all_of(orientation, columns.pose.end(), is_empty);
+  for (auto i = columns.pose.begin(); i != (position_only ? orientation : columns.pose.end());
+       ++i) {
+    numbers.push_back(rows.number(items[*i], header[*i]));
+  }
+  if (numbers.size() < columns.pose.size()) {
+    numbers.resize(columns.pose.size());
+    if (columns.form->form == PoseForm::quaternion) numbers[3] = 1;
+  }
+  WrittenPose written = internal::written_pose(numbers, *columns.form, format);
+  written.pose = checked_pose(written.pose);
+  return written;
+}
+
+void check_row(const ProgramRow& row) {
+  if (!row.motion.empty() && !has(motions(), row.motion)) {
+    throw unknown_name("motion", row.motion, motions());
+  }
+  if (!row.relative.empty() && !has(frames(), row.relative)) {
+    throw unknown_name("relative", row.relative, frames());
+  }
+  if (!row.pose && row.q.empty()) {
+    throw Error("this row has neither a pose nor, in a column q, joint values");
+  }
+  if (row.pose && !row.q.empty()) throw Error("this row has both a pose and joint values, q");
+  if (!row.q.empty() && row.motion != "joint") {
+    throw Error("joint values, q, are for rows with the motion joint");
+  }
+  if (row.motion == "via" && (row.speed || row.blend || row.dwell)) {
+    throw Error("a via row has no speed, blend or dwell: those are the arc's");
+  }
+  if (row.relative.empty()) return;
+  if (!row.pose) throw Error("a row with relative needs a pose");
+  if (!row.pose->oriented) {
+    throw Error(std::string("relative is for poses with an orientation: x,y,theta or ") +
+                internal::spatial_forms);
+  }
+}
+
+ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const Columns& header,
+                  const PoseFormat& format) {
+  std::vector<std::string> items;
+  rows.items(items);
+  const auto text = [&](std::size_t i) {
+    return columns.named[i] ? items[*columns.named[i]] : std::string();
+  };
+  ProgramRow row{.motion = text(0),
+                 .relative = text(1),
+                 .pose = pose_in(rows, items, columns, header, format, text(0) != "via"),
+                 .q = text(2),
+                 .speed = optional_number(rows, text(3), "speed"),
+                 .blend = optional_number(rows, text(4), "blend"),
+                 .dwell = optional_number(rows, text(5), "dwell")};
+  check_row(row);
+  return row;
+}
+
+}  // namespace
+
+const Columns& program_columns() {
+  static const Columns columns{"motion", "relative", "q", "speed", "blend", "dwell"};
+  return columns;
+}
+
+bool is_program(std::string_view text) {
+  try {
+    const std::string path;
+    internal::CsvLines lines(text, path);
+    const internal::CsvRows rows(lines, path, {{}, are_known});
+    const Columns header = internal::in_known_case(rows.columns());
+    return std::any_of(header.begin(), header.end(),
+                       [](const std::string& name) { return has(program_columns(), name); });
+  } catch (const Error&) {  // its reader says what is wrong
+    return false;
+  }
+}
+
+ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
+                                  const PoseFormat& format) {
+  internal::CsvLines lines(text, path);
+  internal::CsvRows rows(lines, path, {{}, are_known});
+  ProgramRows program{.path = path, .rows = {}};
+  try {
+    const Columns header = internal::in_known_case(rows.columns());
+    const ProgramColumns columns = program_columns_of(header);
+    while (rows.advance()) {
+      program.rows.push_back(row_in(rows, columns, header, format));
+      program.rows.back().line = rows.line();
+      if (program.rows.size() > max_program_rows) {
+        throw Error("a program has at most " + std::to_string(max_program_rows) + " rows");
+      }
+    }
+  } catch (const Error& error) {
+    throw FileError(path, rows.line(), error.what());
+  }
+  if (program.rows.empty()) throw FileError(path, 0, "has a header but no rows below it");
+  return program;
+}
+
+ProgramRows read_program_rows(const std::string& path, const PoseFormat& format) {
+  return program_rows_from_csv(internal::read_file(path), path, format);
+}
+
+}  // namespace beeline

@@ -1,0 +1,111 @@
+#include <beeline/error.h>
+#include <beeline/model/internal/axis_direction.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/read_fault.h>
+#include <beeline/io/text/internal/text_encoding.h>
+#include <beeline/io/text/internal/text_fault.h>
+#include <beeline/io/text/internal/urdf_file.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr const char* run_xacro = "; run xacro first and pass the URDF that it writes";
+
+std::string number_clause(const ReadWarning& fault) {
+  const bool macro =
+      fault.value.find("${") != std::string::npos || fault.value.find("$(") != std::string::npos;
+  return fault.element + ": " + fault.attribute + ": " + clause(fault.element_fault, fault.value) +
+         (macro ? "; run xacro first" : "");
+}
+
+std::string malformed_clause(const ReadWarning& fault) {
+  switch (fault.element_fault) {
+    case ElementFault::none:
+      break;
+    case ElementFault::missing_attribute:
+      return fault.element + " needs the attribute " + fault.attribute;
+    case ElementFault::missing_end:
+      return "joint " + in_quotes(fault.joint) + " needs a " +
+             fault.element.substr(0, fault.element.size() - 1) + " link=...>";
+    case ElementFault::empty_name:
+    case ElementFault::long_name:
+    case ElementFault::control_character:
+      return fault.element + ": " + fault.attribute + " " +
+             clause(fault.element_fault, fault.value);
+    case ElementFault::not_utf8:
+      return fault.element + ": " + fault.attribute + " " + in_quotes(fault.value) +
+             " is not UTF-8 text, " + utf8_remedy;
+    case ElementFault::not_three_numbers:
+      return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
+             " numbers; it must have three, as in \"0 0 1\"";
+    case ElementFault::missing_number:
+    case ElementFault::not_a_number:
+    case ElementFault::out_of_range:
+    case ElementFault::not_finite:
+    case ElementFault::not_a_limit:
+      return number_clause(fault);
+    case ElementFault::not_four_numbers:
+      return fault.element + ": " + fault.attribute + " has " + std::to_string(fault.count) +
+             " numbers; it must have four, x y z w";
+    case ElementFault::not_unit_length:
+      return fault.element + ": the quaternion " + fault.attribute + " " + in_quotes(fault.value) +
+             " does not have length 1";
+    case ElementFault::two_orientations:
+      return fault.element + ": has both rpy and " + fault.attribute + "; write one of them";
+  }
+  return fault.element + " cannot be read";
+}
+
+}  // namespace
+
+std::string clause(const ReadWarning& fault) {
+  switch (fault.kind) {
+    case ReadWarningKind::malformed:
+      return malformed_clause(fault);
+    case ReadWarningKind::xacro_tag:
+      if (!fault.joint.empty())
+        return "joint " + fault.joint + " contains " + fault.element + run_xacro;
+      return "is a xacro file (it contains " + fault.element + ")" + run_xacro;
+    case ReadWarningKind::unknown_link: {
+      const std::string end = fault.element == "<parent>" ? "parent link" : "child link";
+      return "joint " + fault.joint + " has an " +
+             unknown_name(end, printable(fault.link), fault.others).what();
+    }
+    case ReadWarningKind::two_parents:
+      return "link " + fault.link + " has two parents, by joints " + listed(fault.others) +
+             " and " + fault.joint + "; a chain needs a tree";
+    case ReadWarningKind::cycle:
+      return "the links form a cycle through joint " + fault.joint + " and link " + fault.link +
+             "; a chain needs a tree";
+    case ReadWarningKind::repeated_name:
+      return fault.joint.empty() ? "two links have the name " + fault.link
+                                 : "two joints have the name " + fault.joint;
+    case ReadWarningKind::unconnected_link:
+      return "link " + fault.link + " is not connected by any joint";
+    case ReadWarningKind::unknown_type:
+      return "joint " + fault.joint + " has an " +
+             unknown_name("type", printable(fault.value), urdf_joint_types()).what();
+    case ReadWarningKind::zero_axis:
+      return "joint " + fault.joint + ": " +
+             no_direction({fault.numbers[0], fault.numbers[1], fault.numbers[2]});
+    case ReadWarningKind::limits_reversed:
+      return "joint " + fault.joint + ": lower limit " + number(fault.numbers[0]) +
+             " exceeds upper limit " + number(fault.numbers[1]);
+    case ReadWarningKind::velocity_limit:
+      return "joint " + fault.joint + ": velocity limit " + number(fault.numbers[0]) +
+             " is below " + number(Limits::min_rate) + "; 0 and -1 stand for none";
+    case ReadWarningKind::unknown_leader:
+      return "joint " + fault.joint + " mimics an " +
+             unknown_name("joint", printable(fault.value), fault.others).what();
+    case ReadWarningKind::leader_cycle:
+      return "joint " + fault.joint +
+             (fault.value == fault.joint ? " mimics itself"
+                                         : " follows leaders that mimic each other");
+    case ReadWarningKind::further_faults:
+      return "has " + std::to_string(fault.count) + " more faults beside the chain";
+    default:
+      throw Error(name(fault.kind) + " is no fault");
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include <beeline/io/text/arm.h>
+
+namespace beeline::internal {
+
+/// Returns the clause of a fault, which an error and a warning of it have: `<origin>: xyz has 2
+/// numbers; it must have three, as in "0 0 1"`. Throws Error for a warning that is_fault() denies.
+std::string clause(const ReadWarning& fault);
+
+}  // namespace beeline::internal

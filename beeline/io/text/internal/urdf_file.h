@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/model/joint.h>
+#include <beeline/io/text/arm.h>
+
+namespace beeline::internal {
+
+/// A fault of a URDF file. On the chain it is an error, beside the chain a warning.
+struct UrdfFault {
+  ReadWarning warning;                    ///< without its path; warning_of() completes it
+  std::optional<std::size_t> index = {};  ///< of the joint in `UrdfFile::joints`
+  bool moves = false;                     ///< the chain that the file's author meant may need it
+};
+
+/// The links and joints of a URDF file, in the file's order, with their lines. Inertias, meshes,
+/// transmissions and everything else that does not affect kinematics are ignored.
+struct UrdfFile {
+  struct Link {
+    std::string name;
+    int line = 0;
+  };
+  struct Joint {
+    std::string name, type, parent, child;
+    Pose origin = Pose::Identity();   ///< parent_T_child at q = 0
+    Vector3 rpy = Vector3::Zero();    ///< of the origin, as written: rad
+    Vector3 axis = Vector3::UnitX();  ///< in the child's frame, of any length
+    Limits limits;                    ///< a continuous joint has no position limits
+    std::optional<beeline::Mimic> mimic;
+    int line = 0, axis_line = 0, limit_line = 0, mimic_line = 0;
+  };
+
+  std::string path;
+  std::string name;  ///< of the robot; the file's name when the robot has none
+  std::vector<Link> links;
+  std::vector<Joint> joints;      ///< those with a name, a type, a parent and a child
+  std::vector<UrdfFault> faults;  ///< of elements in the file's order, then of joints
+  /// The number of further ones that no chain can have: beyond 10,000, elements without a name.
+  std::size_t further_faults = 0;
+};
+
+/// Whether the joint has one degree of freedom: revolute, continuous or prismatic.
+bool has_one_dof(const UrdfFile::Joint& joint);
+
+/// The types of joints that URDF defines.
+const std::vector<std::string>& urdf_joint_types();
+
+/// Whether the joint is floating or planar, with several degrees of freedom.
+bool is_free(const UrdfFile::Joint& joint);
+
+/// Parses a URDF text. Its faults are recorded: elements that xacro should have replaced, an
+/// attribute that is missing or not a number, a name that is missing, not UTF-8 or given twice,
+/// and those of find_joint_faults(). Does not check that the links form a tree. Names have
+/// with_escaped_bytes(). Throws FileError for text that is not XML or has no <robot>.
+UrdfFile parse_urdf(std::string_view text, const std::string& path);
+
+}  // namespace beeline::internal

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <beeline/io/text/internal/urdf_file.h>
+
+namespace beeline::internal {
+
+/// Appends the faults of the joints' values to `file.faults`: an unknown type, an axis without
+/// direction, a lower limit that exceeds the upper one, a velocity limit that is too small, a
+/// leader that is not in the file, and leaders that mimic each other.
+void find_joint_faults(UrdfFile& file);
+
+}  // namespace beeline::internal

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+#include <beeline/io/text/arm.h>
+
+namespace beeline {
+
+/// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
+/// frame. Both may be any links of the tree.
+///   - Without `ends.base` the chain begins at the root or, if a floating or planar joint places
+///     the arm in the world, below that joint. Without `ends.tip` it ends at a leaf below the base
+///     that a joint moves or, if there is none, at another end of the tree. Among leaves that only
+///     fixed joints connect, it is `tool0`, otherwise the first in the file; among other leaves
+///     `tool0`. If the last joints move a finger of a gripper, by their names, the chain ends
+///     before them. Appends to `warnings`, unless null, what was selected.
+///   - On the way up, a joint carries its parent link: its origin and axis are inverted. Its
+///     coordinate remains the file's, and so do its limits and its mimic factors.
+///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
+///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
+///     on the chain.
+///   - The orientation of an `<origin>` is `rpy`, or the quaternion `quat_xyzw` of URDF 1.2.
+///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
+///     ignored. Infinities and position limits beyond 1e6 rad or m stand for no limit.
+///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on
+///     the chain is refused.
+///   - Mimic joints whose leader is not on the chain follow the first of them in the file, which
+///     has a coordinate of its own.
+///   - ControllerFrames: the root frame is the link `base` and the flange the link `tool0`, as in
+///     ROS-Industrial's descriptions (REP 199), where only fixed joints connect them to the chain's
+///     ends. Otherwise they are the base link and the tip.
+///   - Frames are the file's: each joint moves the frame of its child link (on the way up, of its
+///     parent link), named in Joint::link.
+///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
+///     connected, names given twice, elements of xacro, and joints with an unknown type, an axis
+///     without direction, a lower limit that exceeds the upper one, a velocity limit that is too
+///     small, or a leader that the file does not have. Without `ends.tip`, a
+///     joint that moves and is not connected is refused if the chain may have lost it: the name of
+///     its parent resembles that of a link, or as many joints move below it as on the chain.
+/// Throws FileError for text that is not URDF; several roots or tips without a choice by `ends`; a
+/// tip that is unknown, not connected to the base, or not moved by any joint; on the chain a fault,
+/// an axis of zero length, a lower limit that exceeds the upper one, or a mimic joint whose leader
+/// is not in the file.
+Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
+              std::vector<ReadWarning>* warnings = nullptr);
+/// The same from a text; `path` names it in messages.
+Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
+                  std::vector<ReadWarning>* warnings = nullptr);
+
+/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. Names
+/// of joints and links are compared with an arm where they are used.
+struct Srdf {
+  struct Group {
+    std::string name;
+    std::vector<ChainEnds> chains = {};
+    std::vector<std::string> joints = {}, links = {}, groups = {};
+    int line = 0;
+  };
+  struct State {
+    std::string name, group;  ///< the group is empty where the file has none
+    std::map<std::string, std::vector<double>> joints = {};  ///< values in rad or m, by joint
+    int line = 0;
+  };
+
+  std::string path;  ///< names the file in messages
+  std::vector<Group> groups = {};
+  std::vector<State> states = {};
+  std::vector<std::string> virtual_joints = {};  ///< they place the robot in the world
+};
+
+/// Reads an SRDF file. Collision pairs, end effectors and passive joints are ignored.
+/// Throws FileError for text that is not SRDF, a missing attribute, two groups of one name, two
+/// states of one name and group, and a value that is not a number.
+Srdf read_srdf(const std::string& path);
+/// The same from a text; `path` names it in messages.
+Srdf srdf_from_text(std::string_view text, const std::string& path);
+
+/// Returns the base and the tip of a group in a URDF file: those of its `<chain>`; or, if it lists
+/// joints, links (which stand for the joints above them) or groups, the link above its first joint
+/// and the link below its last one.
+/// Throws FileError for an unknown group, joint or link (it lists the known ones), and for a group
+/// whose joints are not all those of one chain. Mimic joints need not be listed.
+ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path);
+
+/// Returns the configuration of a named state with a value for each coordinate of the arm, of this
+/// group if it has one of the name.
+/// Throws FileError for an unknown name (it lists the known ones), a state without a value for a
+/// coordinate, and several states of the name with different values.
+Configuration named_state(const Srdf& srdf, const Arm& arm, const std::string& name,
+                          const std::string& group = "");
+
+}  // namespace beeline

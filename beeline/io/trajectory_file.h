@@ -1,0 +1,214 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/planning/program.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline {
+
+/// The format of a trajectory in a file, given by the ending of its path. Numbers read back
+/// exactly, times of .json and .yaml to the nanosecond.
+///   .csv          columns t, then the joints' names, and NAME_vel, NAME_acc where known;
+///                 .txt, .tsv, .dat and .log are read so too
+///   .json, .yaml  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
+enum class TrajectoryFormat { csv, json, yaml };
+
+/// Throws Error for an ending with which no file is written.
+TrajectoryFormat trajectory_format(const std::string& path);
+
+/// Returns the format of a file that was read. A file without an ending, such as a pipe, is .json
+/// if its text begins with a brace and otherwise .csv. Throws FileError for another ending.
+TrajectoryFormat trajectory_format(const std::string& path, std::string_view text);
+
+/// Returns the content of a file of this format. Throws Error for a trajectory that is not valid
+/// (check_trajectory()), has no samples, or whose joints have names that the format cannot hold.
+std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format);
+
+/// Writes trajectory_text() to a file, which is replaced as a whole. Throws as trajectory_text(),
+/// and FileError when the file cannot be written.
+void write_trajectory(const std::string& path, const Trajectory& trajectory);
+
+/// Reads a trajectory of any length, in memory proportional to its numbers;
+/// trajectory_format(path, text) gives its format. Throws FileError that names the line and the
+/// column or value, or for another ending.
+Trajectory read_trajectory(const std::string& path);
+
+/// The same from the text of the file at `path`.
+Trajectory parse_trajectory(std::string_view text, const std::string& path);
+
+/// The unit of times in a table.
+enum class TimeUnit { seconds, milliseconds, microseconds, nanoseconds };
+std::string name(TimeUnit unit);  ///< s, ms, us, ns
+std::vector<std::string> time_unit_names();
+
+/// Throws Error listing the names for another name.
+TimeUnit time_unit_named(const std::string& name);
+
+/// The unit of joint values in a recording; rates are in it per second.
+enum class JointUnit { radians, degrees, metres, millimetres };
+std::string name(JointUnit unit);  ///< rad, deg, m, mm
+
+struct RecordingOptions {
+  /// How joints are matched. The unit of a joint's values is the one in the joint map, else the one
+  /// that its column's name says, as joint1_deg, else `match.angle_unit`.
+  MatchOptions match = {};
+  /// A file that has none of the joint map's names is matched by name, as if there was no map.
+  bool map_is_optional = false;
+  /// Of the times of a .csv file. Default: what the column's name says, as time_ms; else seconds
+  /// or, for times since 1970, the unit that their size gives. Refused, unless it is seconds, for a
+  /// file without times and for one whose format gives their unit: messages of ROS, as .json,
+  /// .yaml, or with columns of seconds and nanoseconds.
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  /// Such a file is read as if there was no time unit.
+  bool time_unit_is_optional = false;
+  bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
+  /// A recording that does not give the unit of its angles is read in degrees, if they are out of
+  /// range in radians but not in degrees, and otherwise in radians; a note says which, unless it is
+  /// in the form of a motion that this library has planned: the arm's names in its order, with
+  /// velocities and accelerations. If false, a note says where degrees are likely. Applies if
+  /// `match.angle_unit` is 1.
+  bool detect_degrees = false;
+  /// `match.angle_unit` is what the user has stated: angles have no such notes.
+  bool angle_unit_is_known = false;
+};
+
+/// How a recording was read where the file does not say, and what its numbers suggest.
+enum class RecordingNoteKind {
+  no_header,            ///< the columns of a table without a header are read as `columns`
+  times_since_1970,     ///< the times in `columns`, in `unit`, count from the first sample
+  named_unit,           ///< `columns` are in `joint_unit`, as their names say
+  read_in_degrees,      ///< because `joint` is at `value`: RecordingOptions::detect_degrees
+  read_in_radians,      ///< though degrees are possible too: RecordingOptions::detect_degrees
+  likely_degrees,       ///< `joint` is at `value`, out of range in radians but not in degrees
+  many_revolutions,     ///< `joint`, without limits, is at `value`: perhaps degrees
+  likely_millimetres,   ///< `joint` is at `value`, out of range in metres but not in millimetres
+  likely_milliseconds,  ///< the samples are `value` seconds apart, and no joint is fast
+};
+std::string name(RecordingNoteKind kind);
+
+/// A note of the reader: data, from which sentence() makes the text.
+struct RecordingNote {
+  RecordingNoteKind kind = RecordingNoteKind::no_header;
+  std::string path = {};  ///< of the file
+  std::vector<std::string> columns = {};
+  /// Of times since 1970 in the first of `columns`; a second one has nanoseconds.
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  std::optional<JointUnit> joint_unit = std::nullopt;  ///< of a named unit
+  std::string joint = {};                              ///< of the arm
+  double value = 0;  ///< as recorded, with the signs and offsets of a joint map
+};
+
+/// Returns one sentence without a full stop, which begins with the path. It says which option reads
+/// the recording otherwise.
+std::string sentence(const RecordingNote& note, OptionStyle style = OptionStyle::keyword);
+
+/// A trajectory as a program of any kind has recorded it.
+struct Recording {
+  Trajectory trajectory;      ///< of the arm: see matched_to()
+  bool has_times = true;      ///< false for a path
+  bool mapped = false;        ///< by the joint map
+  bool in_time_unit = false;  ///< by RecordingOptions::time_unit
+  std::vector<RecordingNote> notes = {};
+};
+
+/// Reads a recording of an arm. A .csv file may have any of these:
+///   - times in a column t, time, timestamp or stamp, seconds and nanoseconds in two columns sec,
+///     nanosec, or a unit in the name; times since 1970 in a smaller unit than seconds count from
+///     the first
+///   - semicolons, tabs or blanks between the items, with decimal commas
+///   - no header, a column of times first, then the joints in the arm's order; or a header in a
+///     comment, which names all joints
+///   - joints as matched_to() finds them, with a unit of JointUnit behind the name, as joint1_deg,
+///     joint1 (mm) or joint1_vel [deg/s]
+///   - rates in columns such as joint1_velocity and acceleration_joint1, and efforts, which are not
+///     read
+/// Throws as read_trajectory() and, as FileError, matched_to() do.
+Recording read_recording(const std::string& path, const Arm& arm,
+                         const RecordingOptions& options = {});
+/// The same from the text of the file at `path`.
+Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
+                          const RecordingOptions& options = {});
+
+/// Returns the joint of this name, with a minus in front if its sign is -1. Throws Error for a name
+/// that is empty or not text.
+MappedJoint mapped_joint(std::string_view name);
+
+/// Reads a joint map of an arm: names separated by commas in the arm's order, each with a minus in
+/// front if its sign is -1, or the path of a .json file: a name for each joint of the arm, or an
+/// object of which all but the name are optional:
+///     {"joint1": "A1", "joint2": {"name": "A2", "sign": -1, "offset": 90, "unit": "deg"}, ...}
+/// The offset is in the unit, which is rad, deg, m or mm. A joint that the file does not have keeps
+/// its name. Throws Error and FileError.
+JointMap read_joint_map(const std::string& text, const Arm& arm);
+
+/// The forms in which controllers take a motion.
+enum class ControllerForm {
+  ros2,      ///< trajectory_msgs/JointTrajectory of ROS 2, as YAML or JSON
+  urscript,  ///< Universal Robots: servoj() setpoints
+  rapid,     ///< ABB: MoveAbsJ instructions
+  krl,       ///< KUKA: PTP instructions
+  csv,       ///< setpoints at a constant rate, columns t and the joints' names
+};
+std::string name(ControllerForm form);
+std::vector<std::string> controller_form_names();
+
+/// Throws Error listing the names for another name.
+ControllerForm controller_form_named(const std::string& name);
+
+/// The endings of the form's files: script; the first is the default.
+std::vector<std::string> controller_file_endings(ControllerForm form);
+
+/// Throws Error, as controller_file() does, unless the form can hold a motion of this arm, and this
+/// program: before anything is planned.
+void check_controller_form(const Arm& arm, ControllerForm form);
+void check_controller_form(const Arm& arm, const Program& program, ControllerForm form);
+
+struct ControllerFileOptions {
+  /// Setpoints per second, of the motion that the trajectory's columns mean. Default: the
+  /// trajectory's own samples; of urscript 125, the control rate of the CB3 series (e-Series: 500).
+  /// csv requires it.
+  std::optional<double> rate = std::nullopt;
+  /// The name of a rapid or krl program: the file's name without its ending.
+  std::string program_name = "beeline_motion";
+  /// The frame in which the poses of a program are written: its pose in the world. The file states
+  /// it relative to the controller's root frame. Default: the root frame.
+  std::optional<Pose> work = std::nullopt;
+  bool comments = true;  ///< false for ros2 as JSON, which has none
+};
+
+struct ControllerFile {
+  std::string text;   ///< its content, with `proof` and `note` as comments
+  std::string proof;  ///< which part of a proof about the trajectory holds for the controller
+  std::string note;   ///< what the user must ensure; may be empty
+  std::size_t samples = 0;
+  double duration = 0;  ///< seconds; with a rate at most one period more than the trajectory's
+};
+
+/// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
+/// Throws Error for a trajectory that does not fit the arm or that the form cannot hold: urscript,
+/// rapid and krl need six revolute joints, none of which follows another, ros2 times below 2^31 s
+/// that differ by a nanosecond, and urscript periods of whole control cycles of 2 ms. urscript,
+/// rapid and krl set the arm's tool, its pose in ControllerFrames::flange, unless it is the flange;
+/// its load is not known here.
+ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
+                               const ControllerFileOptions& options = {});
+
+/// Returns a planned program as moves for a controller, from the configuration at which its
+/// trajectory begins: joint moves to the planned joint values, the others to their poses in the
+/// controller's root frame, ControllerFrames::base, or in `options.work`, with speeds, blends and
+/// dwells. The file sets the arm's tool. Where the arm stands in the world plays no part. Moves
+/// without a speed get the largest of the planned motion. The controller plans all motions again.
+/// `samples` is the number of moves, `duration` that of the planned motion. Throws Error for a
+/// motion that is not complete or not of the program; as the function above; for ros2, csv and a
+/// rate, which need a trajectory; and for a kind of move that the form does not have: screws, and
+/// splines except of krl.
+ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
+                               ControllerForm form, const ControllerFileOptions& options = {});
+
+}  // namespace beeline

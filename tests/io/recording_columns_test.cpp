@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/io/trajectory_file.h>
+#include <beeline/model/catalog.h>
+#include <beeline/model/joint.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+const Arm& three_joints() {
+  static const Arm arm = built_in("rrr");
+  return arm;
+}
+
+Recording parsed(const std::string& text, const RecordingOptions& options = {}) {
+  return parse_recording(text, "a.csv", three_joints(), options);
+}
+
+TEST(RecordingColumns, NamesOfColumnsGiveUnits) {
+  testing::Random random;
+  const Arm arm("pair",
+                {composite_joint('R', "turn").front(), composite_joint('P', "slide").front()});
+  struct Unit {
+    JointUnit unit;
+    double si;
+    std::vector<std::string> names;
+  };
+  const std::vector<Unit> units[] = {
+      {{JointUnit::radians, 1, {"rad", "Radians"}},
+       {JointUnit::degrees, std::numbers::pi / 180, {"deg", "DEG", "degrees", "\xc2\xb0"}}},
+      {{JointUnit::metres, 1, {"m", "meters"}},
+       {JointUnit::millimetres, 1e-3, {"mm", "millimetres"}}}};
+  const auto column = [&](std::string name, const std::string& unit, const std::string& rate) {
+    if (random.integer(0, 1) == 0) return name + "_" + unit + (rate.empty() ? "" : "_" + rate);
+    if (!rate.empty()) name += "_" + rate;
+    const std::string behind = rate.empty() ? "" : rate == "vel" ? "/s" : "/s^2";
+    return name +
+           (random.integer(0, 1) == 0 ? " (" + unit + behind + ")" : "[" + unit + behind + "]");
+  };
+  for (int i = 0; i < testing::cases(300); ++i) {
+    std::string header = "t", row = "0";
+    double expected[3][2];
+    JointUnit said[2] = {};
+    const char* const rates[] = {"", "vel", "acc"};
+    for (int quantity = 0; quantity < 3; ++quantity) {
+      for (int k = 0; k < 2; ++k) {
+        const auto& [unit, si, names] = units[k][static_cast<std::size_t>(random.integer(0, 1))];
+        const auto last = static_cast<int>(names.size()) - 1;
+        const std::string& text = names[static_cast<std::size_t>(random.integer(0, last))];
+        const int value = random.integer(-9, 9);
+        header += "," + column(arm.joint_of(k).name, text, rates[quantity]);
+        row += "," + std::to_string(value);
+        expected[quantity][k] = si * value;
+        if (quantity == 0) said[k] = unit;
+      }
+    }
+    const Recording read = parse_recording(header + "\n" + row + "\n", "a.csv", arm);
+    for (int k = 0; k < 2; ++k) {
+      ASSERT_NEAR(read.trajectory.positions[0][k], expected[0][k], 1e-12) << header;
+      ASSERT_NEAR(read.trajectory.velocities[0][k], expected[1][k], 1e-12) << header;
+      ASSERT_NEAR(read.trajectory.accelerations[0][k], expected[2][k], 1e-12) << header;
+      const auto& note = read.notes.at(static_cast<std::size_t>(k));
+      ASSERT_EQ(note.kind, RecordingNoteKind::named_unit);
+      ASSERT_EQ(note.joint_unit, said[k]) << header;
+    }
+  }
+}
+
+TEST(RecordingColumns, TheUnitOfAJointIsTheMapsThenItsNamesThenTheOthers) {
+  const std::string text = "t,A1_deg,A2,A3\n0,90,90,1\n";
+  const double degree = std::numbers::pi / 180;
+  const auto read = [&](JointMap map, double angle_unit) {
+    return parsed(text, {.match = {.joint_map = std::move(map), .angle_unit = angle_unit}})
+        .trajectory.positions[0];
+  };
+  const auto near = [](const Configuration& q, const Vector3& expected) {
+    return (q - expected).norm() < 1e-12;
+  };
+  for (const char* name : {"A1", "A1_deg", "a1_DEG", "a1"}) {
+    EXPECT_TRUE(near(read({{name}, {"A2"}, {"A3"}}, 1), {90 * degree, 90, 1})) << name;
+    EXPECT_TRUE(near(read({{name}, {"A2"}, {"A3"}}, degree), {90 * degree, 90 * degree, degree}));
+    EXPECT_TRUE(near(read({{name, 1, 0, 1}, {"A2"}, {"A3"}}, degree), {90, 90 * degree, degree}));
+    EXPECT_TRUE(near(read({{name, -1, 30}, {"A2"}, {"A3"}}, 1), {-60 * degree, 90, 1})) << name;
+  }
+}
+
+/// The arm with these names of joints.
+Arm with_names(const std::vector<std::string>& names) {
+  std::vector<Joint> joints = three_joints().joints();
+  for (std::size_t i = 0; i < joints.size(); ++i) joints[i].name = names[i];
+  return {"renamed", joints};
+}
+
+TEST(RecordingColumns, AJointWhoseNameEndsInAUnitIsNotInIt) {
+  const Arm arm = with_names({"lift_deg", "b", "c_m"});
+  for (const char* front : {"", "left_"}) {
+    const std::string f = front;
+    const Recording read =
+        parse_recording("t," + f + "lift_deg," + f + "b," + f + "c_m\n0,1,2,3\n", "a.csv", arm);
+    EXPECT_TRUE(read.notes.empty());
+    EXPECT_EQ(read.trajectory.positions[0], Vector3(1, 2, 3));
+  }
+}
+
+TEST(RecordingColumns, AFileInRadiansAndDegreesNeedsAMap) {
+  const std::string text = "t,joint1_deg,joint1_rad,joint2,joint3\n0,180,3,1,2\n";
+  EXPECT_REFUSED(parsed(text), "the arm has no joint1_deg, joint1_rad");
+  const Recording read = parsed(
+      text, {.match = {.joint_map = read_joint_map("joint1_deg,joint2,joint3", three_joints())}});
+  EXPECT_NEAR(read.trajectory.positions[0][0], std::numbers::pi, 1e-15);
+}
+
+TEST(RecordingColumns, SaysThatItWasReadInRadians) {
+  const std::string text = "t,joint1,joint2,joint3\n0,1,2,3\n";
+  const auto kinds = [](const Recording& read) {
+    std::vector<RecordingNoteKind> found;
+    for (const RecordingNote& note : read.notes) found.push_back(note.kind);
+    return found;
+  };
+  using Kinds = std::vector<RecordingNoteKind>;
+  EXPECT_EQ(kinds(parsed(text)), Kinds());
+  const Recording read = parsed(text, {.detect_degrees = true});
+  EXPECT_EQ(kinds(read), Kinds{RecordingNoteKind::read_in_radians});
+  EXPECT_EQ(sentence(read.notes[0], OptionStyle::command),
+            "a.csv is read in radians: neither the names of its columns nor its values say that "
+            "its angles are in degrees; --angle-unit deg reads degrees");
+  EXPECT_EQ(kinds(parsed(text, {.detect_degrees = true, .angle_unit_is_known = true})), Kinds());
+  JointMap map;
+  for (const std::string& name : three_joints().joint_names())
+    map.push_back({.name = name, .unit = 1});
+  EXPECT_EQ(kinds(parsed(text, {.match = {.joint_map = map}, .detect_degrees = true})), Kinds());
+  // A motion as this library plans it.
+  std::string planned = "t", row = "0";
+  for (const char* behind : {"", "_vel", "_acc"}) {
+    for (const std::string& joint : three_joints().joint_names())
+      planned.append(",").append(joint + behind);
+    row += ",1,2,3";
+    const Recording of = parsed(planned + "\n" + row + "\n", {.detect_degrees = true});
+    EXPECT_EQ(of.notes.empty(), !of.trajectory.accelerations.empty());
+  }
+  // Within the limits only as radians.
+  std::vector<Joint> joints = three_joints().joints();
+  joints[1].limits.lower = 0.5;
+  const Arm lifted("lifted", joints);
+  EXPECT_EQ(kinds(parse_recording(text, "a.csv", lifted, {.detect_degrees = true})), Kinds());
+}
+
+TEST(RecordingColumns, RatesMayBeNamedInWords) {
+  const std::string rows = "\n0,1,2,3,4,5,6,7,8,9\n";
+  const auto names = [](const std::string& front, const std::string& behind) {
+    std::string text;
+    for (const std::string& joint : three_joints().joint_names())
+      text.append(",").append(front + joint + behind);
+    return text;
+  };
+  const std::pair<std::string, std::string> velocities[] = {
+      {"", "_velocity"}, {"", "/velocity"}, {"velocity_", ""}, {"vel.", ""}, {"", "_VEL"}};
+  const std::pair<std::string, std::string> accelerations[] = {
+      {"", "_acceleration"}, {"", ".accel"}, {"acc/", ""}};
+  for (const auto& v : velocities) {
+    for (const auto& a : accelerations) {
+      const Recording read =
+          parsed("t" + names("", "") + names(v.first, v.second) + names(a.first, a.second) + rows);
+      EXPECT_EQ(read.trajectory.velocities.at(0), Vector3(4, 5, 6)) << v.first << v.second;
+      EXPECT_EQ(read.trajectory.accelerations.at(0), Vector3(7, 8, 9)) << a.first << a.second;
+    }
+  }
+  const Recording words = parsed("time" + names("position_", "") + names("velocity_", "") +
+                                 names("effort_", "") + rows);
+  EXPECT_EQ(words.trajectory.positions[0], Vector3(1, 2, 3));
+  EXPECT_EQ(words.trajectory.velocities.at(0), Vector3(4, 5, 6));
+  // Not all joints have it.
+  EXPECT_REFUSED(parsed("t,joint1,joint2,joint3,joint1_velocity\n0,1,2,3,4\n"),
+                 "the arm has no joint1_velocity");
+}
+
+}  // namespace
+}  // namespace beeline
