@@ -1,189 +1,54 @@
 #include <algorithm>
-#include <array>
 #include <ostream>
 
-#include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/internal/reason_text.h>
 #include <beeline/reason.h>
 
 namespace beeline {
 namespace {
 
-constexpr std::array<std::string_view,
-                     static_cast<std::size_t>(ReasonCode::no_mount_moves_in_lines) + 1>
-    code_names{"none",
-               "ended",
-               "ended_before_solution",
-               "ended_before_all_solutions",
-               "ended_before_best_solution",
-               "ended_on_path",
-               "ended_before_timing",
-               "ended_before_check",
-               "ended_before_sampling",
-               "ended_before_samples",
-               "ended_in_simulation",
-               "ended_in_retiming",
-               "ended_in_batch",
-               "ended_in_map",
-               "all_solutions_outside_limits",
-               "solutions_outside_limits",
-               "no_solution_found",
-               "no_closed_form_solution",
-               "position_unreachable",
-               "orientation_unreachable",
-               "beyond_reach",
-               "tilted_off_axes",
-               "off_plane",
-               "fixed_orientation",
-               "off_slides",
-               "self_motion",
-               "singular_velocity",
-               "too_few_joints",
-               "would_pass_limits",
-               "step_not_proved",
-               "singular_at_start",
-               "singular_on_path",
-               "pose_outside_limits",
-               "path_leaves_workspace",
-               "path_loses_orientation",
-               "ended_at_pose",
-               "no_configuration_found",
-               "too_many_samples",
-               "path_not_proved",
-               "program_too_long",
-               "spline_outside_limits",
-               "end_speed_too_high",
-               "end_speed_unreachable",
-               "begin_speed_too_high",
-               "begin_speed_too_low",
-               "path_not_traversable",
-               "too_many_samples_at_rate",
-               "no_motion_at_rate",
-               "too_many_samples_given",
-               "duration_too_short",
-               "outside_limits",
-               "moves_outside_limits",
-               "rotates_too_far",
-               "derivative_needed",
-               "derivative_reached",
-               "starts_moving",
-               "ends_moving",
-               "off_path",
-               "moves_backwards",
-               "deviation_unproved",
-               "leaves_path",
-               "may_move_backwards",
-               "leaves_last_waypoint",
-               "waypoint_not_reached",
-               "passes_without_rest",
-               "dwell_too_short",
-               "tool_too_fast",
-               "joint_outside_limits",
-               "goal_outside_limits",
-               "start_outside_limits",
-               "step_outside_limits",
-               "recording_outside_limits",
-               "recording_outside_limits_between",
-               "step_not_finite",
-               "not_converged",
-               "stagnates",
-               "diverges",
-               "next_solution_far",
-               "recording_too_fast",
-               "limit_exceeded",
-               "moves_after_lead_in",
-               "poses_too_far_apart",
-               "no_mount_reaches",
-               "no_mount_moves_in_lines"};
-
-constexpr std::array<std::string_view, static_cast<std::size_t>(ReasonField::at_singularity) + 1>
-    field_names{"move",
-                "move_name",
-                "line",
-                "lines",
-                "segment",
-                "segment_name",
-                "is_line",
-                "beginning",
-                "fraction",
-                "position",
-                "pose",
-                "poses",
-                "sample",
-                "time",
-                "step",
-                "s",
-                "arm",
-                "joint",
-                "unit",
-                "value",
-                "lower",
-                "upper",
-                "is_upper",
-                "limit",
-                "excess",
-                "quantity",
-                "use",
-                "assumed",
-                "recorded",
-                "distance",
-                "angle",
-                "change",
-                "centre",
-                "radius",
-                "nearest",
-                "speed",
-                "needed_speed",
-                "rate",
-                "duration",
-                "shortest_duration",
-                "dwell",
-                "beyond_dwells",
-                "error",
-                "count",
-                "of",
-                "starts",
-                "max_samples",
-                "more_samples",
-                "without_file",
-                "parts",
-                "ending",
-                "interpolation",
-                "planned",
-                "refined",
-                "has_position",
-                "near_singular",
-                "oscillates",
-                "branches_complete",
-                "nearest_to_seed",
-                "direction",
-                "frame",
-                "proof_rate",
-                "proved_rate",
-                "proved_speed",
-                "possible_rate",
-                "within_pose_tolerance",
-                "search_ending",
-                "search_limited",
-                "kept_speed",
-                "kept_at_rate",
-                "kept_rate",
-                "kept_ramp",
-                "kept_without_rate",
-                "speed_changes",
-                "shows_corners",
-                "none_kept",
-                "overshoots",
-                "at_singularity"};
-
-template <class Enum, class Names>
-Enum named(std::string_view what, std::string_view name, const Names& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw unknown_name(what, name, {names.begin(), names.end()});
-  return static_cast<Enum>(found - names.begin());
-}
-
+using internal::EnumNames;
 using internal::ReasonText;
+
+constexpr EnumNames<ReasonCode::no_mount_moves_in_lines> code_names(
+    "reason",
+    "none "
+    "ended ended_before_solution ended_before_all_solutions ended_before_best_solution "
+    "ended_on_path ended_before_timing ended_before_check ended_before_sampling "
+    "ended_before_samples ended_in_simulation ended_in_retiming ended_in_batch ended_in_map "
+    "all_solutions_outside_limits solutions_outside_limits no_solution_found "
+    "no_closed_form_solution position_unreachable orientation_unreachable beyond_reach "
+    "tilted_off_axes off_plane fixed_orientation off_slides self_motion singular_velocity "
+    "too_few_joints "
+    "would_pass_limits step_not_proved singular_at_start singular_on_path pose_outside_limits "
+    "path_leaves_workspace path_loses_orientation ended_at_pose no_configuration_found "
+    "too_many_samples path_not_proved program_too_long "
+    "spline_outside_limits end_speed_too_high end_speed_unreachable begin_speed_too_high "
+    "begin_speed_too_low path_not_traversable too_many_samples_at_rate no_motion_at_rate "
+    "too_many_samples_given duration_too_short "
+    "outside_limits moves_outside_limits rotates_too_far derivative_needed derivative_reached "
+    "starts_moving ends_moving off_path moves_backwards deviation_unproved leaves_path "
+    "may_move_backwards leaves_last_waypoint waypoint_not_reached passes_without_rest "
+    "dwell_too_short tool_too_fast "
+    "joint_outside_limits goal_outside_limits start_outside_limits step_outside_limits "
+    "recording_outside_limits recording_outside_limits_between step_not_finite not_converged "
+    "stagnates diverges next_solution_far recording_too_fast limit_exceeded moves_after_lead_in "
+    "poses_too_far_apart no_mount_reaches no_mount_moves_in_lines");
+
+constexpr EnumNames<ReasonField::at_singularity> field_names(
+    "field of a reason",
+    "move move_name line lines segment segment_name is_line beginning fraction position pose "
+    "poses sample time step s "
+    "arm joint unit "
+    "value lower upper is_upper limit excess quantity use assumed recorded distance angle "
+    "change centre radius nearest speed needed_speed rate duration shortest_duration dwell "
+    "beyond_dwells error count of starts max_samples more_samples without_file parts "
+    "ending interpolation planned refined has_position near_singular oscillates "
+    "branches_complete nearest_to_seed direction frame "
+    "proof_rate proved_rate proved_speed possible_rate within_pose_tolerance search_ending "
+    "search_limited kept_speed kept_at_rate kept_rate kept_ramp kept_without_rate speed_changes "
+    "shows_corners none_kept overshoots at_singularity");
 
 /// Where it is, before the sentence: "move 3 (line): ", "at 0.5 s, sample 51: ".
 std::string place(const ReasonText& reason, bool of_time) {
@@ -236,21 +101,13 @@ std::string others(const ReasonText& reason) {
 
 }  // namespace
 
-std::string name(ReasonCode code) {
-  return std::string(code_names[static_cast<std::size_t>(code)]);
-}
+std::string name(ReasonCode code) { return code_names.of(code); }
 
-ReasonCode reason_code_named(std::string_view name) {
-  return named<ReasonCode>("reason", name, code_names);
-}
+ReasonCode reason_code_named(std::string_view name) { return code_names.named(name); }
 
-ReasonField reason_field_named(std::string_view name) {
-  return named<ReasonField>("field of a reason", name, field_names);
-}
+std::string name(ReasonField field) { return field_names.of(field); }
 
-std::string name(ReasonField field) {
-  return std::string(field_names[static_cast<std::size_t>(field)]);
-}
+ReasonField reason_field_named(std::string_view name) { return field_names.named(name); }
 
 const ReasonValue* Reason::find(ReasonField field) const {
   const auto found = std::find_if(fields.begin(), fields.end(),
