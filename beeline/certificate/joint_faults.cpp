@@ -6,6 +6,7 @@
 
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -173,10 +174,11 @@ class FaultSearch {
 }  // namespace
 
 std::string name(Fault fault) {
-  constexpr const char* names[] = {"none",      "limits",      "flip",     "deviation",
-                                   "backwards", "not_through", "velocity", "acceleration",
-                                   "jerk",      "moving",      "dwell",    "tool_speed"};
-  return names[static_cast<int>(fault)];
+  constexpr internal::EnumNames<Fault::tool_speed> names(
+      "fault",
+      "none limits flip deviation backwards not_through velocity acceleration jerk moving "
+      "dwell tool_speed");
+  return names.of(fault);
 }
 
 std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }

@@ -6,6 +6,7 @@
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/six_row_svd.h>
@@ -167,8 +168,9 @@ void check(const CartesianOptions& options) {
 }  // namespace
 
 std::string name(CartesianMethod method) {
-  constexpr const char* names[] = {"inverse-jacobian", "inverse-kinematics"};
-  return names[static_cast<int>(method)];
+  constexpr internal::EnumNames<CartesianMethod::inverse_kinematics> names(
+      "method", "inverse-jacobian inverse-kinematics");
+  return names.of(method);
 }
 
 ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,

@@ -6,6 +6,7 @@
 #include <beeline/control/internal/resolved_rates.h>
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/servo.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/planning/internal/null_space.h>
@@ -268,8 +269,9 @@ Twist ServoLoop::command_towards(const ConfigurationRef& q, const Pose& world_T_
 }  // namespace internal
 
 std::string name(ServoLimit limit) {
-  constexpr const char* names[] = {"none", "velocity", "acceleration", "position", "singular"};
-  return names[static_cast<int>(limit)];
+  constexpr internal::EnumNames<ServoLimit::singular> names(
+      "limit", "none velocity acceleration position singular");
+  return names.of(limit);
 }
 
 std::ostream& operator<<(std::ostream& out, const ServoStep& step) {

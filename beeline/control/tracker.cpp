@@ -7,6 +7,7 @@
 #include <beeline/control/internal/goal_solver.h>
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/tracker.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/trajectory/trajectory.h>
@@ -239,8 +240,9 @@ const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
 }  // namespace internal
 
 std::string name(TrackerStatus status) {
-  constexpr const char* names[] = {"following", "limited", "singular", "unreachable"};
-  return names[static_cast<int>(status)];
+  constexpr internal::EnumNames<TrackerStatus::unreachable> names(
+      "status", "following limited singular unreachable");
+  return names.of(status);
 }
 
 std::ostream& operator<<(std::ostream& out, const TrackerStep& step) {

@@ -1,11 +1,13 @@
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 
 namespace beeline {
 
 std::string name(Ending ending) {
-  constexpr const char* names[] = {"complete", "time_limit", "cancelled", "work_limit"};
-  return names[static_cast<int>(ending)];
+  constexpr internal::EnumNames<Ending::work_limit> names(
+      "ending", "complete time_limit cancelled work_limit");
+  return names.of(ending);
 }
 
 namespace internal {

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -10,32 +11,24 @@
 namespace beeline {
 namespace {
 
-constexpr const char* method_names[] = {"automatic", "closed_form", "numerical"};
-constexpr const char* redundancy_names[] = {"any", "nearest", "centred"};
-constexpr const char* status_names[] = {"solved",         "unreachable", "orientation_unreachable",
-                                        "outside_limits", "not_found",   "time_limit",
-                                        "cancelled",      "work_limit"};
+using internal::EnumNames;
 
-template <std::size_t n>
-int named(std::string_view name, const char* const (&names)[n], const char* what) {
-  const auto* found = std::find(std::begin(names), std::end(names), name);
-  if (found != std::end(names)) return static_cast<int>(found - names);
-  throw unknown_name(what, name, {std::begin(names), std::end(names)});
-}
+constexpr EnumNames<InverseMethod::numerical> methods("method", "automatic closed_form numerical");
+constexpr EnumNames<Redundancy::centred> redundancies("redundancy", "any nearest centred");
+constexpr EnumNames<InverseStatus::work_limit> statuses(
+    "status",
+    "solved unreachable orientation_unreachable outside_limits not_found time_limit cancelled "
+    "work_limit");
 
 }  // namespace
 
-InverseMethod inverse_method_named(std::string_view name) {
-  return static_cast<InverseMethod>(named(name, method_names, "method"));
-}
-std::string name(InverseMethod method) { return method_names[static_cast<int>(method)]; }
+InverseMethod inverse_method_named(std::string_view name) { return methods.named(name); }
+std::string name(InverseMethod method) { return methods.of(method); }
 
-Redundancy redundancy_named(std::string_view name) {
-  return static_cast<Redundancy>(named(name, redundancy_names, "redundancy"));
-}
-std::string name(Redundancy redundancy) { return redundancy_names[static_cast<int>(redundancy)]; }
+Redundancy redundancy_named(std::string_view name) { return redundancies.named(name); }
+std::string name(Redundancy redundancy) { return redundancies.of(redundancy); }
 
-std::string name(InverseStatus status) { return status_names[static_cast<int>(status)]; }
+std::string name(InverseStatus status) { return statuses.of(status); }
 
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);

@@ -1,14 +1,15 @@
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {
 namespace {
 
-constexpr const char* note_names[] = {
-    "no_header",        "times_since_1970",   "named_unit",
-    "read_in_degrees",  "read_in_radians",    "likely_degrees",
-    "many_revolutions", "likely_millimetres", "likely_milliseconds"};
+constexpr internal::EnumNames<RecordingNoteKind::likely_milliseconds> note_names(
+    "note",
+    "no_header times_since_1970 named_unit read_in_degrees read_in_radians likely_degrees "
+    "many_revolutions likely_millimetres likely_milliseconds");
 
 /// How the user reads the recording otherwise, to be appended to the note.
 const char* choice_after(RecordingNoteKind kind, OptionStyle style) {
@@ -74,7 +75,7 @@ std::string observation(const RecordingNote& note) {
 
 }  // namespace
 
-std::string name(RecordingNoteKind kind) { return note_names[static_cast<std::size_t>(kind)]; }
+std::string name(RecordingNoteKind kind) { return note_names.of(kind); }
 
 std::string sentence(const RecordingNote& note, OptionStyle style) {
   return observation(note) + choice_after(note.kind, style);

@@ -1,6 +1,6 @@
-#include <array>
 #include <cmath>
 
+#include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/pose/se3.h>
@@ -8,9 +8,8 @@
 namespace beeline {
 namespace {
 
-constexpr std::array<OrientationCoordinates, 3> all_coordinates{
-    OrientationCoordinates::roll_pitch_yaw, OrientationCoordinates::quaternion,
-    OrientationCoordinates::rotation_vector};
+constexpr internal::EnumNames<OrientationCoordinates::rotation_vector> coordinate_names(
+    "orientation coordinates", "rpy quaternion rotation-vector");
 
 /// The matrix that maps the angular velocity in the world's axes to roll', pitch', yaw'.
 Eigen::Matrix3d rates_of(const RollPitchYaw& rpy) {
@@ -41,24 +40,12 @@ Eigen::Matrix<double, 4, 3> rates_of(const Quaternion& q) {
 
 }  // namespace
 
-std::string name(OrientationCoordinates coordinates) {
-  constexpr const char* names[] = {"rpy", "quaternion", "rotation-vector"};
-  return names[static_cast<int>(coordinates)];
-}
+std::string name(OrientationCoordinates value) { return coordinate_names.of(value); }
 
-std::vector<std::string> orientation_coordinates_names() {
-  std::vector<std::string> names;
-  for (const OrientationCoordinates coordinates : all_coordinates) {
-    names.push_back(name(coordinates));
-  }
-  return names;
-}
+std::vector<std::string> orientation_coordinates_names() { return coordinate_names.all(); }
 
-OrientationCoordinates orientation_coordinates_named(std::string_view wanted) {
-  for (const OrientationCoordinates coordinates : all_coordinates) {
-    if (name(coordinates) == wanted) return coordinates;
-  }
-  throw unknown_name("orientation coordinates", wanted, orientation_coordinates_names());
+OrientationCoordinates orientation_coordinates_named(std::string_view name) {
+  return coordinate_names.named(name);
 }
 
 std::vector<std::string> row_names(OrientationCoordinates coordinates) {

@@ -1,12 +1,15 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/internal/forward_kernel.h>
 #include <beeline/kinematics/internal/jacobian_frame.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
 namespace {
+
+constexpr internal::EnumNames<Frame::space> frame_names("frame", "base tool space");
 
 /// For arms with mimic joints, whose columns are added to their leader's. Returns the tool's pose.
 Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {
@@ -28,18 +31,16 @@ Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobi
 
 }  // namespace
 
-std::string name(Frame frame) {
-  constexpr const char* names[] = {"base", "tool", "space"};
-  return names[static_cast<int>(frame)];
-}
+std::string name(Frame frame) { return frame_names.of(frame); }
 
-Frame frame_named(std::string_view wanted) {
-  for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
-    if (name(frame) == wanted) return frame;
+Frame frame_named(std::string_view name) {
+  try {
+    return frame_names.named(name);
+  } catch (const Error& unknown) {
+    throw Error(unknown.what() +
+                std::string("; base and space have the world's axes: base is the velocity of the "
+                            "tool's origin, space of the point at the world's origin"));
   }
-  throw Error(unknown_name("frame", wanted, {"base", "tool", "space"}).what() +
-              std::string("; base and space have the world's axes: base is the velocity of the "
-                          "tool's origin, space of the point at the world's origin"));
 }
 
 void internal::set_frame(Frame frame, const Pose& world_T_tool, Eigen::Ref<Jacobian> columns) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/manipulability.h>
 
@@ -60,8 +61,9 @@ void compare_with_limits(const Arm& arm, JointRates& result) {
 }  // namespace
 
 std::string name(RatesStatus status) {
-  constexpr const char* names[] = {"solved", "damped", "singular", "too_few_joints"};
-  return names[static_cast<int>(status)];
+  constexpr internal::EnumNames<RatesStatus::too_few_joints> names(
+      "status", "solved damped singular too_few_joints");
+  return names.of(status);
 }
 
 JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::VectorXd& velocity,

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/internal/tool_spline.h>
 #include <beeline/path/tool_path.h>
@@ -10,20 +10,15 @@
 namespace beeline {
 namespace {
 
-constexpr std::array<std::string_view, 4> kinds{"line", "screw", "arc", "spline"};
+constexpr internal::EnumNames<PathKind::spline> kind_names("path", "line screw arc spline");
 
 }  // namespace
 
-std::string name(PathKind kind) { return std::string(kinds[static_cast<std::size_t>(kind)]); }
+std::string name(PathKind value) { return kind_names.of(value); }
 
-std::vector<std::string> path_kind_names() { return {kinds.begin(), kinds.end()}; }
+std::vector<std::string> path_kind_names() { return kind_names.all(); }
 
-PathKind path_kind_named(std::string_view name) {
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (name == kinds[i]) return static_cast<PathKind>(i);
-  }
-  throw unknown_name("path", name, path_kind_names());
-}
+PathKind path_kind_named(std::string_view name) { return kind_names.named(name); }
 
 Route route_of(ToolPath path, PathKind kind) {
   const std::size_t segments = path.segments.size();

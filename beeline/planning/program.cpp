@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
@@ -19,7 +19,7 @@ using namespace internal;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> move_kinds{"joint", "line", "screw", "arc", "spline"};
+constexpr internal::EnumNames<MoveKind::spline> move_kinds("motion", "joint line screw arc spline");
 
 // Configurations for a pose from which the next moves are tried, the soonest reached first: all of
 // them for an arm without redundant joints, and some on a coarse grid for one with.
@@ -350,16 +350,11 @@ class ProgramPlanner {
 
 }  // namespace
 
-std::string name(MoveKind kind) { return std::string(move_kinds[static_cast<std::size_t>(kind)]); }
+std::string name(MoveKind value) { return move_kinds.of(value); }
 
-std::vector<std::string> move_kind_names() { return {move_kinds.begin(), move_kinds.end()}; }
+std::vector<std::string> move_kind_names() { return move_kinds.all(); }
 
-MoveKind move_kind_named(std::string_view name) {
-  for (std::size_t i = 0; i < move_kinds.size(); ++i) {
-    if (name == move_kinds[i]) return static_cast<MoveKind>(i);
-  }
-  throw unknown_name("motion", name, move_kind_names());
-}
+MoveKind move_kind_named(std::string_view name) { return move_kinds.named(name); }
 
 std::string move_name(const Program& program, std::size_t i) {
   const Move& move = program.moves.at(i);

@@ -1,15 +1,16 @@
 #include <ostream>
 
+#include <beeline/internal/enum_names.h>
 #include <beeline/planning/branch.h>
 
 namespace beeline {
 
 std::string name(MotionStatus status) {
-  constexpr const char* names[] = {"reached",          "unreachable",   "not_found",
-                                   "outside_limits",   "singular",      "not_proved",
-                                   "too_many_samples", "not_converged", "time_limit",
-                                   "cancelled",        "work_limit"};
-  return names[static_cast<int>(status)];
+  constexpr internal::EnumNames<MotionStatus::work_limit> names(
+      "status",
+      "reached unreachable not_found outside_limits singular not_proved too_many_samples "
+      "not_converged time_limit cancelled work_limit");
+  return names.of(status);
 }
 
 std::ostream& operator<<(std::ostream& out, MotionStatus status) { return out << name(status); }

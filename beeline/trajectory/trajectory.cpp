@@ -2,12 +2,16 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 namespace {
+
+constexpr internal::EnumNames<Interpolation::quintic> interpolations("interpolation",
+                                                                     "linear cubic quintic");
 
 void check_column(const std::vector<Configuration>& column, const Trajectory& trajectory,
                   const std::string& what) {
@@ -88,18 +92,11 @@ std::vector<Configuration> column(const std::vector<Configuration>& recorded,
 
 }  // namespace
 
-std::string name(Interpolation interpolation) {
-  return interpolation_names()[static_cast<std::size_t>(interpolation)];
-}
+std::string name(Interpolation value) { return interpolations.of(value); }
 
-std::vector<std::string> interpolation_names() { return {"linear", "cubic", "quintic"}; }
+std::vector<std::string> interpolation_names() { return interpolations.all(); }
 
-Interpolation interpolation_named(const std::string& name) {
-  const std::vector<std::string> names = interpolation_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw unknown_name("interpolation", name, names);
-  return static_cast<Interpolation>(found - names.begin());
-}
+Interpolation interpolation_named(const std::string& name) { return interpolations.named(name); }
 
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q) {
   check_configuration(arm, q);

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/file.h>
@@ -93,13 +94,12 @@ void refuse_unknown_letters(const std::string& text) {
 }  // namespace
 
 std::string name(ReadWarningKind kind) {
-  constexpr const char* names[] = {"tip_among_frames", "tip_among_branches", "before_gripper",
-                                   "below_free_joint", "malformed",          "xacro_tag",
-                                   "unknown_link",     "two_parents",        "cycle",
-                                   "repeated_name",    "unconnected_link",   "unknown_type",
-                                   "zero_axis",        "limits_reversed",    "velocity_limit",
-                                   "unknown_leader",   "leader_cycle",       "further_faults"};
-  return names[static_cast<int>(kind)];
+  constexpr internal::EnumNames<ReadWarningKind::further_faults> names(
+      "warning",
+      "tip_among_frames tip_among_branches before_gripper below_free_joint malformed "
+      "xacro_tag unknown_link two_parents cycle repeated_name unconnected_link unknown_type "
+      "zero_axis limits_reversed velocity_limit unknown_leader leader_cycle further_faults");
+  return names.of(kind);
 }
 
 bool is_fault(const ReadWarning& warning) {
@@ -110,12 +110,12 @@ bool is_fault(const ReadWarning& warning) {
 }
 
 std::string name(ElementFault fault) {
-  constexpr const char* names[] = {
-      "none",           "missing_attribute", "missing_end",     "empty_name",
-      "long_name",      "control_character", "not_utf8",        "not_three_numbers",
-      "missing_number", "not_a_number",      "out_of_range",    "not_finite",
-      "not_a_limit",    "not_four_numbers",  "not_unit_length", "two_orientations"};
-  return names[static_cast<int>(fault)];
+  constexpr internal::EnumNames<ElementFault::two_orientations> names(
+      "fault",
+      "none missing_attribute missing_end empty_name long_name control_character not_utf8 "
+      "not_three_numbers missing_number not_a_number out_of_range not_finite not_a_limit "
+      "not_four_numbers not_unit_length two_orientations");
+  return names.of(fault);
 }
 
 std::string sentence(const ReadWarning& warning, OptionStyle style) {

@@ -4,16 +4,20 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/pose/se3.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/pose_form.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline {
 namespace {
+
+constexpr internal::EnumNames<PoseForm::matrix> form_names("pose_form",
+                                                           "rpy rotvec abc quaternion matrix");
 
 using internal::in_quotes;
 using internal::PoseColumns;
@@ -32,26 +36,11 @@ std::vector<Names> forms_without_names(const PoseFormat& format) {
 
 }  // namespace
 
-std::string name(PoseForm form) {
-  constexpr const char* names[] = {"rpy", "rotvec", "abc", "quaternion", "matrix"};
-  return names[static_cast<int>(form)];
-}
+std::string name(PoseForm value) { return form_names.of(value); }
 
-std::vector<std::string> pose_form_names() {
-  std::vector<std::string> names;
-  for (const PoseForm form :
-       {PoseForm::rpy, PoseForm::rotvec, PoseForm::abc, PoseForm::quaternion, PoseForm::matrix}) {
-    names.push_back(name(form));
-  }
-  return names;
-}
+std::vector<std::string> pose_form_names() { return form_names.all(); }
 
-PoseForm pose_form_named(std::string_view wanted) {
-  const std::vector<std::string> names = pose_form_names();
-  const auto found = std::find(names.begin(), names.end(), wanted);
-  if (found == names.end()) throw unknown_name("pose_form", wanted, names);
-  return static_cast<PoseForm>(found - names.begin());
-}
+PoseForm pose_form_named(std::string_view name) { return form_names.named(name); }
 
 const Names& pose_columns(PoseForm form) {
   static const std::array<Names, 5> columns{
