@@ -17,7 +17,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-reasons test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -27,6 +27,7 @@ help:
 	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next; CASES=3: with three times the random cases"
+	@echo "make test-reasons   the tests in C++ with every sentence of a reason replaced by X: no code and no test reads one"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI; beeline-reach-mpi on OpenMPI"
 	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
 	@echo "make test-all  all of these, and make wheel"
@@ -81,6 +82,14 @@ test:
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS) --label-exclude peers
 
+# With every sentence of a reason X. What is built last is the command with its sentences.
+test-reasons:
+	@scripts/install_packages.sh build test
+	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_SENTENCES=OFF $(strict) >/dev/null
+	@status=0; scripts/test_reasons.sh build $(JOBS) || status=$$?; \
+	  cmake --preset release -DBEELINE_SENTENCES=ON >/dev/null && \
+	  cmake --build --preset release --parallel $(JOBS) --target beeline && exit $$status
+
 wheel: web
 	@scripts/install_packages.sh build python
 	@scripts/wheel.sh build-wheel/dist
@@ -93,7 +102,7 @@ test-peers:
 	@cmake --build --preset release --parallel $(JOBS) --target peers beeline-reach-mpi
 	@ctest --preset release --label-regex peers
 
-test-all: test test-peers test-web wheel
+test-all: test test-reasons test-peers test-web wheel
 
 # Node's packages are those of package-lock.json; Node itself that of the system or of scripts/node_path.sh.
 web:

@@ -8,6 +8,12 @@
 namespace beeline {
 namespace {
 
+#ifdef BEELINE_SENTENCES_ARE_X
+constexpr bool in_english = false;
+#else
+constexpr bool in_english = true;
+#endif
+
 using internal::EnumNames;
 using internal::ReasonText;
 
@@ -128,9 +134,7 @@ Reason& Reason::set(ReasonField field, ReasonValue value) {
 
 std::string sentence(const Reason& reason) {
   if (!reason) return "";
-#ifdef BEELINE_SENTENCES_ARE_X
-  return "X";
-#else
+  if (!in_english) return "X";
   const ReasonText text(reason);
   const std::string of_time = internal::time_sentence(text);
   std::string said = of_time;
@@ -141,7 +145,6 @@ std::string sentence(const Reason& reason) {
   }
   const bool timing = !of_time.empty() || reason.code == ReasonCode::joint_outside_limits;
   return place(text, timing) + said + others(text);
-#endif
 }
 
 std::ostream& operator<<(std::ostream& out, const Reason& reason) {

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include <beeline/control/player.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/planning/move_along.h>
 #include <beeline/reason.h>
 
 #include <tests/refusal.h>
@@ -348,6 +352,15 @@ TEST(Sentence, SaysWhatAReasonMeans) {
     EXPECT_TRUE(seen.contains(unseen)) << name(unseen);
     EXPECT_EQ(reason_code_named(name(unseen)), unseen);
   }
+}
+
+// A refusal quotes the reason.
+TEST(Sentence, StandsInTheErrorOfALimit) {
+  const Arm arm = built_in("panda");
+  const Configuration q = Configuration::Zero(7);  // joint4 is below 0
+  EXPECT_REFUSED(move_in_lines(arm, q, {forward_kinematics(arm, q)}),
+                 "the motion cannot start: joint joint4 at 0 rad");
+  EXPECT_REFUSED(Player(arm, at_rest(arm, q), middle_configuration(arm)), "at 0 s joint joint4");
 }
 
 TEST(Reason, HasAFieldOnce) {

@@ -220,7 +220,7 @@ TEST(ControlJoints, RefusesInvalidArguments) {
   EXPECT_REFUSED(run({}, {.tolerance = 0}), "tolerance");
   EXPECT_REFUSED(run({}, {.time_step = -1}), "time step");
   EXPECT_REFUSED(run({}, {.max_steps = 0}), "step");
-  EXPECT_REFUSED(control_joints(arm, Configuration::Zero(7), q), "joint4");
+  EXPECT_REFUSED(control_joints(arm, Configuration::Zero(7), q), "cannot start");
   EXPECT_REFUSED(control_joints(arm, q, Configuration::Zero(6)), "7 joint values");
   EXPECT_REFUSED(control_joints(arm, q, Configuration::Constant(7, NAN)), "finite");
 }

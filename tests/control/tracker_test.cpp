@@ -202,7 +202,7 @@ TEST(Tracker, StartsAtItsLimitsUpToRounding) {
   Tracker tracker(arm, q);
   EXPECT_EQ(tracker.configuration()[3], arm.limits(3).upper);
   q[3] += position_slack;
-  EXPECT_REFUSED(tracker.reset(q), "outside");
+  EXPECT_REFUSED(tracker.reset(q), "start of a tracker");
 }
 
 TEST(Tracker, RefusesInvalidArguments) {
@@ -215,7 +215,7 @@ TEST(Tracker, RefusesInvalidArguments) {
   EXPECT_REFUSED((Tracker(arm, q, {.tolerance = {0, 1}})), "tolerance");
   EXPECT_REFUSED((Tracker(arm, q, {.task = Task{{}}})), "row");
   EXPECT_REFUSED((Tracker(arm, Configuration::Zero(5))), "5");
-  EXPECT_REFUSED((Tracker(arm, Configuration::Constant(6, 7))), "outside");
+  EXPECT_REFUSED((Tracker(arm, Configuration::Constant(6, 7))), "start of a tracker");
   EXPECT_REFUSED((Tracker(arm, Configuration::Constant(6, NAN))), "finite");
 }
 
@@ -235,7 +235,7 @@ TEST(Tracker, RefusedCommandsChangeNothing) {
     bad = goal;
     bad.linear() *= 2;
     EXPECT_REFUSED(tracker.step(bad), "commanded pose");
-    EXPECT_REFUSED(tracker.reset(Configuration::Constant(6, 7)), "outside");
+    EXPECT_REFUSED(tracker.reset(Configuration::Constant(6, 7)), "start of a tracker");
     for (int i = 0; i < 50; ++i) EXPECT_EQ(tracker.step(goal).q, copy.step(goal).q);
   }
 }

@@ -171,7 +171,7 @@ TEST(MoveInLines, RefusesWhatMakesNoSense) {
   Task nothing = Task::spatial();
   nothing.rows.fill(false);
   EXPECT_REFUSED(moved({from}, {.task = nothing}), "row");
-  EXPECT_REFUSED(move_in_lines(arm, Configuration::Zero(7), std::vector{from}), "joint4");
+  EXPECT_REFUSED(move_in_lines(arm, Configuration::Zero(7), std::vector{from}), "cannot start");
   EXPECT_REFUSED(move_in_lines(arm, Configuration::Zero(6), std::vector{from}), "7 joint values");
   EXPECT_REFUSED(move_in_lines(arm, Configuration::Constant(7, NAN), std::vector{from}), "finite");
 }

@@ -174,7 +174,7 @@ TEST(MoveAlong, RefusesAStartElsewhere) {
   other[0] += 0.1;
   EXPECT_REFUSED(move_along(arm, other, route), "away from the path's beginning");
   other[3] = 1;
-  EXPECT_REFUSED(move_along(arm, other, route), "joint4");
+  EXPECT_REFUSED(move_along(arm, other, route), "cannot start");
   EXPECT_REFUSED(move_along(arm, ready, Route{}), "segments");
   EXPECT_REFUSED(move_along(arm, ready, route, {.task = task_named("111110:tool")}), "orientation");
 }
