@@ -10,7 +10,9 @@ namespace {
 struct PythonValue {
   nb::object operator()(Ending ending) const { return Value<std::string>::to(name(ending)); }
   nb::object operator()(const Eigen::Vector3d& p) const {
-    return Value<std::vector<double>>::to({p.x(), p.y(), p.z()});
+    nb::list point;
+    for (const double x : p) point.append(x);
+    return point;
   }
   template <class T>
   nb::object operator()(const T& value) const {

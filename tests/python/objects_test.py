@@ -196,3 +196,18 @@ def test_what_a_reader_selected_or_left_out_is_a_warning(tmp_path):
         with pytest.raises(beeline.ModelWarning):
             beeline.Arm.load(path)
         assert beeline.Arm.from_urdf("\ufeff" + GRIPPER.split("<joint name=\"camera")[0] + "</robot>", tip="b").dof == 1
+
+
+def test_a_reason_is_a_sentence_with_data(arm):
+    pose = np.eye(4)
+    pose[0, 3] = 3
+    result = beeline.inverse_kinematics(arm, pose)
+    reason = result.reason
+    assert reason and isinstance(reason, str) and isinstance(reason, beeline.Reason)
+    assert reason.code == "position_unreachable"
+    assert reason.fields["distance"] == result.residual
+    assert reason.fields["nearest"] == list(result.nearest.world_T_tool[:3, 3])
+    solved = beeline.inverse_kinematics(arm, beeline.forward_kinematics(arm, [0, -0.8, 0, -2.4, 0, 1.6, 0.8]))
+    assert not solved.reason and solved.reason.code == "none" and solved.reason.fields == {}
+    for again in (pickle.loads(pickle.dumps(reason)), pickle.loads(pickle.dumps(result)).reason):
+        assert (again, again.code, again.fields) == (reason, reason.code, reason.fields)
