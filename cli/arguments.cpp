@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/joint_limits.h>
+#include <beeline/kinematics/forward.h>
 
 #include "command/streams.h"
 

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
 #include <beeline/io/number_rows.h>
+#include <beeline/io/text/internal/file.h>
 
 #include "batch_work.h"
 #include "command/progress.h"
@@ -167,8 +168,9 @@ constexpr const char* poses_help =
     "this order; of six, those of --pose-form.";
 
 /// The arguments and options that all verbs `batch NAME` have.
-Verb common(BatchArguments& arguments, const char* name, const char* rows,
+Verb common(const std::shared_ptr<BatchArguments>& shared, const char* name, const char* rows,
             const std::vector<Option>& own, MakeWork make_work) {
+  BatchArguments& arguments = *shared;
   Verb verb{.name = name, .summary = ""};
   verb.arguments = {arguments.arm.argument()};
   verb.options = joined(
@@ -202,12 +204,13 @@ Verb common(BatchArguments& arguments, const char* name, const char* rows,
        {arguments.budget.time_limit_option()},
        arguments.arm.options()});
   verb.json = &arguments.json;
-  verb.run = [&arguments, name, make_work] { return batch(arguments, name, make_work); };
+  verb.run = [shared, name, make_work] { return batch(*shared, name, make_work); };
   return verb;
 }
 
 Verb batch_fk() {
-  static BatchArguments arguments;
+  const auto shared = std::make_shared<BatchArguments>();
+  BatchArguments& arguments = *shared;
   const Option layout{.name = "--layout",
                       .value = "LAYOUT",
                       .help =
@@ -217,7 +220,7 @@ Verb batch_fk() {
                       .target = &arguments.layout,
                       .choices = {"matrix", "pose", "planar"},
                       .excludes = "--pose-form"};
-  Verb verb = common(arguments, "fk", configurations_help, {layout}, forward_work);
+  Verb verb = common(shared, "fk", configurations_help, {layout}, forward_work);
   verb.summary = "Forward kinematics: the pose of the tool at each configuration";
   verb.examples = {{"Two configurations of the planar arm, in degrees",
                     "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
@@ -231,9 +234,10 @@ Verb batch_fk() {
 }
 
 Verb batch_jacobian() {
-  static BatchArguments arguments;
-  Verb verb = common(arguments, "jacobian", configurations_help, arguments.jacobian.options(),
-                     jacobian_work);
+  const auto shared = std::make_shared<BatchArguments>();
+  BatchArguments& arguments = *shared;
+  Verb verb =
+      common(shared, "jacobian", configurations_help, arguments.jacobian.options(), jacobian_work);
   verb.summary = "The Jacobian at each configuration";
   verb.description =
       "Writes one Jacobian in each row of the output, row by row: reshape it to (N, 6, joints). "
@@ -245,7 +249,8 @@ Verb batch_jacobian() {
 }
 
 Verb batch_ik() {
-  static BatchArguments arguments;
+  const auto shared = std::make_shared<BatchArguments>();
+  BatchArguments& arguments = *shared;
   const Option status{.name = "--status",
                       .help =
                           "Add the columns status (0 solved, 1 unreachable, "
@@ -254,7 +259,7 @@ Verb batch_ik() {
                           "without a solution then take longer.",
                       .target = &arguments.status};
   Verb verb = common(
-      arguments, "ik", poses_help,
+      shared, "ik", poses_help,
       joined({arguments.inverse.choice_options(), arguments.inverse.search_options(), {status}}),
       inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include <beeline/error.h>
+#include <beeline/io/text/internal/pose_form.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
-#include <beeline/io/text/internal/pose_form.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 
 using namespace beeline;

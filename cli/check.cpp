@@ -1,11 +1,12 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/certificate/verify.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/io/text/internal/file.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
@@ -192,7 +193,8 @@ std::vector<Option> proof_options(VerifyOptions& options) {
 }  // namespace
 
 Verb check_verb() {
-  static CheckArguments arguments;
+  const auto shared = std::make_shared<CheckArguments>();
+  CheckArguments& arguments = *shared;
   return {
       .name = "check",
       .summary = "Prove that a trajectory follows its path and respects the joint limits",
@@ -233,5 +235,5 @@ Verb check_verb() {
                     "beeline check rrr move.csv --degrees --through planar.csv --tolerance 2e-4 "
                     "--plot check.svg --json"}},
       .json = &arguments.json,
-      .run = [] { return check_file(arguments); }};
+      .run = [shared] { return check_file(*shared); }};
 }

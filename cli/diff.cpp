@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
@@ -53,7 +54,8 @@ Answer diff_files(const DiffArguments& arguments) {
 }  // namespace
 
 Verb diff_verb() {
-  static DiffArguments arguments;
+  const auto shared = std::make_shared<DiffArguments>();
+  DiffArguments& arguments = *shared;
   return {
       .name = "diff",
       .summary = "Compare two recordings of an arm, such as commanded and measured",
@@ -85,5 +87,5 @@ Verb diff_verb() {
                    {"Equal within 1e-3 rad? (exit code 0)",
                     "beeline diff rrr slow.csv slow.csv --tolerance 1e-3 --json"}},
       .json = &arguments.json,
-      .run = [] { return diff_files(arguments); }};
+      .run = [shared] { return diff_files(*shared); }};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/doctor/comparison.h>
 #include <beeline/doctor/diagnosis.h>
@@ -216,7 +217,8 @@ Answer compare(const DoctorArguments& arguments) {
 }  // namespace
 
 Verb doctor_verb() {
-  static DoctorArguments arguments;
+  const auto shared = std::make_shared<DoctorArguments>();
+  DoctorArguments& arguments = *shared;
   Positional first = arguments.arm.argument();
   first.name = "A";
   return {
@@ -273,5 +275,5 @@ Verb doctor_verb() {
                     "beeline show ur5 --out mine.json\n"
                     "beeline doctor ur5 mine.json --mount 0,0,0.5 || true"}},
       .json = &arguments.json,
-      .run = [] { return compare(arguments); }};
+      .run = [shared] { return compare(*shared); }};
 }

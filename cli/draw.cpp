@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
@@ -147,7 +148,8 @@ std::vector<Option> draw_options(DrawArguments& arguments) {
 }  // namespace
 
 Verb draw_verb() {
-  static DrawArguments arguments;
+  const auto shared = std::make_shared<DrawArguments>();
+  DrawArguments& arguments = *shared;
   const UnitArgument degrees{true};
   arguments.azimuth = std::round(degrees.shown(arguments.figure.azimuth));
   arguments.elevation = std::round(degrees.shown(arguments.figure.elevation));
@@ -172,5 +174,5 @@ Verb draw_verb() {
                         "--out move.csv\n"
                         "beeline draw panda move.csv --out move.png --animate move.svg"}},
           .json = &arguments.json,
-          .run = [] { return draw_arm(arguments); }};
+          .run = [shared] { return draw_arm(*shared); }};
 }

@@ -2,14 +2,15 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <memory>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
+#include <beeline/io/internal/time_column.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/internal/time_column.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/kinematics/forward.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -214,7 +215,8 @@ std::vector<Option> export_options(ExportArguments& arguments) {
 }  // namespace
 
 Verb export_verb() {
-  static ExportArguments arguments;
+  const auto shared = std::make_shared<ExportArguments>();
+  ExportArguments& arguments = *shared;
   return {
       .name = "export",
       .summary = "Write a trajectory or a program in the form that a robot's controller takes",
@@ -266,5 +268,5 @@ Verb export_verb() {
             "pick.csv\n"
             "beeline export ur5e pick.csv --degrees --as urscript --out pick.script"}},
       .json = &arguments.json,
-      .run = [] { return export_file(arguments); }};
+      .run = [shared] { return export_file(*shared); }};
 }

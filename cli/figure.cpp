@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
@@ -71,7 +72,8 @@ Answer draw_figure(const FigureArguments& arguments) {
 }  // namespace
 
 Verb figure_verb() {
-  static FigureArguments arguments;
+  const auto shared = std::make_shared<FigureArguments>();
+  FigureArguments& arguments = *shared;
   std::vector<std::string> numbers = chapter_figures();
   numbers.emplace_back("all");
   return {
@@ -105,5 +107,5 @@ Verb figure_verb() {
                    {"Joint-space control in motion, for a browser",
                     "beeline figure 1.7 --animate control.svg"}},
       .json = &arguments.json,
-      .run = [] { return draw_figure(arguments); }};
+      .run = [shared] { return draw_figure(*shared); }};
 }

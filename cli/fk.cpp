@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -87,7 +88,8 @@ Answer fk(const FkArguments& arguments) {
 }  // namespace
 
 Verb fk_verb() {
-  static FkArguments arguments;
+  const auto shared = std::make_shared<FkArguments>();
+  FkArguments& arguments = *shared;
   Option q = joint_values_option(
       "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
       &arguments.q);
@@ -124,5 +126,5 @@ Verb fk_verb() {
                    {"An arm given by its joint letters and link lengths",
                     "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
       .json = &arguments.json,
-      .run = [] { return fk(arguments); }};
+      .run = [shared] { return fk(*shared); }};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/formula/document.h>
@@ -222,7 +223,8 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
 }  // namespace
 
 Verb formula_verb() {
-  static FormulaArguments arguments;
+  const auto shared = std::make_shared<FormulaArguments>();
+  FormulaArguments& arguments = *shared;
   return {.name = "formula",
           .summary = "Derive the formulas of an arm: kinematics in symbols",
           .description =
@@ -254,5 +256,5 @@ Verb formula_verb() {
                        {"C++ code for the pose and the Jacobian of a Panda",
                         "beeline formula panda --of forward,jacobian --as c++ --out panda.h"}},
           .json = &arguments.json,
-          .run = [] { return formula(arguments); }};
+          .run = [shared] { return formula(*shared); }};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -236,7 +237,8 @@ std::vector<Option> ik_options(IkArguments& arguments) {
 }  // namespace
 
 Verb ik_verb() {
-  static IkArguments arguments;
+  const auto shared = std::make_shared<IkArguments>();
+  IkArguments& arguments = *shared;
   return {
       .name = "ik",
       .summary = "Inverse kinematics: the joint values that reach a pose",
@@ -266,5 +268,5 @@ Verb ik_verb() {
                     "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical "
                     "--time-limit 0.01 --json"}},
       .json = &arguments.json,
-      .run = [] { return ik(arguments); }};
+      .run = [shared] { return ik(*shared); }};
 }

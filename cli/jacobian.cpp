@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/numbers.h>
@@ -269,7 +270,8 @@ std::vector<Option> derivative_options(JacobianArguments& arguments) {
 }  // namespace
 
 Verb jacobian_verb() {
-  static JacobianArguments arguments;
+  const auto shared = std::make_shared<JacobianArguments>();
+  JacobianArguments& arguments = *shared;
   Option q = joint_values_option(
       "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
       &arguments.q);
@@ -303,5 +305,5 @@ Verb jacobian_verb() {
                    {"The torques with which the tool presses down by 10 N",
                     "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
       .json = &arguments.json,
-      .run = [] { return differential_kinematics(arguments); }};
+      .run = [shared] { return differential_kinematics(*shared); }};
 }

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/planning/program.h>
-#include <beeline/io/text/internal/file.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -316,7 +317,8 @@ std::vector<Option> control_options(LineArguments& arguments) {
 }  // namespace
 
 Verb line_verb() {
-  static LineArguments arguments;
+  const auto shared = std::make_shared<LineArguments>();
+  LineArguments& arguments = *shared;
   return {
       .name = "line",
       .summary = "Move the tool in straight lines through poses, with a proved deviation",
@@ -370,5 +372,5 @@ Verb line_verb() {
             "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
             "--method inverse-jacobian --gain 0.5"}},
       .json = &arguments.json,
-      .run = [] { return line(arguments); }};
+      .run = [shared] { return line(*shared); }};
 }

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/internal/rounded_number.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/kinematics/forward.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -239,7 +240,8 @@ std::vector<Option> quickest_options(MoveArguments& arguments) {
 }  // namespace
 
 Verb move_verb() {
-  static MoveArguments arguments;
+  const auto shared = std::make_shared<MoveArguments>();
+  MoveArguments& arguments = *shared;
   return {
       .name = "move",
       .summary = "Joint-space motion control from one configuration to another",
@@ -265,5 +267,5 @@ Verb move_verb() {
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
             "--method quickest --rate 1000 --out move.csv"}},
       .json = &arguments.json,
-      .run = [] { return move_joints(arguments); }};
+      .run = [shared] { return move_joints(*shared); }};
 }

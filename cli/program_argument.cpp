@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <beeline/io/program.h>
 #include <beeline/error.h>
+#include <beeline/io/program.h>
 #include <beeline/kinematics/forward.h>
 
 using namespace beeline;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/manipulability.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/kinematics/manipulability.h>
 
 #include "command/streams.h"
 #include "format.h"

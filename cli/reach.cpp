@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 
@@ -16,7 +18,8 @@ struct MergeArguments {
 };
 
 Verb merge_verb() {
-  static MergeArguments arguments;
+  const auto shared = std::make_shared<MergeArguments>();
+  MergeArguments& arguments = *shared;
   return {.name = "merge",
           .summary = "Join files that hold parts of one map",
           .description =
@@ -42,10 +45,10 @@ Verb merge_verb() {
                         "beeline reach map ur5 --resolution 0.2 --shard 2/2 --out half2.h5\n"
                         "beeline reach merge half1.h5 half2.h5 --out ur5.h5"}},
           .json = &arguments.json,
-          .run = [] {
-            refuse_overwriting(arguments.out, arguments.parts);
-            merge_reach_maps(arguments.parts, arguments.out, arguments.incomplete);
-            return map_totals(ReachMap(arguments.out));
+          .run = [shared] {
+            refuse_overwriting(shared->out, shared->parts);
+            merge_reach_maps(shared->parts, shared->out, shared->incomplete);
+            return map_totals(ReachMap(shared->out));
           }};
 }
 

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
@@ -94,7 +95,8 @@ Answer compare(const CompareArguments& arguments) {
 }  // namespace
 
 Verb reach_compare_verb() {
-  static CompareArguments arguments;
+  const auto shared = std::make_shared<CompareArguments>();
+  CompareArguments& arguments = *shared;
   return {.name = "compare",
           .summary = "Compare the maps of two arms, or of one with two mounts or tools",
           .description =
@@ -123,5 +125,5 @@ Verb reach_compare_verb() {
                         "--out wall.h5\n"
                         "beeline reach compare floor.h5 wall.h5 --at y=0 --out compare.svg"}},
           .json = &arguments.json,
-          .run = [] { return compare(arguments); }};
+          .run = [shared] { return compare(*shared); }};
 }

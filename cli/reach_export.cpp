@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <beeline/error.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/reach/npz_file.h>
@@ -32,7 +34,8 @@ Answer export_map(const MapExportArguments& arguments) {
 }  // namespace
 
 Verb reach_export_verb() {
-  static MapExportArguments arguments;
+  const auto shared = std::make_shared<MapExportArguments>();
+  MapExportArguments& arguments = *shared;
   return {.name = "export",
           .summary = "Write a map for ParaView or numpy",
           .description =
@@ -53,5 +56,5 @@ Verb reach_export_verb() {
                         "beeline reach export puma560.h5 --out puma560.vti"},
                        {"A map for numpy.load()", "beeline reach export puma560.h5 --out map.npz"}},
           .json = &arguments.json,
-          .run = [] { return export_map(arguments); }};
+          .run = [shared] { return export_map(*shared); }};
 }

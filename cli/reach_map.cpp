@@ -1,6 +1,7 @@
 #include "reach_map.h"
 
 #include <fmt/format.h>
+#include <memory>
 #include <numbers>
 
 #include <beeline/error.h>
@@ -103,7 +104,8 @@ ReachShard shard_of(const std::string& text) {
 }
 
 MapArguments& map_arguments() {
-  static MapArguments arguments;
+  const auto shared = std::make_shared<MapArguments>();
+  MapArguments& arguments = *shared;
   return arguments;
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/file.h>
@@ -131,7 +132,8 @@ std::vector<Option> mount_options(PlaceArguments& arguments) {
 }  // namespace
 
 Verb reach_place_verb() {
-  static PlaceArguments arguments;
+  const auto shared = std::make_shared<PlaceArguments>();
+  PlaceArguments& arguments = *shared;
   return {
       .name = "place",
       .summary = "Where an arm can stand so that it reaches all poses of a list",
@@ -166,5 +168,5 @@ Verb reach_place_verb() {
                     "1,0,0.4,180,0,0\\n' > poses.csv\n"
                     "beeline reach place puma560.h5 --poses poses.csv --lines --degrees"}},
       .json = &arguments.json,
-      .run = [] { return place(arguments); }};
+      .run = [shared] { return place(*shared); }};
 }

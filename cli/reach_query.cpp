@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -117,7 +118,8 @@ Answer query(const QueryArguments& arguments) {
 }  // namespace
 
 Verb reach_query_verb() {
-  static QueryArguments arguments;
+  const auto shared = std::make_shared<QueryArguments>();
+  QueryArguments& arguments = *shared;
   return {
       .name = "query",
       .summary = "What a map says of a pose or a position",
@@ -140,5 +142,5 @@ Verb reach_query_verb() {
                     "beeline reach query puma560.h5 --pose 0.5,0.1,0.3,180,0,0 --degrees\n"
                     "beeline reach query puma560.h5 --pose 0.5,0.1,0.3"}},
       .json = &arguments.json,
-      .run = [] { return query(arguments); }};
+      .run = [shared] { return query(*shared); }};
 }

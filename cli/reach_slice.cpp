@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
@@ -69,7 +70,8 @@ Answer write_slice(const SliceArguments& arguments) {
 }  // namespace
 
 Verb reach_slice_verb() {
-  static SliceArguments arguments;
+  const auto shared = std::make_shared<SliceArguments>();
+  SliceArguments& arguments = *shared;
   return {.name = "slice",
           .summary = "Draw the positions of a map in a plane, or write them as numbers",
           .description =
@@ -89,5 +91,5 @@ Verb reach_slice_verb() {
                         "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
                         "beeline reach slice puma560.h5 --at z=0.2 --out slice.svg"}},
           .json = &arguments.json,
-          .run = [] { return write_slice(arguments); }};
+          .run = [shared] { return write_slice(*shared); }};
 }

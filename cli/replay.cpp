@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <tuple>
 
 #include <beeline/control/replay.h>
@@ -203,7 +204,8 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
 }  // namespace
 
 Verb replay_verb() {
-  static ReplayArguments arguments;
+  const auto shared = std::make_shared<ReplayArguments>();
+  ReplayArguments& arguments = *shared;
   return {
       .name = "replay",
       .summary = "Play a recorded trajectory on an arm, checked against its limits",
@@ -233,5 +235,5 @@ Verb replay_verb() {
                    {"The tracking error of a measured trajectory",
                     "beeline replay panda move.csv --measured slow.csv"}},
       .json = &arguments.json,
-      .run = [] { return replay_file(arguments); }};
+      .run = [shared] { return replay_file(*shared); }};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/timing/retime.h>
@@ -143,7 +144,8 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
 }  // namespace
 
 Verb retime_verb() {
-  static RetimeArguments arguments;
+  const auto shared = std::make_shared<RetimeArguments>();
+  RetimeArguments& arguments = *shared;
   return {
       .name = "retime",
       .summary = "Retime a trajectory: minimum time within the joint limits",
@@ -173,5 +175,5 @@ Verb retime_verb() {
                     "waypoints.csv\n"
                     "beeline retime rrr waypoints.csv --speed 0.5 --rate 100 --out timed.csv"}},
       .json = &arguments.json,
-      .run = [] { return retime_file(arguments); }};
+      .run = [shared] { return retime_file(*shared); }};
 }

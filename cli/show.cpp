@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <memory>
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
@@ -107,7 +108,8 @@ Answer show(const ShowArguments& arguments) {
 }  // namespace
 
 Verb show_verb() {
-  static ShowArguments arguments;
+  const auto shared = std::make_shared<ShowArguments>();
+  ShowArguments& arguments = *shared;
   return {
       .name = "show",
       .summary = "Print an arm as a table: joints, limits, frames, reach",
@@ -134,5 +136,5 @@ Verb show_verb() {
                    {"An arm file to change and use in place of the built-in arm",
                     "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
       .json = &arguments.json,
-      .run = [] { return show(arguments); }};
+      .run = [shared] { return show(*shared); }};
 }

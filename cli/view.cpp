@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -113,7 +114,8 @@ Answer view(const ViewArguments& arguments) {
 }  // namespace
 
 Verb view_verb() {
-  static ViewArguments arguments;
+  const auto shared = std::make_shared<ViewArguments>();
+  ViewArguments& arguments = *shared;
   return {
       .name = "view",
       .summary = "Show an arm in the browser, and a running program's joint values live",
@@ -162,5 +164,5 @@ Verb view_verb() {
                     "curl -H 'Content-Type: application/json' -d '{\"q\": [0, -1, 1, 0, 1, 0]}' "
                     "http://127.0.0.1:8642/api/joints"}},
       .json = &arguments.json,
-      .run = [] { return view(arguments); }};
+      .run = [shared] { return view(*shared); }};
 }

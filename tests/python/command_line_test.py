@@ -68,3 +68,14 @@ def test_an_interrupt_ends_the_command_with_what_it_found(tmp_path):
     output = started.communicate()
     assert b"Traceback" not in output[1]
     assert started.returncode in (1, -signal.SIGINT), output
+
+
+def test_a_second_call_in_one_process_has_no_flags_of_the_first(capfd):
+    from beeline._core import _command_line
+
+    first = [b"beeline", b"fk", b"rrr", b"--q", b"0,90,0", b"--degrees", b"--json"]
+    assert _command_line(first) == 0
+    assert capfd.readouterr().out.startswith("{")
+    assert _command_line([b"beeline", b"fk", b"rrr", b"--q", b"0,1.5,0"]) == 0
+    out = capfd.readouterr().out
+    assert not out.startswith("{") and "deg" not in out
