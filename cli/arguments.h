@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/kinematics/task.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/kinematics/task.h>
 
 #include "command/option.h"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <beeline/reach/reach_map.h>
 #include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 /// What `reach map` is to compute.
 struct ReachMapJob {

@@ -2,10 +2,10 @@
 #include <iostream>
 
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/io/text/arm.h>
 
 int main() {
   const beeline::Arm arm = beeline::read_arm("panda");  // or "robot.urdf", or "RRR:3.5,3.5,2"

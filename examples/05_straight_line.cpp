@@ -4,10 +4,10 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
-#include <beeline/model/catalog.h>
-#include <beeline/planning/move_along.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/model/catalog.h>
+#include <beeline/planning/move_along.h>
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : ".";  // with the waypoints

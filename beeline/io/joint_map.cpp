@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/io/internal/column_unit.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/json.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
-#include <beeline/io/internal/column_unit.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {

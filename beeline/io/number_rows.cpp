@@ -3,13 +3,13 @@
 #include <limits>
 #include <variant>
 
+#include <beeline/io/internal/csv_writer.h>
+#include <beeline/io/internal/npy.h>
+#include <beeline/io/number_rows.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/internal/csv_writer.h>
-#include <beeline/io/internal/npy.h>
-#include <beeline/io/number_rows.h>
 
 namespace beeline {
 namespace internal {

@@ -4,14 +4,14 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/text/internal/name.h>
 #include <beeline/io/internal/column_unit.h>
 #include <beeline/io/internal/recorded_units.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/internal/trajectory_yaml.h>
+#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/internal/name.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 

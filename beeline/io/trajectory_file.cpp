@@ -1,9 +1,6 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/internal/controller_form.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
@@ -11,6 +8,9 @@
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/planning/program.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/planning/program.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {

@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/kinematics/forward.h>
 
 #include "poses.h"
 

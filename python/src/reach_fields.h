@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <beeline/reach/place.h>
-#include <beeline/reach/reach_map.h>
 #include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 #include <beeline/reach/surface.h>
 
 #include "kept_array.h"

@@ -1,6 +1,6 @@
 #include <beeline/reach/npz_file.h>
-#include <beeline/reach/reach_map.h>
 #include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 #include "bindings.h"
 #include "reach_arrays.h"

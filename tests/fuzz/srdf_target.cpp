@@ -1,5 +1,5 @@
-#include <beeline/model/catalog.h>
 #include <beeline/io/text/urdf.h>
+#include <beeline/model/catalog.h>
 
 #include <tests/fuzz/target.h>
 

@@ -1,5 +1,5 @@
-#include <beeline/model/catalog.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/model/catalog.h>
 #include <beeline/trajectory/trajectory.h>
 
 #include <tests/fuzz/target.h>

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <beeline/model/catalog.h>
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/model/catalog.h>
 
 #include <tests/io/random_trajectory.h>
 #include <tests/refusal.h>

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/model/catalog.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/model/catalog.h>
 
 #include <tests/io/random_trajectory.h>
 #include <tests/refusal.h>

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <beeline/io/text/internal/file.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/text/internal/file.h>
 #include <beeline/io/trajectory_file.h>
 
 #include <tests/io/random_trajectory.h>

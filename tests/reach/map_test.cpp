@@ -8,8 +8,8 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/internal/slabs.h>
-#include <beeline/reach/reach_map.h>
 #include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"

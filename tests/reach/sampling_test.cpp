@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/reach.h>
-#include <beeline/io/text/arm.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"

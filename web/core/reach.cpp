@@ -4,9 +4,9 @@
 #include <array>
 #include <limits>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/surface.h>
-#include <beeline/io/text/arm.h>
 
 #include "fault.h"
 #include "handles.h"

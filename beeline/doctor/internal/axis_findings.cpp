@@ -8,8 +8,8 @@
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

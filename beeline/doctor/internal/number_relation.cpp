@@ -4,9 +4,9 @@
 
 #include <beeline/doctor/internal/number_relation.h>
 #include <beeline/error.h>
+#include <beeline/io/text/internal/numbers.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
-#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/name.h>
 #include <beeline/io/internal/controller_form.h>
+#include <beeline/io/text/internal/name.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline::internal {

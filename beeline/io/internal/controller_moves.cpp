@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/kinematics/forward.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {
 namespace {

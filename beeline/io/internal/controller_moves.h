@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <beeline/planning/program.h>
 #include <beeline/io/internal/program_frames.h>
+#include <beeline/planning/program.h>
 
 namespace beeline::internal {
 

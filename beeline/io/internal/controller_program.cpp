@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/io/internal/controller_program.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
-#include <beeline/io/internal/controller_program.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <thread>
 
+#include <beeline/io/internal/csv_writer.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/numbers.h>
-#include <beeline/io/internal/csv_writer.h>
 
 namespace beeline::internal {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include <beeline/error.h>
+#include <beeline/io/internal/npy.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
-#include <beeline/io/internal/npy.h>
 
 namespace beeline::internal {
 namespace {

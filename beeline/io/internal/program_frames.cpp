@@ -1,6 +1,6 @@
-#include <beeline/pose/se3.h>
 #include <beeline/io/internal/controller_program.h>
 #include <beeline/io/internal/program_frames.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include <beeline/model/arm.h>
 #include <beeline/io/internal/controller_form.h>
+#include <beeline/model/arm.h>
 
 namespace beeline::internal {
 

@@ -5,8 +5,8 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/text/internal/name.h>
 #include <beeline/io/internal/rate_columns.h>
+#include <beeline/io/text/internal/name.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,8 +1,8 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/name.h>
 #include <beeline/io/internal/recordable.h>
+#include <beeline/io/text/internal/name.h>
 
 namespace beeline::internal {
 namespace {

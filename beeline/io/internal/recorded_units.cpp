@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <beeline/math/revolution.h>
 #include <beeline/io/internal/recorded_units.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 namespace {

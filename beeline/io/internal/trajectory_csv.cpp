@@ -5,14 +5,14 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/text/internal/csv_items.h>
-#include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/internal/recordable.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/internal/trajectory_csv.h>
+#include <beeline/io/text/internal/csv_items.h>
+#include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/io/text/internal/file_stream.h>
 #include <beeline/io/internal/column_unit.h>
+#include <beeline/io/text/internal/file_stream.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline::internal {

@@ -2,11 +2,11 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/internal/trajectory_yaml.h>
 #include <beeline/io/text/internal/json_parse.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/yaml.h>
-#include <beeline/io/internal/trajectory_json.h>
-#include <beeline/io/internal/trajectory_yaml.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include <beeline/error.h>
-#include <beeline/model/internal/ranges.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_chain.h>
@@ -10,6 +9,7 @@
 #include <beeline/io/text/internal/urdf_frames.h>
 #include <beeline/io/text/internal/urdf_mimic.h>
 #include <beeline/io/text/urdf.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/model/arm.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/model/arm.h>
 
 namespace beeline {
 

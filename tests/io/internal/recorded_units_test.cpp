@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/model/catalog.h>
 #include <beeline/io/internal/recorded_units.h>
+#include <beeline/model/catalog.h>
 
 #include <tests/random.h>
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/internal/trajectory_yaml.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/numbers.h>
 
 #include <tests/io/random_trajectory.h>
 #include <tests/refusal.h>

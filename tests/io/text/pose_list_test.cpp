@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include <beeline/kinematics/forward.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/urdf.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/pose/se3.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_samples.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline {

@@ -2,11 +2,11 @@
 #include <iomanip>
 #include <sstream>
 
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/urdf.h>
+#include <beeline/pose/se3.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_reading.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 
 // Values and elements that stand elsewhere than where URDF 1.0 has them.

@@ -4,8 +4,8 @@
 
 #include <beeline/io/text/urdf.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_reading.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 
 // Faults of a joint's values: its type, axis, limits and leader.

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <beeline/kinematics/forward.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/urdf.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/pose/se3.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_samples.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 #include <tests/temporary_folder.h>
 

@@ -2,8 +2,8 @@
 
 #include <beeline/io/text/urdf.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_reading.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 
 // The ends of the chain that the reader selects or names: below a free joint, before a gripper.

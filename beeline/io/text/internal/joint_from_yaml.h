@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <beeline/model/joint.h>
 #include <beeline/io/text/internal/yaml.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
-#include <beeline/model/internal/ranges.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline::internal {
 

@@ -2,10 +2,10 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
-#include <beeline/model/arm.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_fault.h>
+#include <beeline/model/arm.h>
 
 namespace beeline::internal {
 

@@ -6,11 +6,11 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/pose/se2.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/pose_form.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,10 +1,10 @@
 #include <array>
 
 #include <beeline/error.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/pose_json.h>
 #include <beeline/io/text/internal/rounded.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/json.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 

@@ -1,10 +1,10 @@
 #include <beeline/error.h>
-#include <beeline/model/internal/axis_direction.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/internal/text_fault.h>
 #include <beeline/io/text/internal/urdf_file.h>
+#include <beeline/model/internal/axis_direction.h>
 
 namespace beeline::internal {
 namespace {

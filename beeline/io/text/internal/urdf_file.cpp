@@ -6,13 +6,13 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_joint_faults.h>
 #include <beeline/io/text/internal/xml.h>
 #include <beeline/io/text/internal/xml_elements.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/model/joint.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

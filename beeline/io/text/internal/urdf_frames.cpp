@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include <beeline/model/internal/ranges.h>
 #include <beeline/io/text/internal/urdf_frames.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline::internal {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <beeline/model/arm.h>
 #include <beeline/io/text/internal/urdf_file.h>
+#include <beeline/model/arm.h>
 
 namespace beeline::internal {
 

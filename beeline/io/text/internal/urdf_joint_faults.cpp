@@ -2,8 +2,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include <beeline/model/internal/axis_direction.h>
 #include <beeline/io/text/internal/urdf_joint_faults.h>
+#include <beeline/model/internal/axis_direction.h>
 
 namespace beeline::internal {
 namespace {

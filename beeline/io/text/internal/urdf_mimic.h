@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <beeline/model/joint.h>
 #include <beeline/io/text/internal/urdf_file.h>
+#include <beeline/model/joint.h>
 
 namespace beeline::internal {
 

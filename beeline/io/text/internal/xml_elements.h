@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/pose/so3.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/pose/so3.h>
 
 namespace tinyxml2 {
 class XMLElement;

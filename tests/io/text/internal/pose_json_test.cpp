@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/pose_json.h>
+#include <beeline/pose/se3.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -3,8 +3,8 @@
 
 #include <beeline/io/text/internal/urdf_chain.h>
 
-#include <tests/random.h>
 #include <tests/io/text/urdf_samples.h>
+#include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline::internal {
