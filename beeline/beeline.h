@@ -55,7 +55,6 @@
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
 #include <beeline/reach/grid.h>
-#include <beeline/reach/npz_file.h>
 #include <beeline/reach/place.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>

@@ -2,7 +2,6 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/file.h>
-#include <beeline/reach/npz_file.h>
 #include <beeline/reach/surface.h>
 
 #include "command/verb.h"
@@ -21,12 +20,10 @@ struct MapExportArguments {
 
 Answer export_map(const MapExportArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.map});
-  const std::string ending = internal::extension(arguments.out);
-  if (ending != "vti" && ending != "npz") {
-    throw Error("--out: " + arguments.out + " has none of the endings .vti, .npz");
+  if (internal::extension(arguments.out) != "vti") {
+    throw Error("--out: " + arguments.out + " does not end in .vti");
   }
-  const ReachMap map(arguments.map);
-  ending == "vti" ? write_vti(map, arguments.out) : write_npz(map, arguments.out);
+  write_vti(ReachMap(arguments.map), arguments.out);
   return {.text = "written       " + arguments.out + "\n",
           .document = {{"status", "written"}, {"out", arguments.out}}};
 }
@@ -37,24 +34,22 @@ Verb reach_export_verb() {
   const auto shared = std::make_shared<MapExportArguments>();
   MapExportArguments& arguments = *shared;
   return {.name = "export",
-          .summary = "Write a map for ParaView or numpy",
+          .summary = "Write a map for ParaView",
           .description =
               "Writes the positions of a map as an image of VTK, .vti, which ParaView opens: the "
               "fraction of the directions that is reached, and the largest number of branches, "
               "manipulability and margin of any orientation; the last two are nan where none is "
-              "reached. Or all cells as numpy's .npz, of a map by azimuths with all azimuths and "
-              "rolls.",
+              "reached. The map itself is HDF5, which h5py reads.",
           .arguments = {map_argument(&arguments.map)},
           .options = {{.name = "--out",
                        .value = "FILE",
-                       .help = "The positions, .vti, or the cells, .npz.",
+                       .help = "The positions, .vti.",
                        .target = &arguments.out,
                        .required = true,
                        .completes = Completes::file}},
           .examples = {{"A map for ParaView",
                         "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
-                        "beeline reach export puma560.h5 --out puma560.vti"},
-                       {"A map for numpy.load()", "beeline reach export puma560.h5 --out map.npz"}},
+                        "beeline reach export puma560.h5 --out puma560.vti"}},
           .json = &arguments.json,
           .run = [shared] { return export_map(*shared); }};
 }

@@ -103,14 +103,8 @@ ReachShard shard_of(const std::string& text) {
   throw Error("\"" + text + "\" is no share of a map, such as 1/4");
 }
 
-MapArguments& map_arguments() {
-  const auto shared = std::make_shared<MapArguments>();
-  MapArguments& arguments = *shared;
-  return arguments;
-}
-
-Answer compute() {
-  ReachMapJob job = reach_map_job();
+Answer compute(const MakeReachMapJob& make_job) {
+  ReachMapJob job = make_job();
   Ending ending = Ending::complete;
   {
     Progress progress;
@@ -212,10 +206,7 @@ std::vector<Option> method_options(MapArguments& arguments) {
            .range = {0, 1024}}};
 }
 
-}  // namespace
-
-ReachMapJob reach_map_job() {
-  const MapArguments& arguments = map_arguments();
+ReachMapJob job_of(const MapArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.arm.srdf});
   const ReachShard shard = shard_of(arguments.shard);
   const Arm arm = arguments.arm.read(arguments.unit);
@@ -226,8 +217,13 @@ ReachMapJob reach_map_job() {
   return job;
 }
 
-Verb reach_map_verb() {
-  MapArguments& arguments = map_arguments();
+}  // namespace
+
+Verb reach_map_verb() { return reach_map_verb(compute); }
+
+Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute) {
+  const auto shared = std::make_shared<MapArguments>();
+  MapArguments& arguments = *shared;
   return {
       .name = "map",
       .summary = "Compute what an arm can do at the centre of each cell of a grid",
@@ -265,5 +261,5 @@ Verb reach_map_verb() {
                     "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
                     "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
       .json = &arguments.json,
-      .run = compute};
+      .run = [shared, compute] { return compute([&] { return job_of(*shared); }); }};
 }

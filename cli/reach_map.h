@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
+
+#include "command/verb.h"
 
 /// What `reach map` is to compute.
 struct ReachMapJob {
@@ -13,5 +16,8 @@ struct ReachMapJob {
   beeline::ReachMapOptions options = {};
 };
 
-/// The job of the options that were typed. Throws Error as ReachGrid does.
-ReachMapJob reach_map_job();
+/// Makes the job of the options that were typed. Throws Error as ReachGrid does.
+using MakeReachMapJob = std::function<ReachMapJob()>;
+
+/// The verb `reach map` whose jobs are computed by this function.
+Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute);

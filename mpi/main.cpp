@@ -97,8 +97,8 @@ Answer lead(internal::Parts& parts, const Units& units, const ReachMapJob& job) 
   return map_totals(ReachMap(job.out, job.options.reach.threads));
 }
 
-Answer compute() {
-  const ReachMapJob job = reach_map_job();
+Answer compute(const MakeReachMapJob& make_job) {
+  const ReachMapJob job = make_job();
   if (job.options.shard.count != 1) {
     throw Error("--shard is for `beeline reach map`: the ranks divide the map among them");
   }
@@ -124,19 +124,18 @@ int main(int argc, char** argv) {
   int threads = MPI_THREAD_SINGLE;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_MULTIPLE, &threads);
   const QuietRanks quiet;
-  Verb verb = reach_map_verb();
-  verb.run = [&quiet, threads] {
+  const Verb verb = reach_map_verb([&quiet, threads](const MakeReachMapJob& make_job) {
     quiet.end();
     try {
       if (threads < MPI_THREAD_MULTIPLE) throw Error("this MPI does not allow several threads");
-      return compute();
+      return compute(make_job);
     } catch (const FileError& error) {
       abort_job(error.what(), file_trouble);
     } catch (const std::exception& error) {
       abort_job(error.what(), mistake);
     }
     return Answer{};
-  };
+  });
   const int code = run_program({verb}, argc, argv);
   MPI_Finalize();
   return code;

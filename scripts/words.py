@@ -3,7 +3,7 @@
 
 Usage: words.py
 
-In CHANGELOG.md an old name may stand between backquotes. Two files hold the former names of options."""
+In CHANGELOG.md an old name may stand between backquotes."""
 
 import re
 import sys
@@ -14,7 +14,6 @@ PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "mpi"
           "web/core", "web/src", "web/tests", "web/index.html", "README.md",
           "CHANGELOG.md", "CONTRIBUTING.md", "CMakeLists.txt", "Makefile", "layers.txt")
 ENDINGS = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".in", ".ts", ".css", ".html", ""}
-FORMER_NAMES = {"cli/command/former_names.cpp", "tests/cli/names_test.py"}
 INSTEAD = {
     "law of time": "time scaling",
     "laws of time": "time scalings",
@@ -54,8 +53,7 @@ def sources():
         path = ROOT / place
         found = [path] if path.is_file() else sorted(path.rglob("*"))
         yield from (file for file in found if file.is_file() and file.suffix in ENDINGS
-                    and not {"__pycache__", "corpus"} & set(file.parts) and file != Path(__file__).resolve()
-                    and file.relative_to(ROOT).as_posix() not in FORMER_NAMES)
+                    and not {"__pycache__", "corpus"} & set(file.parts) and file != Path(__file__).resolve())
 
 
 def quoted(text, match):

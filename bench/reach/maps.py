@@ -12,6 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import h5py
 import numpy as np
 
 try:
@@ -83,9 +84,8 @@ def beside_eaik(beeline, folder, generator):
         rates = {"b1": [], "b2": [], "e1": [], "e2": []}
         for _ in range(ROUNDS):
             walls = {threads: run([*command, "--threads", threads])[0] for threads in (1, 2)}
-            subprocess.run([beeline, "reach", "export", out, "--out", folder / "cells.npz"], check=True,
-                           stdout=subprocess.DEVNULL)
-            cells = np.load(folder / "cells.npz")
+            with h5py.File(out) as map:
+                cells = {name: map[name][:] for name in ("branches", "x", "y", "z", "directions")}
             count = cells["branches"].size
             rates["b1"].append(count / walls[1])
             rates["b2"].append(count / walls[2])

@@ -158,7 +158,7 @@ Verb help_verb(const std::vector<Verb>& verbs) {
                      .target = &name,
                      .required = false,
                      .choices = names,
-                     .other_values = true},  // find_verb() explains a former name
+                     .other_values = true},  // find_verb() suggests another
                     {.name = "KIND",
                      .help = "The part of a verb that has several: fk, jacobian or ik of `batch`; "
                              "map, merge, query, slice, export or place of `reach`.",

@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-
-#include "former_names.h"
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/model/catalog.h>
 
 using beeline::Error;
 using beeline::unknown_name;
@@ -34,10 +35,6 @@ Error unexpected(const Verb& verb, const std::string& word) {
   for (const Option& option : all_options(verb)) {
     known.push_back(option.name);
     if (option.alias.size() > 2) known.push_back(option.alias);
-  }
-  const std::string renamed = current_option_name(name);
-  if (std::find(known.begin(), known.end(), renamed) != known.end()) {
-    return Error("the option " + name + " is now called " + renamed);
   }
   const std::string message = unknown_name("option", name, known).what();
   return Error(message.substr(0, message.find(" (known")));  // the verb's help lists them
@@ -99,6 +96,27 @@ std::string method_of(const Verb& verb) {
   return "";
 }
 
+/// Whether a text typed for a trajectory can only be an arm; a .json file may be either.
+bool is_arm(const std::string& text) {
+  const std::string ending = beeline::internal::extension(text);
+  return ending == "urdf" || ending == "xml" || beeline::is_joint_string(text) ||
+         has(beeline::built_in_names(), text);
+}
+
+/// Throws Error if the arguments of a verb `VERB ARM FILE...` were given as `VERB FILE... ARM`.
+void check_order(const Verb& verb) {
+  if (verb.arguments.size() < 2 || verb.arguments.front().completes != Completes::arm) return;
+  const Positional& end = verb.arguments.back();
+  if (end.completes == Completes::arm || end.targets != nullptr) return;  // two arms have no order
+  const std::string &first = *verb.arguments.front().target, &last = *end.target;
+  const std::string format = beeline::internal::extension(first);
+  if (last.empty() || !(format == "csv" || (format == "json" && is_arm(last)))) return;
+  std::string order = verb.name;
+  for (const Positional& argument : verb.arguments) order += " " + argument.name;
+  throw Error("the arm comes first, before the file: beeline " + order + ", not " + first + " " +
+              last);
+}
+
 void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
   for (std::size_t i = 0; i < verb.arguments.size(); ++i) {
     const Positional& argument = verb.arguments[i];
@@ -116,7 +134,7 @@ void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
     if (argument.choices.empty() || argument.other_values) continue;
     check_choice(argument.name, *argument.target, argument.choices);
   }
-  refuse_former_order(verb);
+  check_order(verb);
 }
 
 Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Words& arguments) {

@@ -7,7 +7,6 @@
 #include <beeline/io/text/internal/file_stream.h>
 
 #include "completion.h"
-#include "former_names.h"
 #include "help.h"
 #include "man_page.h"
 #include "parse.h"

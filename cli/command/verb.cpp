@@ -1,10 +1,9 @@
 #include "verb.h"
 
 #include <algorithm>
+#include <map>
 
 #include <beeline/error.h>
-
-#include "former_names.h"
 
 std::vector<Option> all_options(const Verb& verb) {
   static bool help = false;
@@ -25,6 +24,19 @@ bool is_set(const Verb& verb, const std::string& flag) {
   return std::any_of(verb.options.begin(), verb.options.end(), [&](const Option& option) {
     return option.name == flag && *std::get<bool*>(option.target);
   });
+}
+
+/// The verb that does what other programs call by this name, such as `fk` for Robotics Toolbox's
+/// fkine; empty if there is none.
+std::string verb_of_other_programs(const std::string& name) {
+  static const std::map<std::string, std::string> verbs{
+      {"fkine", "fk"},    {"forward", "fk"},      {"kinematics", "fk"},  {"ikine", "ik"},
+      {"inverse", "ik"},  {"jacob0", "jacobian"}, {"jtraj", "move"},     {"ctraj", "line"},
+      {"plan", "line"},   {"verify", "check"},    {"validate", "check"}, {"compare", "diff"},
+      {"play", "replay"}, {"convert", "export"},  {"plot", "draw"},      {"teach", "view"},
+      {"list", "arms"},   {"info", "show"},       {"workspace", "reach"}};
+  const auto found = verbs.find(name);
+  return found == verbs.end() ? "" : found->second;
 }
 
 }  // namespace
@@ -62,11 +74,6 @@ const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name) {
   for (const Verb& verb : verbs) {
     if (verb.name == name) return verb;
     names.push_back(verb.name);
-  }
-  const std::string renamed = current_verb_name(name);
-  if (!renamed.empty()) {
-    throw beeline::Error("the verb " + name + " is now called " + renamed +
-                         ", and takes the arm first: beeline " + renamed + " ARM FILE");
   }
   const std::string meant = verb_of_other_programs(name);
   if (std::find(names.begin(), names.end(), meant) != names.end()) {

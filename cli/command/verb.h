@@ -47,5 +47,5 @@ Json with_units(const Verb& verb, const Answer& answer);
 /// "beeline line ARM --through FILE [options]".
 std::string usage(const Verb& verb, const std::string& command);
 
-/// Throws Error for an unknown name, with the nearest known one, and for a former name.
+/// Throws Error for an unknown name, with the nearest known one or the one that is meant.
 const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name);

@@ -6,7 +6,6 @@ result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """
 
 import copyreg as _copyreg
-import typing as _typing
 
 from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
@@ -26,18 +25,6 @@ for _name in __all__:
         except (AttributeError, TypeError):
             pass  # a function: it cannot be changed
 del _name, _value
-
-
-if not _typing.TYPE_CHECKING:  # type checkers would take every name for known
-
-    def __getattr__(name: str) -> object:
-        if name != "slowdown":
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        import warnings
-
-        warnings.warn("beeline.slowdown is now called beeline.slowdown_factor", DeprecationWarning, stacklevel=2)
-        return _core.slowdown_factor
-
 
 # Functions pickle by name, as those of Python do: for multiprocessing, joblib and dask.
 _copyreg.pickle(type(_core.forward_kinematics), lambda function: function.__qualname__)

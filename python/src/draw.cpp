@@ -42,8 +42,7 @@ void bind_chapter(nb::module_& m) {
         const std::string name = Value<std::string>::from(number, "number");
         const auto played = options<PlaybackOptions>(playback);
         Animation drawn = without_lock([&] { return chapter_animation(name); });
-        return PlayedAnimation(std::move(drawn), played, "chapter_animation", nb::make_tuple(name),
-                               nb::dict(playback));
+        return PlayedAnimation(std::move(drawn), played);
       },
       moving, nb::arg("number"), nb::arg("playback"));
 }
@@ -85,10 +84,7 @@ void bind_motion_figures(nb::module_& m) {
         const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
         Animation drawn = without_lock(
             [&] { return motion_animation(arm, trajectory, marked, std::get<0>(given)); });
-        return PlayedAnimation(
-            std::move(drawn), std::get<1>(given), "motion_animation",
-            nb::make_tuple(arm, trajectory, Value<std::vector<Pose>>::to(marked)),
-            nb::dict(keywords));
+        return PlayedAnimation(std::move(drawn), std::get<1>(given));
       },
       moving, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
       nb::arg("options"));

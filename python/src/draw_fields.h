@@ -12,13 +12,9 @@ namespace beeline::python {
 struct PlayedAnimation {
   Animation animation;
   PlaybackOptions playback;
-  nb::str drawn_by;  ///< the function that draws it, for pickles; and what it is called with
-  nb::tuple arguments;
-  nb::dict keywords;
 
   /// Throws Error for options that it cannot be played with.
-  PlayedAnimation(Animation made, const PlaybackOptions& options, const char* function,
-                  nb::tuple positional, nb::dict named);
+  PlayedAnimation(Animation made, const PlaybackOptions& options);
 };
 
 template <class Work>
@@ -29,10 +25,6 @@ auto without_lock(Work work) {
 
 /// The picture for notebooks, not wider than their cells.
 nb::str notebook_svg(const Drawing& drawing);
-
-/// A picture as plain values, for pickles; and back.
-nb::tuple state_of(const Drawing& drawing);
-Drawing drawing_from(const nb::tuple& state);
 
 void bind_pages(nb::module_& module);
 

@@ -26,6 +26,22 @@ nb::object html_of(const PlayedAnimation& played) {
          nb::str("\" style=\"max-width: 100%\">");
 }
 
+/// Adds copies, which are the picture itself, as it never changes, and what refuses pickles.
+template <class Picture>
+void bind_copies(nb::class_<Picture>& picture, const std::string& name) {
+  const auto itself = [](nb::handle_t<Picture> self) { return nb::borrow(self); };
+  picture.def("__copy__", itself, nb::sig(kept_text("def __copy__(self) -> " + name)));
+  picture.def(
+      "__deepcopy__", [itself](nb::handle_t<Picture> self, nb::handle) { return itself(self); },
+      nb::sig(kept_text("def __deepcopy__(self, memo: object, /) -> " + name)));
+  picture.def(
+      "__reduce__",
+      [](const Picture&) -> nb::object {
+        throw nb::type_error("a picture has no pickle; pickle its svg, or what it is drawn from");
+      },
+      nb::sig("def __reduce__(self) -> typing.NoReturn"));
+}
+
 constexpr const char* svg_getter = "def svg(self) -> str";
 constexpr const char* size_doc = "Points, 1/72 inch.";
 
@@ -52,13 +68,7 @@ void bind_drawing(nb::module_& m) {
   drawing.def("__repr__", [](const Drawing& self) {
     return "<beeline.Drawing of " + number(self.width) + " x " + number(self.height) + " points>";
   });
-  drawing.def(
-      "__getstate__", [](const Drawing& self) { return state_of(self); },
-      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
-  drawing.def(
-      "__setstate__",
-      [](Drawing& self, const nb::tuple& state) { new (&self) Drawing(drawing_from(state)); },
-      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  bind_copies(drawing, "Drawing");
   bind_equality(drawing, [](const Drawing& a, const Drawing& b) {
     return a.width == b.width && a.height == b.height && a.marks == b.marks;
   });
@@ -90,20 +100,7 @@ void bind_animation(nb::module_& m) {
       },
       save, nb::arg("path"));
   animation.def("_repr_html_", &html_of, nb::sig("def _repr_html_(self) -> str"));
-  const auto itself = [](nb::handle_t<PlayedAnimation> self) { return nb::borrow(self); };
-  animation.def("__copy__", itself, nb::sig("def __copy__(self) -> Animation"));
-  animation.def(
-      "__deepcopy__",
-      [itself](nb::handle_t<PlayedAnimation> self, nb::handle) { return itself(self); },
-      nb::sig("def __deepcopy__(self, memo: object, /) -> Animation"));
-  animation.def(
-      "__reduce__",
-      [](const PlayedAnimation& self) {
-        const nb::object draw = nb::getattr(nb::module_::import_("beeline"), self.drawn_by);
-        const nb::object partial = nb::module_::import_("functools").attr("partial");
-        return nb::make_tuple(partial(draw, **self.keywords), self.arguments);
-      },
-      nb::sig("def __reduce__(self) -> tuple[object, ...]"));
+  bind_copies(animation, "Animation");
   bind_equality(animation, [](const PlayedAnimation& a, const PlayedAnimation& b) {
     return a.playback.frames_per_second == b.playback.frames_per_second && without_lock([&] {
              return animated_svg(a.animation, a.playback) == animated_svg(b.animation, b.playback);
@@ -118,13 +115,8 @@ void bind_animation(nb::module_& m) {
 
 }  // namespace
 
-PlayedAnimation::PlayedAnimation(Animation made, const PlaybackOptions& options,
-                                 const char* function, nb::tuple positional, nb::dict named)
-    : animation(std::move(made)),
-      playback(options),
-      drawn_by(function),
-      arguments(std::move(positional)),
-      keywords(std::move(named)) {
+PlayedAnimation::PlayedAnimation(Animation made, const PlaybackOptions& options)
+    : animation(std::move(made)), playback(options) {
   internal::check_playback(animation, playback);
 }
 

@@ -1,4 +1,3 @@
-#include <beeline/reach/npz_file.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 
@@ -17,7 +16,6 @@ Ending write_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
 void join_maps(const std::vector<std::string>& parts, const std::string& path, bool incomplete) {
   merge_reach_maps(parts, path, incomplete);
 }
-void write_arrays(const ReachMap& map, const std::string& path) { write_npz(map, path); }
 #else
 [[noreturn]] void refuse() {
   throw Error(
@@ -29,7 +27,6 @@ Ending write_map(const Arm&, const ReachGrid&, const std::string&, const ReachMa
   refuse();
 }
 void join_maps(const std::vector<std::string>&, const std::string&, bool) { refuse(); }
-void write_arrays(const ReachMap&, const std::string&) { refuse(); }
 #endif
 
 constexpr const char* without_hdf5 = "and in a build without HDF5";
@@ -57,24 +54,6 @@ void bind_merging(nb::module_& m) {
         join_maps(files, file, some);
       },
       merge, nb::arg("parts"), nb::arg("path"), nb::arg("incomplete") = false);
-}
-
-void bind_npz(nb::module_& m) {
-  Signature arrays("write_npz", "None",
-                   std::string("Writes all cells of a map as numpy's .npz, which numpy.load() "
-                               "reads: `branches` (or `samples`), `manipulability` and `margin`, "
-                               "the coordinates of their axes, and `arm`, its JSON. Raises Error "
-                               "for an incomplete map, ") +
-                       without_hdf5 + ".");
-  arrays.takes("map", "ReachMap", "The map.").takes("path", path_like, "A .npz file.");
-  define(
-      m,
-      [](const ReachMap& map, nb::handle path) {
-        const std::string file = path_from(path, "path");
-        const LockRelease release;
-        write_arrays(map, file);
-      },
-      arrays, nb::arg("map"), nb::arg("path"));
 }
 
 }  // namespace
@@ -119,7 +98,6 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
       },
       compute, nb::arg("arm"), nb::arg("grid"), nb::arg("path"), nb::arg("options"));
   bind_merging(m);
-  bind_npz(m);
 }
 
 }  // namespace beeline::python

@@ -100,22 +100,14 @@ bool visible(const Element& element, double at) {
 constexpr double later = 2e-5;  // of the loop: keyframes are rounded
 
 /// Collects the coordinates of each path that is seen at a fraction of the loop, in their order.
-void collect(const Element& element, double at, PaperPoint shift,
-             std::vector<std::vector<double>>& paths) {
+void collect(const Element& element, double at, std::vector<std::vector<double>>& paths) {
   if (!visible(element, at + later)) return;
   std::vector<double> path = numbers(element.get("d"));
   for (const Element& child : element.children) {
-    if (child.name == "animateTransform") {
-      const std::vector<double> by = animated(child, at);
-      shift += PaperPoint(by[0], by[1]);
-    }
     if (child.get("attributeName") == "d") path = animated(child, at);
   }
-  if (element.name == "path") {
-    for (std::size_t n = 0; n < path.size(); ++n) path[n] += shift[static_cast<int>(n % 2)];
-    paths.push_back(path);
-  }
-  for (const Element& child : element.children) collect(child, at, shift, paths);
+  if (element.name == "path") paths.push_back(path);
+  for (const Element& child : element.children) collect(child, at, paths);
 }
 
 /// The group of the file that moves.
@@ -146,7 +138,7 @@ void expect_shows_every_frame(const Animation& animation, double tolerance) {
   const Timeline timeline = timeline_of(animation, options);
   for (std::size_t k = 0; k < animation.frames.size(); k += 3) {
     std::vector<std::vector<double>> shown;
-    collect(group, timeline.frames[k], PaperPoint::Zero(), shown);
+    collect(group, timeline.frames[k], shown);
     std::size_t paths = 0;
     std::vector<std::vector<double>> left = shown;
     for (const FrameMark& mark : frame_marks(layout, &animation.frames[k])) {

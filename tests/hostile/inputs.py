@@ -98,7 +98,7 @@ reach slice azimuths.h5 --at z=0.2 --out out.svg
 reach compare map.h5 other.h5 --at z=0 --out out.svg
 reach place map.h5 --poses planar.csv --step 1 --max-checked 20
 reach merge part1.h5 part2.h5 --out out.h5
-reach export azimuths.h5 --out out.npz
+reach export azimuths.h5 --out out.vti
 show robot.urdf --srdf arm.srdf --group arm
 fk rrr --q 0.1,0.2,0.3 --limits limits.yaml
 fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5

@@ -99,13 +99,6 @@ def test_results_with_a_trajectory_have_its_duration():
     assert not unreachable and unreachable.duration == 0
 
 
-def test_the_former_name_of_slowdown_factor_warns():
-    with pytest.warns(DeprecationWarning, match="slowdown_factor"):
-        assert beeline.slowdown(2, 1, 1) == beeline.slowdown_factor(2, 1, 1) == 2
-    with pytest.raises(AttributeError, match="nothing"):
-        beeline.nothing  # noqa: B018
-
-
 GOAL = np.array([0.5, 0, 0, -2, 0, 2, 0.3])
 
 

@@ -80,22 +80,13 @@ def test_the_figures_of_the_chapter():
         beeline.figure("2.1")
 
 
-def test_copies_and_pickles():
+def test_a_copy_is_the_picture_and_pickles_are_refused():
     arm = beeline.arms.panda()
-    for drawing in (beeline.draw(arm, frames=True), beeline.timing_figure(arm, motion(arm)), beeline.figure("1.2")):
-        for again in (pickle.loads(pickle.dumps(drawing)), copy.copy(drawing), copy.deepcopy(drawing)):
-            assert again == drawing and again.svg == drawing.svg
-    width, height, marks = beeline.figure("1.2").__getstate__()
-    kinds = {mark[0]: mark for mark in marks}
-    broken = [(), (width,), (width, height, (("stroke",),)), (width, height, (kinds["stroke"][:3],)), (1, 2, 3),
-              (width, height, (("stroke", "mlq", *kinds["stroke"][2:]),)),
-              (width, height, (("stroke", "mlll", [1.0, 2.0], *kinds["stroke"][3:]),)),
-              (width, height, (kinds["text"][:-1],)), (width, "high", ())]  # fmt: skip
-    for state in broken:
-        with pytest.raises((beeline.Error, TypeError)):
-            beeline.Drawing.__new__(beeline.Drawing).__setstate__(state)
-    animation = beeline.animate(arm, motion(arm))
-    assert copy.copy(animation) is copy.deepcopy(animation) is animation
+    pictures = [beeline.draw(arm, frames=True), beeline.timing_figure(arm, motion(arm)), beeline.figure("1.2")]
+    for picture in (*pictures, beeline.animate(arm, motion(arm))):
+        assert copy.copy(picture) is copy.deepcopy(picture) is picture
+        with pytest.raises(TypeError, match="pickle its svg"):
+            pickle.dumps(picture)
 
 
 def test_step_responses():
@@ -135,12 +126,10 @@ def test_refusals(wrong, error, message):
         wrong(beeline.arms.rrr()).svg
 
 
-def test_animations_copy_pickle_and_compare():
+def test_animations_compare():
     arm = beeline.arms.rrr()
     moving = beeline.animate(arm, motion(arm), waypoints=[np.eye(4)], speed=2, title="a title")
-    for value in (moving, beeline.chapter_animation("1.7", speed=2)):
-        for other in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
-            assert other == value and other.svg == value.svg and repr(other) == repr(value)
+    assert beeline.chapter_animation("1.7", speed=2) == beeline.chapter_animation("1.7", speed=2)
     assert moving != beeline.animate(arm, motion(arm), waypoints=[np.eye(4)], speed=2)
     assert beeline.chapter_animation("1.7") != beeline.chapter_animation("1.7", frames_per_second=10)
 

@@ -60,8 +60,8 @@ def test_shards_are_joined(tmp_path):
     half = beeline.ReachMap.load(parts[0])
     assert not half.complete and 0 < half.slabs.sum() < half.slabs.size and "incomplete" in repr(half)
     assert half.totals().cells < grid.cells
-    uses = [lambda: beeline.slice_of(half, "z", 0), lambda: beeline.write_npz(half, tmp_path / "half.npz")]
-    for use in (half.cells, half.positions, lambda: half.branches, lambda: beeline.compare_reach(half, half), *uses):
+    uses = [lambda: half.branches, lambda: beeline.compare_reach(half, half), lambda: beeline.slice_of(half, "z", 0)]
+    for use in (half.cells, half.positions, *uses):
         with pytest.raises(beeline.Error):
             use()
     assert half == beeline.ReachMap.load(parts[0])
@@ -71,41 +71,6 @@ def test_shards_are_joined(tmp_path):
     assert_equal(beeline.ReachMap.load(tmp_path / "all.h5"), beeline.reach_cells(PUMA, grid))
     with pytest.raises(beeline.Error, match="shard"):
         beeline.compute_reach_map(PUMA, grid, tmp_path / "third.h5", shard=(3, 2))
-
-
-@needs_hdf5
-def test_numpy_reads_all_cells(puma, tmp_path):
-    rrr, path = beeline.arms.rrr(), tmp_path / "map.npz"
-    maps = [
-        puma,
-        beeline.reach_map(PUMA, rolls=2, **COARSE),
-        beeline.reach_map(PUMA, azimuths=1, **COARSE),
-        beeline.reach_map(PUMA, resolution=0.4, orientation=np.eye(3)),
-        beeline.reach_map(PUMA, resolution=0.4, any_orientation=True, samples=1000),
-        beeline.reach_map(rrr, resolution=2),
-    ]
-    for map in maps:
-        beeline.write_npz(map, path)
-        with np.load(path) as written:
-            counted = "samples" if map.samples else "branches"
-            for name, own in zip((counted, *ARRAYS[1:]), (getattr(map, name) for name in ARRAYS)):
-                assert written[name].dtype == own.dtype
-                np.testing.assert_array_equal(written[name], own)
-            coordinates = ["radius", "height", "azimuth"] if map.grid.cylindrical else ["x", "y", "z"]
-            kinds = {"directions": ["directions", "fractions"], "headings": ["headings"]}
-            kinds["rolls"] = [*kinds["directions"], "rolls"]
-            coordinates += kinds.get(map.grid.orientations, [])
-            assert {*written} == {counted, *ARRAYS[1:], *coordinates, "arm"}
-            for name in coordinates:
-                np.testing.assert_array_equal(written[name], getattr(map.grid, name))
-            assert beeline.Arm.from_json(written["arm"].item().decode()) == map.arm
-    file = tmp_path / "puma.h5"
-    beeline.compute_reach_map(PUMA, puma.grid, file)
-    beeline.write_npz(puma, path)
-    beeline.write_npz(beeline.ReachMap.load(file), tmp_path / "of_a_file.npz")
-    assert (tmp_path / "of_a_file.npz").read_bytes() == path.read_bytes()
-    with pytest.raises(beeline.FileError):
-        beeline.write_npz(puma, tmp_path / "no such folder" / "map.npz")
 
 
 @needs_hdf5
@@ -170,7 +135,6 @@ def test_without_hdf5_files_are_refused(puma, tmp_path):
         lambda: beeline.ReachMap.load(tmp_path / "map.h5"),
         lambda: beeline.compute_reach_map(PUMA, puma.grid, tmp_path / "map.h5"),
         lambda: beeline.merge_reach_maps([tmp_path / "map.h5"], tmp_path / "all.h5"),
-        lambda: beeline.write_npz(puma, tmp_path / "map.npz"),
     ):
         with pytest.raises(beeline.Error, match="h5py.*BEELINE_HDF5=ON"):
             use()

@@ -5,7 +5,6 @@
 
 #include <beeline/draw/animation.h>
 #include <beeline/draw/internal/animation_frames.h>
-#include <beeline/draw/internal/drawing_order.h>
 #include <beeline/draw/internal/keyframes.h>
 #include <beeline/draw/internal/moving_marks.h>
 #include <beeline/draw/internal/page_layout.h>
@@ -143,7 +142,6 @@ std::string bounded_elements(const Frames& all, const Timeline& timeline,
     for (const std::size_t k : every(stride, all.size())) {
       frames.push_back(all[k]);
       shown.frames.push_back(timeline.frames[k]);
-      if (frames.size() > 1) keep_order(frames[frames.size() - 2], frames.back());
     }
     const CutFrames parts = cut(frames);
     constexpr double smallest = 0.15, largest = 2;  // points

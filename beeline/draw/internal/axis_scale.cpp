@@ -49,22 +49,18 @@ void set_level_ticks(Scale& scale, double length, double gap) {
   }
 }
 
-std::vector<double> ticks(double step, double low, double high) {
-  const double first = std::ceil(low / step - 1e-9);
-  const double last = std::floor(high / step + 1e-9);
+std::vector<double> ticks(const Scale& scale) {
+  const double first = std::ceil(scale.low / scale.step - 1e-9);
+  const double last = std::floor(scale.high / scale.step + 1e-9);
   std::vector<double> values;
   if (!(last - first < 200)) return values;
-  for (double k = first; k <= last; ++k) values.push_back(k * step);
+  for (double k = first; k <= last; ++k) values.push_back(k * scale.step);
   return values;
 }
 
-std::vector<double> ticks(const Scale& scale) { return ticks(scale.step, scale.low, scale.high); }
-
-std::string tick_text(double value, double step) { return fixed(value, decimals_of(step)); }
-
 std::string tick_text(const Scale& scale, double value) {
   const double unit = std::pow(10.0, scale.exponent);
-  return tick_text(value / unit, scale.step / unit);
+  return fixed(value / unit, decimals_of(scale.step / unit));
 }
 
 double widest_tick(const Scale& scale) {

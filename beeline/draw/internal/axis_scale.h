@@ -30,12 +30,10 @@ void set_upright_ticks(Scale& scale, double length, double gap);
 /// Sets the tick step of a horizontal axis, where it must also exceed the width of the labels.
 void set_level_ticks(Scale& scale, double length, double gap);
 
-/// Returns the multiples of `step` in [low, high]; none when there would be more than 200.
-std::vector<double> ticks(double step, double low, double high);
+/// Returns the multiples of the step on the scale; none when there would be more than 200.
 std::vector<double> ticks(const Scale& scale);
 
 /// Formats a tick label with the decimals that the step needs.
-std::string tick_text(double value, double step);
 std::string tick_text(const Scale& scale, double value);
 double widest_tick(const Scale& scale);  ///< width of the widest tick label, points
 

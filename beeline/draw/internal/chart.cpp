@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/internal/axes.h>
 #include <beeline/draw/internal/chart.h>
 #include <beeline/draw/internal/curve_thinning.h>
 #include <beeline/draw/internal/paper_shapes.h>
@@ -14,13 +15,6 @@ constexpr Colour reference_grey{0.35, 0.37, 0.40};
 constexpr double heading_size = 8.5, legend_size = 7.5;
 constexpr double stroke_length = 16, row_height = 11;
 constexpr double padding = 0.07;  // above and below the curves, as a fraction of their span
-
-/// Returns the first line of the text that fits the width, with an ellipsis when it is cut.
-std::string cut_to(const std::string& text, double size, double width, bool bold = false) {
-  const std::vector<std::string> lines = wrapped(text, size, width, bold);
-  if (lines.empty()) return "";
-  return lines.size() == 1 ? lines.front() : lines.front() + "…";
-}
 
 struct Range {
   double low = 0, high = 0;
@@ -68,11 +62,6 @@ Scale upright_scale(const Chart& chart, bool right) {
   return scale;
 }
 
-double on_paper(const Scale& scale, double value, double from, double to) {
-  const double fraction = std::clamp((value - scale.low) / (scale.high - scale.low), 0.0, 1.0);
-  return from + fraction * (to - from);
-}
-
 /// Maps values to paper.
 struct ToPaper {
   const ChartCell& cell;
@@ -110,55 +99,6 @@ std::vector<Curve> legend_of(const Chart& chart) {
 double entry_width(const Curve& curve, double width) {
   const std::string name = cut_to(curve.name, legend_size, width - stroke_length - 4);
   return stroke_length + 4 + text_size(name, legend_size).x();
-}
-
-void draw_side(const ChartCell& cell, bool right, std::vector<PaperMark>& marks) {
-  const Scale& scale = right ? cell.right : cell.left;
-  const double edge = right ? cell.plot.high.x() : cell.plot.low.x(), out = right ? 1 : -1;
-  for (const double value : ticks(scale)) {
-    const double y = ToPaper{cell}.y(value, right);
-    const std::string text = tick_text(scale, value);
-    marks.emplace_back(line_stroke({edge, y}, {edge + 2.5 * out, y}, frame_grey, 0.7));
-    const double half = text_size(text, tick_size).x() / 2;
-    marks.emplace_back(PaperText{text, {edge + out * (4.5 + half), y}, tick_size});
-  }
-  const std::string name =
-      with_power(right ? cell.chart->right_name : cell.chart->left_name, scale.exponent);
-  const double middle = (cell.plot.low.y() + cell.plot.high.y()) / 2;
-  PaperText text{cut_to(name, axis_name_size, cell.plot.size().y() + 12),
-                 {edge + out * (8 + widest_tick(scale) + 0.6 * axis_name_size), middle},
-                 axis_name_size};
-  text.upright = true;
-  marks.emplace_back(text);
-}
-
-void draw_below(const ChartCell& cell, std::vector<PaperMark>& marks) {
-  const double bottom = cell.plot.high.y();
-  for (const double value : ticks(cell.x)) {
-    const double x = ToPaper{cell}.x(value);
-    const std::string text = tick_text(cell.x, value);
-    marks.emplace_back(line_stroke({x, bottom}, {x, bottom + 2.5}, frame_grey, 0.7));
-    const double half = text_size(text, tick_size).x() / 2;
-    if (x - half < cell.plot.low.x() - 8 || x + half > cell.plot.high.x() + 8) continue;
-    marks.emplace_back(PaperText{text, {x, bottom + 8}, tick_size});
-  }
-  const std::string name =
-      cut_to(with_power(cell.chart->x_name, cell.x.exponent), axis_name_size, cell.plot.size().x());
-  marks.emplace_back(PaperText{
-      name, {(cell.plot.low.x() + cell.plot.high.x()) / 2, bottom + 18.5}, axis_name_size});
-}
-
-void draw_grid(const ChartCell& cell, std::vector<PaperMark>& marks) {
-  const auto& [low, high] = cell.plot;
-  for (const double value : ticks(cell.x)) {
-    const double x = ToPaper{cell}.x(value);
-    marks.emplace_back(line_stroke({x, low.y()}, {x, high.y()}, grid_grey, 0.6));
-  }
-  for (const double value : ticks(cell.left)) {
-    const double y = ToPaper{cell}.y(value, false);
-    const Colour& grey = value == 0 ? zero_grey : grid_grey;
-    marks.emplace_back(line_stroke({low.x(), y}, {high.x(), y}, grey, 0.6));
-  }
 }
 
 void draw_markers(const ChartCell& cell, std::vector<PaperMark>& marks) {
@@ -216,11 +156,6 @@ double heading_height(const ChartCell& cell) {
   return names ? 24 : 15;
 }
 
-double side_width(const ChartCell& cell, bool right) {
-  if (right && !cell.has_right) return 0;
-  return 9 + widest_tick(right ? cell.right : cell.left) + 1.3 * axis_name_size;
-}
-
 double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, double width,
                    std::vector<PaperMark>* marks) {
   PaperPoint at = corner + PaperPoint(0, row_height / 2);
@@ -242,7 +177,7 @@ double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, d
 
 void draw(const ChartCell& cell, std::vector<PaperMark>& marks) {
   const auto& [low, high] = cell.plot;
-  draw_grid(cell, marks);
+  draw_grid(cell.plot, cell.x, cell.left, marks);
   draw_markers(cell, marks);
   for (const ReferenceLine& line : cell.chart->reference_lines) {
     if (!shown(*cell.chart, line)) continue;
@@ -252,14 +187,10 @@ void draw(const ChartCell& cell, std::vector<PaperMark>& marks) {
         line_stroke({low.x(), y}, {high.x(), y}, curve.colour, curve.width, curve.dashes));
   }
   for (const Curve& curve : cell.chart->curves) draw_curve(cell, curve, marks);
-  marks.emplace_back(PaperStroke{closed_path({low, {high.x(), low.y()}, high, {low.x(), high.y()}}),
-                                 no_colour,
-                                 frame_grey,
-                                 0.7,
-                                 {}});
-  draw_side(cell, false, marks);
-  if (cell.has_right) draw_side(cell, true, marks);
-  if (cell.numbers_below) draw_below(cell, marks);
+  draw_frame(cell.plot, marks);
+  draw_side(cell.plot, cell.left, cell.chart->left_name, false, marks);
+  if (cell.has_right) draw_side(cell.plot, cell.right, cell.chart->right_name, true, marks);
+  if (cell.numbers_below) draw_below(cell.plot, cell.x, cell.chart->x_name, marks);
 
   std::vector<Curve> legend = legend_of(*cell.chart);
   const auto legend_width = [&legend, whole = high.x() - low.x()] {

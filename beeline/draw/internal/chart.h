@@ -55,14 +55,10 @@ struct ChartCell {
 
 /// Returns the height of the heading and the names of the markers above the plot, points.
 double heading_height(const ChartCell& cell);
-constexpr double numbers_height = 26;  ///< height of the x axis's tick labels and name, points
 
 /// Chooses the scales for all curves and reference lines of the chart. Throws Error when a value
 /// cannot be drawn, or a curve has different numbers of x and y.
 ChartCell cell_of(const Chart& chart);
-
-/// Returns the width of the tick labels and the name on one side, points.
-double side_width(const ChartCell& cell, bool right);
 
 /// Draws the chart in `cell.plot`.
 void draw(const ChartCell& cell, std::vector<PaperMark>& marks);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/internal/axes.h>
 #include <beeline/draw/internal/layout.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
@@ -58,17 +59,15 @@ void measure_plot(Cell& cell) {
   const double reach =
       std::max(cell.extent.low.cwiseAbs().maxCoeff(), cell.extent.high.cwiseAbs().maxCoeff());
   cell.step = tick_step(cell.scale, reach / cell.scale);
-  cell.below = cell.rulers ? ruler_height : 0;
+  cell.below = cell.rulers ? numbers_height : 0;
 }
 
 /// Sets the width left of the plots, equal for all plots of a column, so that they align.
 void measure_left(std::vector<Cell>& column) {
   double left = 0;
   for (const Cell& cell : column) {
-    const PaperBox box = plot_box(cell);
     const double width =
-        cell.rulers ? ruler_width(cell.step, -box.high.y() / cell.scale, -box.low.y() / cell.scale)
-                    : right_margin;
+        cell.rulers ? side_width(ruler(plot_box(cell), 1, cell.scale, cell.step)) : right_margin;
     left = std::max(left, width);
   }
   for (Cell& cell : column) cell.left = left;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <beeline/draw/internal/moving_marks.h>
 #include <beeline/draw/internal/svg.h>
@@ -8,7 +7,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double same_place = 0.005;    // points; half of the last decimal of a file
 constexpr double same_colour = 0.0157;  // four steps of 255
 
 /// Returns whether two marks differ only in the positions of points and in colours.
@@ -66,23 +64,7 @@ class Run {
   std::string elements() const {
     std::string text;
     const FrameSlice& end = frames_[last_];
-    for (std::size_t j = 0; j < end.size();) {
-      const std::optional<std::vector<PaperPoint>> shift = translation(j);
-      std::size_t next = j + 1;
-      if (!shift) {
-        text += svg_element(end[j].mark, animations(j));
-        j = next;
-        continue;
-      }
-      // The marks of one item usually move together.
-      while (next < end.size() && end[next].source == end[j].source && moves_by(next, *shift)) {
-        ++next;
-      }
-      const std::string animation = translation_element(*shift);
-      if (!animation.empty()) text += "<g>" + animation + "\n";
-      for (; j < next; ++j) text += svg_element(end[j].mark);
-      if (!animation.empty()) text += "</g>\n";
-    }
+    for (std::size_t j = 0; j < end.size(); ++j) text += svg_element(end[j].mark, animations(j));
     return text;
   }
 
@@ -99,53 +81,6 @@ class Run {
       }
     }
     return true;
-  }
-
-  /// Returns whether mark j is that of the last frame, moved in frame k by shift[k - first].
-  bool moves_by(std::size_t j, const std::vector<PaperPoint>& shift) const {
-    const PaperStroke* end = stroke(last_, j);
-    if (end == nullptr) {  // a text of corresponding marks does not change
-      return std::all_of(shift.begin(), shift.end(),
-                         [](const PaperPoint& s) { return s.isZero(same_place); });
-    }
-    for (std::size_t k = first_; k <= last_; ++k) {
-      const std::vector<PaperPoint>& points = stroke(k, j)->path.points;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!(points[i] - end->path.points[i] - shift[k - first_]).isZero(same_place)) return false;
-      }
-    }
-    return keeps_colours(j);
-  }
-
-  /// Returns the translation of mark j in each frame, when it moves as a whole.
-  std::optional<std::vector<PaperPoint>> translation(std::size_t j) const {
-    std::vector<PaperPoint> shift(last_ - first_ + 1, PaperPoint::Zero());
-    for (std::size_t k = first_; k <= last_ && stroke(k, j) != nullptr; ++k) {
-      const auto &points = stroke(k, j)->path.points, &end = stroke(last_, j)->path.points;
-      if (!points.empty()) shift[k - first_] = points.front() - end.front();
-    }
-    if (!moves_by(j, shift)) return std::nullopt;
-    return shift;
-  }
-
-  std::string translation_element(const std::vector<PaperPoint>& shift) const {
-    const auto off = [&](std::size_t i, std::size_t a, std::size_t b, double t) {
-      const PaperPoint &from = shift[a - first_], &to = shift[b - first_];
-      return (shift[i - first_] - from - t * (to - from)).norm();
-    };
-    if (std::all_of(shift.begin(), shift.end(),
-                    [](const PaperPoint& s) { return s.isZero(same_place); })) {
-      return "";
-    }
-    const std::vector<std::size_t> keys =
-        thinned_keyframes(timeline_, first_, last_, tolerance_, off);
-    std::vector<std::string> values;
-    for (const std::size_t k : keys) {
-      const PaperPoint& s = shift[k - first_];
-      values.push_back(svg_number(s.x()) + " " + svg_number(s.y()));
-    }
-    return "<animateTransform attributeName=\"transform\" type=\"translate\" " +
-           animation_values(timeline_, keys, values) + "/>";
   }
 
   std::string animations(std::size_t j) const {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include <beeline/draw/internal/axis_scale.h>
+#include <beeline/draw/internal/axes.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
 #include <beeline/draw/internal/symbols.h>
@@ -10,84 +10,30 @@
 #include <beeline/error.h>
 
 namespace beeline::internal {
-namespace {
-
-double text_width(double value, double step) {
-  return text_size(tick_text(value, step), tick_size).x();
-}
-
-}  // namespace
-
 double tick_step(double scale, double largest) {
-  double step = round_step(29 / scale);
-  for (int widened = 0; widened < 6; ++widened) {
-    const double widest = text_width(-std::ceil(largest / step) * step, step);
-    if (step * scale >= widest + 8) break;
-    step = round_step(1.5 * step);
-  }
-  return step;
-}
-
-double ruler_width(double step, double low, double high) {
-  double widest = 0;
-  for (const double value : ticks(step, low, high)) {
-    widest = std::max(widest, text_width(value, step));
-  }
-  return widest + 9 + 1.3 * axis_name_size;
+  Scale both{-largest, largest};
+  set_level_ticks(both, 2 * largest * scale, 29);
+  return both.step;
 }
 
 bool has_rulers(const View& view) {
   return !axis_name(view, 0).empty() && !axis_name(view, 1).empty();
 }
 
+Scale ruler(const PaperBox& relative, int axis, double scale, double step) {
+  const PaperPoint low = relative.low / scale, high = relative.high / scale;
+  return axis == 0 ? Scale{low.x(), high.x(), step} : Scale{-high.y(), -low.y(), step};
+}
+
 void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks) {
   const auto& [projection, box] = plot;
-  const PaperPoint low = (box.low - projection.origin) / projection.scale;
-  const PaperPoint high = (box.high - projection.origin) / projection.scale;
-  double widest = 0;
-  const std::vector<double> across = ticks(step, low.x(), high.x());
-  const std::vector<double> upward = ticks(step, -high.y(), -low.y());
-  for (const double value : across) {
-    const double x = projection.origin.x() + projection.scale * value;
-    marks.emplace_back(
-        line_stroke({x, box.low.y()}, {x, box.high.y()}, value == 0 ? zero_grey : grid_grey, 0.6));
-  }
-  for (const double value : upward) {
-    const double y = projection.origin.y() - projection.scale * value;
-    marks.emplace_back(
-        line_stroke({box.low.x(), y}, {box.high.x(), y}, value == 0 ? zero_grey : grid_grey, 0.6));
-  }
-  marks.emplace_back(PaperStroke{
-      closed_path({box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}),
-      no_colour,
-      frame_grey,
-      0.7,
-      {}});
-  for (const double value : across) {
-    const double x = projection.origin.x() + projection.scale * value;
-    marks.emplace_back(line_stroke({x, box.high.y()}, {x, box.high.y() + 2.5}, frame_grey, 0.7));
-    const double half = text_width(value, step) / 2;
-    // A label may extend past the edge of the plot only within the margins.
-    if (x - half < box.low.x() - 8 || x + half > box.high.x() + 8) continue;
-    marks.emplace_back(PaperText{tick_text(value, step), {x, box.high.y() + 8}, tick_size});
-  }
-  for (const double value : upward) {
-    const double y = projection.origin.y() - projection.scale * value;
-    marks.emplace_back(line_stroke({box.low.x() - 2.5, y}, {box.low.x(), y}, frame_grey, 0.7));
-    const double width = text_width(value, step);
-    widest = std::max(widest, width);
-    marks.emplace_back(
-        PaperText{tick_text(value, step), {box.low.x() - 4.5 - width / 2, y}, tick_size});
-  }
-  const PaperPoint middle = (box.low + box.high) / 2;
-  marks.emplace_back(PaperText{axis_name(projection.view, 0) + " [m]",
-                               {middle.x(), box.high.y() + ruler_height - 0.7 * axis_name_size},
-                               axis_name_size});
-  PaperText name{axis_name(projection.view, 1) + " [m]",
-                 {box.low.x() - 9 - widest - 0.6 * axis_name_size, middle.y()},
-                 axis_name_size};
-  name.upright = true;
-  marks.emplace_back(name);
+  const PaperBox relative{box.low - projection.origin, box.high - projection.origin};
+  const Scale x = ruler(relative, 0, projection.scale, step);
+  const Scale y = ruler(relative, 1, projection.scale, step);
+  draw_grid(box, x, y, marks);
+  draw_frame(box, marks);
+  draw_below(box, x, axis_name(projection.view, 0) + " [m]", marks);
+  draw_side(box, y, axis_name(projection.view, 1) + " [m]", false, marks);
 }
 
 std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> frames) {

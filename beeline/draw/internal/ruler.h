@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/draw/internal/axis_scale.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/projection.h>
 
@@ -18,10 +19,9 @@ struct Plot {
 /// scale (points per metre) and coordinates up to `largest` metres.
 double tick_step(double scale, double largest);
 
-/// Returns the width of the tick labels and the name of the vertical axis from `low` to `high`
-/// metres, points.
-double ruler_width(double step, double low, double high);
-constexpr double ruler_height = 28;  ///< height of those of the horizontal axis, points
+/// Returns the scale of the horizontal (0) or vertical (1) axis of a plot with this rectangle
+/// relative to the world's origin on paper, metres.
+Scale ruler(const PaperBox& relative, int axis, double scale, double step);
 
 /// Returns whether the view looks along an axis of the world, so that the plot can have rulers.
 bool has_rulers(const View& view);

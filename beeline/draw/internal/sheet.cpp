@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/internal/axes.h>
 #include <beeline/draw/internal/page.h>
 #include <beeline/draw/internal/sheet.h>
 #include <beeline/error.h>
@@ -40,8 +41,8 @@ ColumnCells cells_of(const ChartColumn& column, double plot_height) {
     cell.x = across;
     set_upright_ticks(cell.left, plot_height, 13);
     if (cell.has_right) set_upright_ticks(cell.right, plot_height, 13);
-    result.left = std::max(result.left, side_width(cell, false));
-    result.right = std::max(result.right, side_width(cell, true));
+    result.left = std::max(result.left, side_width(cell.left));
+    if (cell.has_right) result.right = std::max(result.right, side_width(cell.right));
   }
   result.right = std::max(result.right, 8.0);  // the last tick label extends past the plot
   return result;

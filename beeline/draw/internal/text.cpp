@@ -4,32 +4,18 @@
 
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/text_width.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {
 
-/// Returns the bytes of the UTF-8 character at the start of `text`; 0 when there is none.
+/// Returns the bytes of the printable UTF-8 character at the start of `text`; 0 when there is none.
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t length = byte(0) < 0x80   ? 1
-                             : byte(0) < 0xC2 ? 0
-                             : byte(0) < 0xE0 ? 2
-                             : byte(0) < 0xF0 ? 3
-                             : byte(0) < 0xF5 ? 4
-                                              : 0;
-  if (length == 0 || length > text.size()) return 0;
-  if (length == 1) return byte(0) >= 0x20 && byte(0) != 0x7F ? 1 : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  if (byte(0) == 0xC2 && byte(1) < 0xA0) return 0;                      // control characters
-  if (byte(0) == 0xE0 && byte(1) < 0xA0) return 0;                      // overlong
-  if (byte(0) == 0xED && byte(1) >= 0xA0) return 0;                     // surrogates
-  if (byte(0) == 0xF0 && byte(1) < 0x90) return 0;                      // overlong
-  if (byte(0) == 0xF4 && byte(1) >= 0x90) return 0;                     // beyond Unicode
-  if (byte(0) == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;  // no characters
-  return length;
+  const std::size_t length = utf8_length(text);
+  const bool control = is_control(text[0]) || (length == 2 && text < "\xC2\xA0");
+  const bool none = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+  return control || none ? 0 : length;
 }
 
 /// Returns the part of `word` that fits, with an ellipsis when it is cut.
@@ -111,6 +97,12 @@ std::vector<std::string> balanced(const std::string& text, double size, double w
     }
   }
   return lines;
+}
+
+std::string cut_to(const std::string& text, double size, double width, bool bold) {
+  const std::vector<std::string> lines = wrapped(text, size, width, bold);
+  if (lines.empty()) return "";
+  return lines.size() == 1 ? lines.front() : lines.front() + "…";
 }
 
 std::string fixed(double value, int decimals) {

@@ -24,6 +24,9 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
 std::vector<std::string> balanced(const std::string& text, double size, double width,
                                   bool bold = false);
 
+/// Returns the first line of the text that fits the width, with an ellipsis when it is cut.
+std::string cut_to(const std::string& text, double size, double width, bool bold = false);
+
 /// Formats a number with a fixed number of decimals and a typographic minus sign; never "−0".
 std::string fixed(double value, int decimals);
 

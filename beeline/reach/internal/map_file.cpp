@@ -1,9 +1,9 @@
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
+#include <beeline/io/text/internal/file_stream.h>
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
 
@@ -16,28 +16,6 @@ namespace {
 
 FileError refused(const std::string& path, int error) {
   return {path, 0, std::string("cannot be written: ") + std::strerror(error)};
-}
-
-/// A file beside the path that no other writer uses.
-std::string temporary_beside(const std::string& path) {
-  static std::atomic<unsigned> written{0};
-  char host[65] = "";
-  ::gethostname(host, sizeof host - 1);  // processes on several machines may share the folder
-  return path + "." + host + "-" + std::to_string(::getpid()) + "-" + std::to_string(written++) +
-         ".part";
-}
-
-/// The file that a path leads to through symbolic links; the path itself where it is none.
-std::string target_of(const std::string& path) {
-  constexpr int most_links = 40;
-  std::filesystem::path target = path;
-  std::error_code error;
-  for (int i = 0; std::filesystem::is_symlink(target, error); ++i) {
-    if (i == most_links) throw refused(path, ELOOP);
-    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return target.string();
 }
 
 Hdf5Shape flags_shape(const Slabs& slabs) {
@@ -63,7 +41,7 @@ std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid) {
 }
 
 MapWriter::MapWriter(const std::string& path, const ReachMapHeader& header)
-    : path_((check_map_path(path), target_of(path))),
+    : path_((check_map_path(path), file_replaced_at(path))),
       temporary_(temporary_beside(path_)),
       header_(header),
       format_(header),

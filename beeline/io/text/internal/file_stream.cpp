@@ -17,22 +17,6 @@ FileError refused(const std::string& path, const std::string& what, int reason) 
   return {path, 0, what + ": " + std::generic_category().message(reason)};
 }
 
-/// Resolves symbolic links, so that a rename replaces the file and not the link.
-std::string target_of(const std::string& path) {
-  std::error_code unresolved;
-  const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
-  if (!unresolved) return target.string();
-  // A link whose target does not exist: the target is created, and the link stays.
-  const std::filesystem::path link(path), there = std::filesystem::read_symlink(link, unresolved);
-  return unresolved ? path : (link.parent_path() / there).string();
-}
-
-/// Returns the path of a temporary file beside the target that no other writer uses.
-std::string temporary_path(const std::string& target) {
-  static std::atomic<unsigned> written{0};
-  return target + "." + std::to_string(::getpid()) + "-" + std::to_string(written++) + ".part";
-}
-
 /// Returns the path by which the system names an open file.
 std::string descriptor_path(int descriptor) {
   return "/proc/self/fd/" + std::to_string(descriptor);
@@ -54,6 +38,23 @@ int open_nameless(const std::string& target) {
 }
 
 }  // namespace
+
+std::string file_replaced_at(const std::string& path) {
+  std::error_code unresolved;
+  const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
+  if (!unresolved) return target.string();
+  // A link whose target does not exist: the target is created, and the link stays.
+  const std::filesystem::path link(path), there = std::filesystem::read_symlink(link, unresolved);
+  return unresolved ? path : (link.parent_path() / there).string();
+}
+
+std::string temporary_beside(const std::string& target) {
+  static std::atomic<unsigned> written{0};
+  char host[65] = "";
+  ::gethostname(host, sizeof host - 1);
+  return target + "." + host + "-" + std::to_string(::getpid()) + "-" + std::to_string(written++) +
+         ".part";
+}
 
 InputFile::InputFile(const std::string& path, Dash dash) : path_(path) {
   const bool standard = path == "-" && dash == Dash::standard;
@@ -124,10 +125,10 @@ OutputFile::OutputFile(const std::string& path, Dash dash)
   if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
     throw refused(path_, "cannot be written", errno);
   }
-  target_ = target_of(path);
+  target_ = file_replaced_at(path);
   descriptor_ = open_nameless(target_);
   if (descriptor_ < 0) {
-    temporary_ = temporary_path(target_);
+    temporary_ = temporary_beside(target_);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw refused(path_, "cannot be written", errno);
   }
@@ -159,7 +160,7 @@ void OutputFile::overwrite_front(std::string_view bytes) {
 
 void OutputFile::commit() {
   if (replaces_ && temporary_.empty()) {
-    const std::string temporary = temporary_path(target_);
+    const std::string temporary = temporary_beside(target_);
     if (::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, temporary.c_str(),
                  AT_SYMLINK_FOLLOW) != 0) {
       throw refused(path_, "cannot be written", errno);

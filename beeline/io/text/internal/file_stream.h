@@ -51,6 +51,14 @@ class InputFile {
   std::optional<std::uint64_t> size_;
 };
 
+/// Returns the file that a rename to `path` should replace: the target of symbolic links, so that
+/// the link stays; it need not exist.
+std::string file_replaced_at(const std::string& path);
+
+/// Returns the path of a temporary file beside the target that no other writer uses, of this
+/// machine or another that shares the folder.
+std::string temporary_beside(const std::string& target);
+
 /// Writes a temporary file in blocks; commit() then renames it to `path`: a reader finds the old
 /// content or the new one, never a part. Without commit() the temporary file is deleted. Pipes,
 /// devices and the standard output are written directly.
