@@ -1,4 +1,6 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -59,6 +61,33 @@ TEST(SingularLines, FromASingularStartAreRefusedWithItsJoint) {
   }
   EXPECT_GT(singular, 5);
   EXPECT_GE(named, singular - 2);
+}
+
+/// The elbow bends continuously from stretched, as the square root of the path length. So at no
+/// tolerance is it a reason that the joints would have to jump.
+TEST(SingularLines, FromAStretchedElbowNoJumpIsTheReason) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  int moved = 0, refused = 0;
+  for (int i = 0; i < testing::cases(60); ++i) {
+    const Configuration start{{random.uniform(-3, 3), 0, random.uniform(-2, 2)}};
+    const Pose from = forward_kinematics(arm, start);
+    // Wrist and elbow move inwards or across.
+    const double heading = start[0] + std::numbers::pi + random.uniform(-1.5, 1.5);
+    Pose to = from;
+    to.translation() +=
+        random.uniform(0.02, 0.5) * Vector3(std::cos(heading), std::sin(heading), 0);
+    const double tolerance = std::pow(10, random.uniform(-8, -4));
+    const PathMotion motion = move_in_lines(arm, start, {to}, {.tolerance = tolerance});
+    moved += motion ? 1 : 0;
+    if (motion) continue;
+    ++refused;
+    EXPECT_EQ(motion.status, MotionStatus::not_proved) << motion.reason << " at " << tolerance;
+    EXPECT_EQ(motion.reason.code, ReasonCode::step_not_proved) << motion.reason;
+    EXPECT_TRUE(move_in_lines(arm, start, {to}, {.tolerance = 1e-4})) << motion.reason;
+  }
+  EXPECT_GT(moved, 10);
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace

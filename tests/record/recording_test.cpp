@@ -244,6 +244,7 @@ TEST(Recording, NotesOnUnitsAreData) {
 TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
   for (const std::string names :
        {"sec,nanosec", "secs,nsecs", "header.stamp.sec,header.stamp.nanosec",
+        "stamp_sec,stamp_nanosec", "time_sec,time_nsec", "header_stamp_secs,header_stamp_nsecs",
         "field.header.stamp.secs,field.header.stamp.nsecs"}) {
     const auto times = [&](const std::string& sec) {
       return parse(names + ",joint1,joint2,joint3\n" + sec + ",999999999,0,0,0\n" + sec +
