@@ -63,31 +63,29 @@ TEST(SingularLines, FromASingularStartAreRefusedWithItsJoint) {
   EXPECT_GE(named, singular - 2);
 }
 
-/// The elbow bends continuously from stretched, as the square root of the path length. So at no
-/// tolerance is it a reason that the joints would have to jump.
-TEST(SingularLines, FromAStretchedElbowNoJumpIsTheReason) {
+/// The elbow bends continuously from stretched, as the square root of the path length, also where
+/// the tool turns quickly on a short line: no tolerance makes this a jump of the joints.
+TEST(SingularLines, FromAStretchedElbowTheJointsDoNotJump) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   int moved = 0, refused = 0;
-  for (int i = 0; i < testing::cases(60); ++i) {
-    const Configuration start{{random.uniform(-3, 3), 0, random.uniform(-2, 2)}};
-    const Pose from = forward_kinematics(arm, start);
-    // Wrist and elbow move inwards or across.
-    const double heading = start[0] + std::numbers::pi + random.uniform(-1.5, 1.5);
-    Pose to = from;
-    to.translation() +=
-        random.uniform(0.02, 0.5) * Vector3(std::cos(heading), std::sin(heading), 0);
-    const double tolerance = std::pow(10, random.uniform(-8, -4));
+  for (int i = 0; i < testing::cases(40); ++i) {
+    const double wrist = random.uniform(0.3, 2.5) * (i % 2 == 0 ? 1 : -1);
+    const Configuration start{{random.uniform(-3, 3), 0, wrist}};
+    const double angle = start[0] + wrist - std::copysign(random.uniform(0.2, 0.8), wrist);
+    Pose to = forward_kinematics(arm, start);
+    to.translation() += Vector3(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0);
+    to.linear() = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+    constexpr double length = 2;  // of the last link
+    if ((to * Vector3(-length, 0, 0)).norm() > 6.95) continue;
+    const double tolerance = std::pow(10, random.uniform(-8, -6));
     const PathMotion motion = move_in_lines(arm, start, {to}, {.tolerance = tolerance});
     moved += motion ? 1 : 0;
-    if (motion) continue;
-    ++refused;
-    EXPECT_EQ(motion.status, MotionStatus::not_proved) << motion.reason << " at " << tolerance;
-    EXPECT_EQ(motion.reason.code, ReasonCode::step_not_proved) << motion.reason;
-    EXPECT_TRUE(move_in_lines(arm, start, {to}, {.tolerance = 1e-4})) << motion.reason;
+    refused += motion ? 0 : 1;
+    EXPECT_NE(motion.status, MotionStatus::singular) << motion.reason << " at " << tolerance;
   }
   EXPECT_GT(moved, 10);
-  EXPECT_GT(refused, 0);
+  EXPECT_LE(10 * refused, moved);
 }
 
 }  // namespace
