@@ -263,6 +263,19 @@ TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
   }
 }
 
+TEST(Recording, SecondsBesideNanosecondsAreWhole) {
+  for (const std::string names : {"sec,nanosec", "time_sec,time_nsec"}) {
+    const auto read = [&](const std::string& time) {
+      return parse(names + ",joint1,joint2,joint3\n" + time + ",0,0,0\n").trajectory.times.front();
+    };
+    EXPECT_EQ(read("-2,-999999999"), -2.999999999);
+    const std::string seconds = names.substr(0, names.find(','));
+    EXPECT_REFUSED(read("0.5,500000000"),
+                   "a.csv:2: column " + seconds + ": 0.5 must be whole seconds, as column");
+    EXPECT_REFUSED(read("1,1000000000"), "1000000000 must be below 1e9, nanoseconds of a");
+  }
+}
+
 TEST(Recording, TablesOfRosMessagesMayHaveTexts) {
   const Recording read = parse(
       "Time,header.seq,header.frame_id,name_0,joint1/position,joint2/position,joint3/position,"

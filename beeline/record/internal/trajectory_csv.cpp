@@ -88,6 +88,7 @@ class RowTimes {
     if (!columns_) return static_cast<double>(sample);
     const double value = counts_ ? rows_.from_first() : row[columns_->index];
     if (columns_->nanoseconds) {
+      check_parts(row[columns_->index], row[*columns_->nanoseconds]);
       return (value * 1e9 + (row[*columns_->nanoseconds] - first_nanoseconds_)) / 1e9;
     }
     if (unit_ == TimeUnit::seconds) return value;
@@ -95,6 +96,23 @@ class RowTimes {
   }
 
  private:
+  /// Throws Error unless they are whole seconds and the rest of them: two columns may also have the
+  /// same time in two units.
+  void check_parts(double seconds, double nanoseconds) const {
+    const auto refuse = [this](std::size_t column, double value, const std::string& choices) {
+      throw Error("column " + printable(rows_.columns()[column]) + ": " + exact(value) +
+                  " must be " + choices);
+    };
+    if (seconds != std::floor(seconds)) {
+      refuse(columns_->index, seconds,
+             "whole seconds, as column " + printable(rows_.columns()[*columns_->nanoseconds]) +
+                 " has the nanoseconds");
+    }
+    if (std::abs(nanoseconds) >= 1e9) {
+      refuse(*columns_->nanoseconds, nanoseconds, "below 1e9, nanoseconds of a second");
+    }
+  }
+
   std::optional<TimeColumns> columns_;
   CsvRows& rows_;
   std::optional<TimeUnit> given_;
