@@ -143,6 +143,24 @@ TEST(RecordingColumns, AUnitMayStandInFrontOfTheJoint) {
   }
 }
 
+TEST(RecordingColumns, ANoteNamesTheColumnsThatGiveTheUnit) {
+  const std::string text =
+      "t,joint1,joint2,joint3,joint1_vel (deg/s),joint2_vel (deg/s),joint3_vel (deg/s)\n"
+      "0,90,0,0,1,2,3\n";
+  const Recording read = parsed(text);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_EQ(
+      read.notes[0].columns,
+      (std::vector<std::string>{"joint1_vel (deg/s)", "joint2_vel (deg/s)", "joint3_vel (deg/s)"}));
+  EXPECT_NEAR(read.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
+  const Recording beside = parsed(
+      "time,position_joint1,position_joint2,position_joint3,velocity_joint1_deg,"
+      "velocity_joint2_deg,velocity_joint3_deg\n0,90,0,0,1,2,3\n");
+  ASSERT_EQ(beside.notes.size(), 1u);
+  EXPECT_EQ(beside.notes[0].columns.front(), "velocity_joint1_deg");
+  EXPECT_NEAR(beside.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
+}
+
 TEST(RecordingColumns, OtherQuantitiesAreNoPositions) {
   testing::Random random;
   const char* const quantities[] = {"velocity", "Vel",    "speed",   "acceleration", "accel",

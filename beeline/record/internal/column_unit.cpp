@@ -164,7 +164,7 @@ bool is_angle(JointUnit unit) { return unit == JointUnit::radians || unit == Joi
 
 RecordedColumns columns_in_units(const std::vector<std::string>& names,
                                  const std::vector<std::string>& joints) {
-  RecordedColumns columns{.names = names, .given = names};
+  RecordedColumns columns{.names = names, .given = names, .sources = names};
   columns.units.resize(names.size());
   // Only few names of joints end in a unit.
   std::vector<std::string> guarded;

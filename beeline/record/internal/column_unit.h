@@ -23,6 +23,7 @@ struct RecordedColumns {
   std::vector<std::string> names;                 ///< without the units
   std::vector<std::string> given;                 ///< as the recording has them
   std::vector<std::optional<JointUnit>> units{};  ///< those that the names give
+  std::vector<std::string> sources{};             ///< the columns whose names give the units
 };
 
 /// Splits names of columns into the quantity and its unit: `joint1_deg`, `joint1 (deg)`,
