@@ -112,27 +112,23 @@ internal::TableOptions table_options(const Arm& arm, const RecordingOptions& opt
           .needs_times = options.needs_times};
 }
 
-/// The first unit that is known.
-std::optional<JointUnit> first_known(std::initializer_list<std::optional<JointUnit>> units) {
-  for (const std::optional<JointUnit>& unit : units) {
-    if (unit) return unit;
-  }
-  return std::nullopt;
-}
-
 /// The columns of a joint's position and rates that give no unit get the one that another gives.
-void complete_units(const internal::JointColumns& order,
-                    std::vector<std::optional<JointUnit>>& units) {
-  const auto unit = [&units](const std::vector<Eigen::Index>& columns, std::size_t k) {
-    return columns.empty() ? std::nullopt : units[static_cast<std::size_t>(columns[k])];
-  };
+void complete_units(const internal::JointColumns& order, internal::RecordedColumns& recorded) {
+  const auto lists = {&order.positions, &order.velocities, &order.accelerations};
   for (std::size_t k = 0; k < order.positions.size(); ++k) {
-    const auto known = first_known(
-        {unit(order.positions, k), unit(order.velocities, k), unit(order.accelerations, k)});
-    for (const auto* columns : {&order.positions, &order.velocities, &order.accelerations}) {
-      if (!columns->empty() && !unit(*columns, k)) {
-        units[static_cast<std::size_t>((*columns)[k])] = known;
-      }
+    std::optional<std::size_t> known;
+    for (const auto* columns : lists) {
+      if (known || columns->empty()) continue;
+      const auto i = static_cast<std::size_t>((*columns)[k]);
+      if (recorded.units[i]) known = i;
+    }
+    if (!known) continue;
+    for (const auto* columns : lists) {
+      if (columns->empty()) continue;
+      const auto i = static_cast<std::size_t>((*columns)[k]);
+      if (recorded.units[i]) continue;
+      recorded.units[i] = recorded.units[*known];
+      recorded.sources[i] = recorded.sources[*known];
     }
   }
 }
@@ -148,12 +144,12 @@ void check_unit(const Joint& joint, const std::string& column, JointUnit unit) {
 /// Sets the units of the columns that give one, with a note for each unit. Returns the joint map
 /// with these units, for the evidence of others.
 JointMap set_named_units(const Arm& arm, const std::string& path,
-                         const internal::RecordedColumns& recorded, MatchOptions& match,
+                         internal::RecordedColumns recorded, MatchOptions& match,
                          std::vector<RecordingNote>& notes) {
   const internal::JointColumns order =
       internal::joint_columns(arm, recorded.names, match.joint_map);
-  std::vector<std::optional<JointUnit>> units = recorded.units;
-  complete_units(order, units);
+  complete_units(order, recorded);
+  const std::vector<std::optional<JointUnit>>& units = recorded.units;
   for (const std::optional<JointUnit>& unit : units) {
     match.column_units.push_back(unit ? std::optional(internal::si_per(*unit)) : std::nullopt);
   }
@@ -163,17 +159,17 @@ JointMap set_named_units(const Arm& arm, const std::string& path,
   for (std::size_t k = 0; k < known.size(); ++k) {
     const auto i = static_cast<std::size_t>(order.positions[k]);
     if (known[k].unit || !units[i]) continue;
-    check_unit(arm.joint_of(static_cast<Eigen::Index>(k)), recorded.given[i], *units[i]);
+    check_unit(arm.joint_of(static_cast<Eigen::Index>(k)), recorded.sources[i], *units[i]);
     known[k].unit = internal::si_per(*units[i]);
     const auto note =
         std::find_if(notes.begin() + static_cast<std::ptrdiff_t>(first_note), notes.end(),
                      [&](const RecordingNote& other) { return other.joint_unit == units[i]; });
     if (note != notes.end()) {
-      note->columns.push_back(recorded.given[i]);
+      note->columns.push_back(recorded.sources[i]);
     } else {
       notes.push_back({.kind = RecordingNoteKind::named_unit,
                        .path = path,
-                       .columns = {recorded.given[i]},
+                       .columns = {recorded.sources[i]},
                        .joint_unit = units[i]});
     }
   }

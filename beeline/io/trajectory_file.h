@@ -125,7 +125,7 @@ struct Recording {
 ///   - no header, a column of times first, then the joints in the arm's order; or a header in a
 ///     comment, which names all joints
 ///   - joints as matched_to() finds them, with a unit of JointUnit behind the name, as joint1_deg,
-///     joint1 (mm) or joint1_vel [deg/s]
+///     joint1 (mm) or joint1_vel [deg/s], or of angles in front, as deg_joint1
 ///   - rates in columns such as joint1_velocity and acceleration_joint1, and efforts, which are not
 ///     read
 /// Throws as read_trajectory() and, as FileError, matched_to() do.

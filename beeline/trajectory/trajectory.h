@@ -86,7 +86,8 @@ struct MatchOptions {
 /// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same
 /// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and
 /// `acceleration`, before or behind it, as /joint_states/joint1/position and velocity_joint1; other
-/// columns are dropped only in the last case. Upper and lower case are alike. Throws Error as
+/// columns are dropped only in the last case. Upper and lower case are alike. A text in front that
+/// names another quantity, as torque_joint1, is not matched. Throws Error as
 /// check_trajectory() does, for joints that are missing or that the arm does not have, for a joint
 /// map of another length, sign or unit, and for another number of units.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,

@@ -106,6 +106,88 @@ TEST(RecordingColumns, AJointWhoseNameEndsInAUnitIsNotInIt) {
   }
 }
 
+/// A unit of angles counts wherever it is a word of the name.
+TEST(RecordingColumns, AUnitMayStandInFrontOfTheJoint) {
+  testing::Random random;
+  const char* const units[] = {"deg", "DEG", "degrees", "\xc2\xb0", "rad", "Radian"};
+  const char* const forms[][2] = {{"@_", ""},
+                                  {"@/", ""},
+                                  {"position_@_", ""},
+                                  {"/states_@/", "/position"},
+                                  {"angle (@) of ", ""},
+                                  {"@.left_", ".position"}};
+  for (int i = 0; i < testing::cases(200); ++i) {
+    const int u = random.integer(0, 5);
+    const auto& [front, behind] = forms[random.integer(0, 5)];
+    std::string prefix = front;
+    prefix.replace(prefix.find('@'), 1, units[u]);
+    std::string header = "t", row = "0";
+    Vector3 expected;
+    for (int k = 0; k < 3; ++k) {
+      const int value = random.integer(-90, 90);
+      header += "," + prefix + "joint" + std::to_string(k + 1) + behind;
+      row += "," + std::to_string(value);
+      expected[k] = (u < 4 ? std::numbers::pi / 180 : 1) * value;
+    }
+    const Recording read = parsed(header + "\n" + row + "\n");
+    ASSERT_LE((read.trajectory.positions[0] - expected).norm(), 1e-12) << header;
+    ASSERT_EQ(read.notes.front().kind, RecordingNoteKind::named_unit) << header;
+    ASSERT_EQ(read.notes.front().joint_unit, u < 4 ? JointUnit::degrees : JointUnit::radians);
+  }
+  // m and mm may abbreviate other words, and these are no words.
+  for (const char* other : {"mm_", "m_", "degas_", "radar_", "deg1_"}) {
+    const std::string f = other;
+    const Recording read = parsed("t," + f + "joint1," + f + "joint2," + f + "joint3\n0,1,2,3\n");
+    EXPECT_TRUE(read.notes.empty()) << other;
+    EXPECT_EQ(read.trajectory.positions[0], Vector3(1, 2, 3));
+  }
+}
+
+TEST(RecordingColumns, ANoteNamesTheColumnsThatGiveTheUnit) {
+  const std::string text =
+      "t,joint1,joint2,joint3,joint1_vel (deg/s),joint2_vel (deg/s),joint3_vel (deg/s)\n"
+      "0,90,0,0,1,2,3\n";
+  const Recording read = parsed(text);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_EQ(
+      read.notes[0].columns,
+      (std::vector<std::string>{"joint1_vel (deg/s)", "joint2_vel (deg/s)", "joint3_vel (deg/s)"}));
+  EXPECT_NEAR(read.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
+  const Recording beside = parsed(
+      "time,position_joint1,position_joint2,position_joint3,velocity_joint1_deg,"
+      "velocity_joint2_deg,velocity_joint3_deg\n0,90,0,0,1,2,3\n");
+  ASSERT_EQ(beside.notes.size(), 1u);
+  EXPECT_EQ(beside.notes[0].columns.front(), "velocity_joint1_deg");
+  EXPECT_NEAR(beside.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
+}
+
+TEST(RecordingColumns, OtherQuantitiesAreNoPositions) {
+  testing::Random random;
+  const char* const quantities[] = {"velocity", "Vel",    "speed",   "acceleration", "accel",
+                                    "ACC",      "effort", "torques", "error",        "temperature"};
+  const char* const gaps[] = {"_", "/", ".", " "};
+  for (const char* quantity : quantities) {
+    const std::string gap = gaps[random.integer(0, 3)];
+    for (const std::string& front :
+         {quantity + gap, "left_" + (quantity + gap), quantity + gap + "measured" + gap}) {
+      const std::string header = "t," + front + "joint1," + front + "joint2," + front + "joint3";
+      EXPECT_REFUSED(parsed(header + "\n0,1,2,3\n"), "it lacks joint1, joint2, joint3");
+      const Recording mapped = parsed(
+          header + "\n0,1,2,3\n",
+          {.match = {.joint_map = {{front + "joint1"}, {front + "joint2"}, {front + "joint3"}}}});
+      EXPECT_EQ(mapped.trajectory.positions[0], Vector3(1, 2, 3)) << front;
+    }
+  }
+  // Parts of other words, and names that say that they are of positions.
+  for (const char* front : {"veloce_", "accurate_", "velocity_controller/position/"}) {
+    const std::string f = front;
+    EXPECT_EQ(parsed("t," + f + "joint1," + f + "joint2," + f + "joint3\n0,1,2,3\n")
+                  .trajectory.positions[0],
+              Vector3(1, 2, 3))
+        << front;
+  }
+}
+
 TEST(RecordingColumns, AFileInRadiansAndDegreesNeedsAMap) {
   const std::string text = "t,joint1_deg,joint1_rad,joint2,joint3\n0,180,3,1,2\n";
   EXPECT_REFUSED(parsed(text), "the arm has no joint1_deg, joint1_rad");

@@ -244,6 +244,7 @@ TEST(Recording, NotesOnUnitsAreData) {
 TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
   for (const std::string names :
        {"sec,nanosec", "secs,nsecs", "header.stamp.sec,header.stamp.nanosec",
+        "stamp_sec,stamp_nanosec", "time_sec,time_nsec", "header_stamp_secs,header_stamp_nsecs",
         "field.header.stamp.secs,field.header.stamp.nsecs"}) {
     const auto times = [&](const std::string& sec) {
       return parse(names + ",joint1,joint2,joint3\n" + sec + ",999999999,0,0,0\n" + sec +
@@ -259,6 +260,19 @@ TEST(Recording, SecondsAndNanosecondsMayBeTwoColumns) {
                                             " have times since 1970 in s and ns, which count from "
                                             "the first sample");
     EXPECT_TRUE(parse(names + ",joint1,joint2,joint3\n1,5,0,0,0\n").notes.empty());
+  }
+}
+
+TEST(Recording, SecondsBesideNanosecondsAreWhole) {
+  for (const std::string names : {"sec,nanosec", "time_sec,time_nsec"}) {
+    const auto read = [&](const std::string& time) {
+      return parse(names + ",joint1,joint2,joint3\n" + time + ",0,0,0\n").trajectory.times.front();
+    };
+    EXPECT_EQ(read("-2,-999999999"), -2.999999999);
+    const std::string seconds = names.substr(0, names.find(','));
+    EXPECT_REFUSED(read("0.5,500000000"),
+                   "a.csv:2: column " + seconds + ": 0.5 must be whole seconds, as column");
+    EXPECT_REFUSED(read("1,1000000000"), "1000000000 must be below 1e9, nanoseconds of a");
   }
 }
 

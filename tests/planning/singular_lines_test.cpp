@@ -1,4 +1,6 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -59,6 +61,31 @@ TEST(SingularLines, FromASingularStartAreRefusedWithItsJoint) {
   }
   EXPECT_GT(singular, 5);
   EXPECT_GE(named, singular - 2);
+}
+
+/// The elbow bends continuously from stretched, as the square root of the path length, also where
+/// the tool turns quickly on a short line: no tolerance makes this a jump of the joints.
+TEST(SingularLines, FromAStretchedElbowTheJointsDoNotJump) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  int moved = 0, refused = 0;
+  for (int i = 0; i < testing::cases(40); ++i) {
+    const double wrist = random.uniform(0.3, 2.5) * (i % 2 == 0 ? 1 : -1);
+    const Configuration start{{random.uniform(-3, 3), 0, wrist}};
+    const double angle = start[0] + wrist - std::copysign(random.uniform(0.2, 0.8), wrist);
+    Pose to = forward_kinematics(arm, start);
+    to.translation() += Vector3(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0);
+    to.linear() = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+    constexpr double length = 2;  // of the last link
+    if ((to * Vector3(-length, 0, 0)).norm() > 6.95) continue;
+    const double tolerance = std::pow(10, random.uniform(-8, -6));
+    const PathMotion motion = move_in_lines(arm, start, {to}, {.tolerance = tolerance});
+    moved += motion ? 1 : 0;
+    refused += motion ? 0 : 1;
+    EXPECT_NE(motion.status, MotionStatus::singular) << motion.reason << " at " << tolerance;
+  }
+  EXPECT_GT(moved, 10);
+  EXPECT_LE(10 * refused, moved);
 }
 
 }  // namespace

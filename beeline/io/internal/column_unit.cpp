@@ -89,6 +89,25 @@ NameInUnit split_at_unit(const std::string& name) {
   return {name};
 }
 
+bool is_end_of_word(char c) { return is_gap(c) || c == '[' || c == ']' || c == '(' || c == ')'; }
+
+/// The unit that one of the words of the name is, as in `deg_joint1`; only an angle, as `m` and
+/// `mm` may abbreviate other words.
+std::optional<JointUnit> angle_among_words(const std::string& name) {
+  const std::string lower = internal::lower_case(name);
+  for (std::size_t begin = 0; begin < lower.size();) {
+    std::size_t end = begin;
+    while (end < lower.size() && !is_end_of_word(lower[end])) ++end;
+    const std::string_view word = std::string_view(lower).substr(begin, end - begin);
+    for (const JointUnitNames& unit : joint_units()) {
+      const auto found = std::find(unit.names.begin(), unit.names.end(), word);
+      if (internal::is_angle(unit.unit) && found != unit.names.end()) return unit.unit;
+    }
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
 bool says_rate(const std::string& stem) {
   const std::string lower = internal::lower_case(stem);
   return lower.find("vel") != std::string::npos || lower.find("speed") != std::string::npos ||
@@ -109,7 +128,7 @@ NameInUnit name_in_unit(const std::string& name) {
     if (found.unit) found.stem += name.substr(size);
     break;
   }
-  return found.unit ? found : NameInUnit{name};
+  return found.unit ? found : NameInUnit{name, angle_among_words(name)};
 }
 
 /// Whether the name is a joint's, or ends in one behind another text, as `left_joint1`.
@@ -145,7 +164,7 @@ bool is_angle(JointUnit unit) { return unit == JointUnit::radians || unit == Joi
 
 RecordedColumns columns_in_units(const std::vector<std::string>& names,
                                  const std::vector<std::string>& joints) {
-  RecordedColumns columns{.names = names, .given = names};
+  RecordedColumns columns{.names = names, .given = names, .sources = names};
   columns.units.resize(names.size());
   // Only few names of joints end in a unit.
   std::vector<std::string> guarded;

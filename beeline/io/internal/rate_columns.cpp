@@ -5,8 +5,14 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+<<<<<<< HEAD:beeline/io/internal/rate_columns.cpp
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/text/internal/name.h>
+=======
+#include <beeline/read/internal/name.h>
+#include <beeline/record/internal/rate_columns.h>
+#include <beeline/trajectory/internal/derived_quantity.h>
+>>>>>>> 8500588a0e005385214db9dbddd213fd943fbd9b:beeline/record/internal/rate_columns.cpp
 
 namespace beeline::internal {
 namespace {
@@ -16,39 +22,10 @@ bool ends_with_ignoring_case(std::string_view text, std::string_view suffix) {
          same_ignoring_case(text.substr(text.size() - suffix.size()), suffix);
 }
 
-enum class Derived { velocity, acceleration, effort };
-
-struct DerivedWord {
-  std::string_view word;
-  Derived quantity;
-};
-
-constexpr DerivedWord derived_words[] = {{"velocity", Derived::velocity},
-                                         {"velocities", Derived::velocity},
-                                         {"vel", Derived::velocity},
-                                         {"speed", Derived::velocity},
-                                         {"acceleration", Derived::acceleration},
-                                         {"accelerations", Derived::acceleration},
-                                         {"acc", Derived::acceleration},
-                                         {"accel", Derived::acceleration},
-                                         {"effort", Derived::effort},
-                                         {"efforts", Derived::effort},
-                                         {"eff", Derived::effort},
-                                         {"torque", Derived::effort},
-                                         {"torques", Derived::effort}};
-
-std::optional<Derived> quantity_of(std::string_view word) {
-  const std::string lower = lower_case(word);
-  const auto found = std::find_if(std::begin(derived_words), std::end(derived_words),
-                                  [&lower](const auto& known) { return known.word == lower; });
-  if (found == std::end(derived_words)) return std::nullopt;
-  return found->quantity;
-}
-
 /// A column that has a quantity of another one.
 struct DerivedColumn {
   std::string of;  ///< the name of the other
-  Derived quantity = Derived::velocity;
+  DerivedQuantity quantity = DerivedQuantity::velocity;
 };
 
 /// The word is the last part of the name or the first.
@@ -60,8 +37,9 @@ std::optional<DerivedColumn> derived_column(const std::string& name, const Colum
       {name.substr(0, last), name.substr(last + 1)},
       {name.substr(first + 1), name.substr(0, first)}};
   for (const auto& [of, word] : splits) {
-    const std::optional<Derived> quantity = quantity_of(word);
-    if (quantity && columns.contains(of)) return DerivedColumn{of, *quantity};
+    const std::optional<DerivedQuantity> quantity = derived_quantity(word);
+    if (quantity && *quantity != DerivedQuantity::other && columns.contains(of))
+      return DerivedColumn{of, *quantity};
   }
   return std::nullopt;
 }
@@ -96,8 +74,8 @@ void rename_rates(std::vector<std::string>& header, ColumnIndex& columns,
     if (auto found = derived_column(name, columns)) derived.emplace_back(name, std::move(*found));
   }
   const std::size_t others = columns.size() - derived.size();
-  for (const auto& [quantity, suffix] : {std::pair(Derived::velocity, velocity_suffix),
-                                         {Derived::acceleration, acceleration_suffix}}) {
+  for (const auto& [quantity, suffix] : {std::pair(DerivedQuantity::velocity, velocity_suffix),
+                                         {DerivedQuantity::acceleration, acceleration_suffix}}) {
     std::unordered_set<std::string> joints_with;
     std::size_t count = 0;
     for (const auto& [name, column] : derived) {
@@ -115,7 +93,7 @@ void rename_rates(std::vector<std::string>& header, ColumnIndex& columns,
     }
   }
   for (const auto& [name, column] : derived) {
-    if (column.quantity == Derived::effort) columns.erase(name);
+    if (column.quantity == DerivedQuantity::effort) columns.erase(name);
   }
 }
 

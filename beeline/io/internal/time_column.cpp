@@ -72,25 +72,46 @@ NamedTime named_time(const std::string& name) {
   return is_time(stem) && known ? NamedTime{true, known} : NamedTime{};
 }
 
+/// The message and the unit of a part of a time: `/joint_states/header/stamp` and `sec`, also where
+/// the name is `stamp_sec`.
+std::pair<std::string, std::string> message_and_unit(const std::string& name) {
+  auto [message, last] = parts_of(name);
+  const std::size_t unit = last.find_last_of('_');
+  if (unit == std::string::npos) return {message, last};
+  const std::string stem = last.substr(0, unit);
+  const std::size_t word = stem.find_last_of('_');
+  if (!is_time(word == std::string::npos ? stem : stem.substr(word + 1))) return {message, last};
+  return {message + '/' + stem, last.substr(unit + 1)};
+}
+
 /// The columns of seconds and nanoseconds of one message of ROS, such as sec and nanosec.
 std::optional<internal::TimeColumns> stamp_columns(const std::vector<std::string>& names) {
   using internal::TimeColumns;
   std::unordered_map<std::string, std::size_t> nanoseconds;  // the column of each message
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [message, last] = parts_of(names[i]);
-    if (unit_called(last) == TimeUnit::nanoseconds) nanoseconds.emplace(message, i);
+    const auto [message, unit] = message_and_unit(names[i]);
+    if (unit_called(unit) == TimeUnit::nanoseconds) nanoseconds.emplace(message, i);
   }
   std::optional<TimeColumns> alone;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [message, last] = parts_of(names[i]);
-    if (unit_called(last) != TimeUnit::seconds || last == "s") continue;
-    const auto found = nanoseconds.find(std::string(message));
+    const auto [message, unit] = message_and_unit(names[i]);
+    if (unit_called(unit) != TimeUnit::seconds || unit == "s") continue;
+    const auto found = nanoseconds.find(message);
     if (found != nanoseconds.end()) {
       return TimeColumns{.index = i, .nanoseconds = found->second, .unit = TimeUnit::seconds};
     }
     if (!alone) alone = TimeColumns{.index = i, .unit = TimeUnit::seconds};
   }
   return alone;
+}
+
+bool contains(const std::vector<std::size_t>& columns, std::size_t column) {
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
+/// Whether the column is one of the two of a time in seconds and nanoseconds.
+bool is_part(const internal::TimeColumns& stamp, std::size_t column) {
+  return stamp.nanoseconds && (column == stamp.index || column == *stamp.nanoseconds);
 }
 
 }  // namespace
@@ -134,8 +155,15 @@ std::optional<TimeColumns> time_columns(const std::vector<std::string>& names) {
     return TimeColumns{.index = static_cast<std::size_t>(upper - names.begin())};
   }
   if (!found || !stamp) return found ? found : stamp;
-  found->others.push_back(stamp->index);
-  if (stamp->nanoseconds) found->others.push_back(*stamp->nanoseconds);
+  if (is_part(*stamp, found->index)) {
+    for (const std::size_t i : found->others) {
+      if (!is_part(*stamp, i)) stamp->others.push_back(i);
+    }
+    return stamp;
+  }
+  for (const std::optional<std::size_t> i : {std::optional(stamp->index), stamp->nanoseconds}) {
+    if (i && !contains(found->others, *i) && *i != found->index) found->others.push_back(*i);
+  }
   return found;
 }
 

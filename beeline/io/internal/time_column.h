@@ -22,7 +22,8 @@ struct TimeColumns {
 ///   - t, time, timestamp, time_stamp or stamp, in any case, as the last part of a name with / or .
 ///     between its parts, without % or _ in front; a unit may follow, as in time_ns, t[ms] and
 ///     Time (s). T, which may be a joint, only if there is no other.
-///   - sec or secs, alone or with nanosec, nsec or nsecs of the same message
+///   - sec or secs, alone or with nanosec, nsec or nsecs of the same message; also with the name of
+///     a time in front, as in stamp_sec and stamp_nanosec
 std::optional<TimeColumns> time_columns(const std::vector<std::string>& names);
 
 /// Whether a comment with these items may be a header: it has a column of times.

@@ -88,6 +88,7 @@ class RowTimes {
     if (!columns_) return static_cast<double>(sample);
     const double value = counts_ ? rows_.from_first() : row[columns_->index];
     if (columns_->nanoseconds) {
+      check_parts(row[columns_->index], row[*columns_->nanoseconds]);
       return (value * 1e9 + (row[*columns_->nanoseconds] - first_nanoseconds_)) / 1e9;
     }
     if (unit_ == TimeUnit::seconds) return value;
@@ -95,6 +96,23 @@ class RowTimes {
   }
 
  private:
+  /// Throws Error unless they are whole seconds and the rest of them: two columns may also have the
+  /// same time in two units.
+  void check_parts(double seconds, double nanoseconds) const {
+    const auto refuse = [this](std::size_t column, double value, const std::string& choices) {
+      throw Error("column " + printable(rows_.columns()[column]) + ": " + exact(value) +
+                  " must be " + choices);
+    };
+    if (seconds != std::floor(seconds)) {
+      refuse(columns_->index, seconds,
+             "whole seconds, as column " + printable(rows_.columns()[*columns_->nanoseconds]) +
+                 " has the nanoseconds");
+    }
+    if (std::abs(nanoseconds) >= 1e9) {
+      refuse(*columns_->nanoseconds, nanoseconds, "below 1e9, nanoseconds of a second");
+    }
+  }
+
   std::optional<TimeColumns> columns_;
   CsvRows& rows_;
   std::optional<TimeUnit> given_;
@@ -191,13 +209,17 @@ Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
 
 /// Gives each joint one unit: the one of its positions, else of its rates, which are converted to
 /// it.
-void use_one_unit(Layout& layout, std::vector<std::optional<JointUnit>>& units) {
+void use_one_unit(Layout& layout, RecordedColumns& all) {
+  std::vector<std::optional<JointUnit>>& units = all.units;
   for (std::size_t k = 0; k < layout.positions.size(); ++k) {
     std::optional<JointUnit>& unit = units[layout.positions[k]];
     for (const Indices* rates : {&layout.velocities, &layout.accelerations}) {
       if (rates->empty()) continue;
       const std::optional<JointUnit> own = units[(*rates)[k]];
-      if (!unit) unit = own;
+      if (own && !unit) {
+        unit = own;
+        all.sources[layout.positions[k]] = all.sources[(*rates)[k]];
+      }
       if (!own || own == unit) continue;
       layout.factors.resize(units.size(), 1);
       layout.factors[(*rates)[k]] = si_per(*own) / si_per(*unit);
@@ -208,7 +230,7 @@ void use_one_unit(Layout& layout, std::vector<std::optional<JointUnit>>& units) 
 /// Reads the header of a trajectory, whose joints' columns are `joints` then.
 Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& joints) {
   const bool has_arm = !options.joint_names.empty();
-  RecordedColumns all{rows.columns(), rows.columns()};
+  RecordedColumns all{.names = rows.columns(), .given = rows.columns(), .sources = rows.columns()};
   all.units.resize(all.names.size());
   if (has_arm) all = columns_in_units(rows.columns(), options.joint_names);
   std::vector<std::string> header = with_known_suffixes(all.names);
@@ -229,10 +251,11 @@ Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& jo
   for (const std::size_t i : layout.positions) joints.names.push_back(header[i]);
   layout.velocities = rate_columns(joints.names, columns, velocity_suffix);
   layout.accelerations = rate_columns(joints.names, columns, acceleration_suffix);
-  use_one_unit(layout, all.units);
+  use_one_unit(layout, all);
   for (const std::size_t i : layout.positions) {
     joints.given.push_back(all.given[i]);
     joints.units.push_back(all.units[i]);
+    joints.sources.push_back(all.sources[i]);
   }
   return layout;
 }

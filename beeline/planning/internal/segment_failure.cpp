@@ -125,6 +125,32 @@ Reason singular_start(const Arm& arm, const Task& task, const Configuration& q) 
   return reason;
 }
 
+/// The largest distance of a coordinate from q to the nearest configuration for the pose at the
+/// fraction s; infinite where none is found.
+double nearest_distance(const Arm& arm, const Segment& segment, const Task& task,
+                        const Configuration& q, double s, const Budget& budget) {
+  const InverseResult answer = inverse_kinematics(
+      arm, pose_at(segment, s),
+      {.seed = q, .task = task, .redundancy = Redundancy::nearest, .budget = budget});
+  if (answer.status != InverseStatus::solved) return Limits::none;
+  return (answer.solutions.front() - q).lpNorm<Eigen::Infinity>();
+}
+
+/// Whether a configuration continues q without a jump. Its distance from q then vanishes with the
+/// distance along the segment, as the square root of it where two branches meet, such as those of
+/// the stretched elbow. Behind a jump the distance hardly changes.
+bool continues(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
+               double s, const Budget& budget) {
+  constexpr double shortest = 1e-7, longer = 1e-5;  // the square roots have the ratio 0.1
+  constexpr double vanishing = 0.3;
+  const double unit = longest_probed(arm, segment);
+  const auto distance = [&](double ahead) {
+    return nearest_distance(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
+  };
+  const double far = distance(longer);
+  return far <= same_branch && distance(shortest) <= vanishing * far;
+}
+
 /// The status and reason by inverse kinematics for the poses ahead, with or without solutions.
 SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task& task,
                              const Configuration& q, double s, const Budget& budget) {
@@ -133,7 +159,9 @@ SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task&
   const Probe ahead = solve_ahead(arm, segment, task, q, s, singular, budget);
   switch (ahead.answer.status) {
     case InverseStatus::solved:
-      if (!singular) return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
+      if (!singular || continues(arm, segment, task, q, s, budget)) {
+        return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
+      }
       return {MotionStatus::singular, is_beginning(arm, segment, s)
                                           ? singular_start(arm, task, q)
                                           : Reason{ReasonCode::singular_on_path}};

@@ -24,10 +24,13 @@ constexpr double start_tolerance = 1e-8;
 // The longest ensures samples inside the segment, except where it is shorter than longest_span of
 // the arm's size: there rounding would count. If the shortest fails, the arm would have to
 // jump: the bound is proportional to the square of the step, so a continuous motion allows 1e-5 and
-// more. In a segment longer than the arm's size it is that fraction of the size.
+// more. In a segment longer than the arm's size it is that fraction of the size. At its beginning
+// the arm may be stretched: the joints move as the square root of the step there, the bound is
+// proportional to the step, and only shorter ones keep the smallest tolerances.
 constexpr double first_step = 1.0 / 32, first_span = 0.01;
 constexpr double longest_step = 1.0 / 4, longest_span = 0.001;
-constexpr double shortest_step = 1e-7;
+constexpr double shortest_step = 1e-7, shortest_step_of_beginning = 1e-9;
+constexpr double beginning = 1e-5;  // of the segment
 
 // A first step as short as this does not follow the guide where it cannot.
 constexpr double last_guided_step = 1e-4;
@@ -140,10 +143,13 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
   const double size = unit_of_length(arm) / weighted_length(segment);
-  const double shortest = shortest_step * std::min(1.0, size);
+  const auto shortest = [&](double s) {
+    const bool begins = s - options.begin < beginning;
+    return (begins ? shortest_step_of_beginning : shortest_step) * std::min(1.0, size);
+  };
   const double longest = std::clamp(longest_span * size, longest_step, 1.0);
   double length = std::clamp(first_span * size, first_step, longest);
-  while (!tracked.complete() && length >= shortest &&
+  while (!tracked.complete() && length >= shortest(tracked.fractions.back()) &&
          tracked.samples.size() < options.max_samples && !ended(options.budget)) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
     // Equal steps to the end, so that no step is as short as rounding.

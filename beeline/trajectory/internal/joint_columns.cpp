@@ -5,6 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/model/catalog.h>
+#include <beeline/trajectory/internal/derived_quantity.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 
 namespace beeline::internal {
@@ -113,10 +114,11 @@ std::vector<Affixes> affixes_in(const Names& names, const Index& index,
                                 const std::vector<Names>& namings) {
   std::vector<Affixes> found;
   for (const Names& naming : namings) find_affixes(names, index, naming, found);
-  // If the names do not say that they are of positions, another column is a joint too many.
+  // If the names do not say that they are of positions, another column is a joint too many, and
+  // they may be of other quantities.
   std::erase_if(found, [&](const Affixes& affixes) {
-    return affixes.ending == 0 && names.size() != affixes.columns.size() &&
-           !says_position(affixes.front);
+    return affixes.ending == 0 && !says_position(affixes.front) &&
+           (names.size() != affixes.columns.size() || says_derived_quantity(affixes.front));
   });
   return found;
 }
