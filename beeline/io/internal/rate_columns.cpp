@@ -5,14 +5,9 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-<<<<<<< HEAD:beeline/io/internal/rate_columns.cpp
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/text/internal/name.h>
-=======
-#include <beeline/read/internal/name.h>
-#include <beeline/record/internal/rate_columns.h>
 #include <beeline/trajectory/internal/derived_quantity.h>
->>>>>>> 8500588a0e005385214db9dbddd213fd943fbd9b:beeline/record/internal/rate_columns.cpp
 
 namespace beeline::internal {
 namespace {
