@@ -143,7 +143,6 @@ Arm reversed(const Arm& arm) {
   for (JointLine& line : lines) {
     line.direction = -(back.linear() * line.direction);
     line.point = back * line.point;
-    line.pitch = line.pitch;
   }
   std::reverse(lines.begin(), lines.end());
   std::vector<Joint> joints = arm_along(lines, back, arm).joints();
