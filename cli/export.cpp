@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
+#include <beeline/io/internal/time_column.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/internal/time_column.h>
 #include <beeline/io/trajectory_file.h>
+#include <beeline/kinematics/forward.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -175,7 +175,7 @@ Answer export_file(const ExportArguments& arguments) {
 std::vector<Option> program_options(ExportArguments& arguments) {
   return {joint_values_option(
               "--from", "Joint values at the start of a program. Default: its first waypoint.",
-              &arguments.from, {"the motion cannot start"}),
+              &arguments.from, {"start"}),
           arguments.work.option(),
           arguments.path.options()[1],
           {.name = "--tool-speed",
@@ -207,8 +207,7 @@ std::vector<Option> export_options(ExportArguments& arguments) {
                    "the trajectory's own samples; for urscript 125, which CB3 and e-Series keep "
                    "(e-Series up to 500). csv requires it.",
            .target = &arguments.rate,
-           .range = sample_rates,
-           .phrases = {"the rate", "need a rate"}}};
+           .range = sample_rates}};
 }
 
 }  // namespace

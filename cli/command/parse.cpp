@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 
 #include "former_names.h"
 
 using beeline::Error;
-using beeline::unknown_name;
 
 namespace {
 
@@ -39,8 +39,7 @@ Error unexpected(const Verb& verb, const std::string& word) {
   if (std::find(known.begin(), known.end(), renamed) != known.end()) {
     return Error("the option " + name + " is now called " + renamed);
   }
-  const std::string message = unknown_name("option", name, known).what();
-  return Error(message.substr(0, message.find(" (known")));  // the verb's help lists them
+  return Error(beeline::internal::unknown_text("option", name, known));  // the help lists them
 }
 
 /// An option as CLI11 parses it.

@@ -5,14 +5,14 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/text/internal/csv_items.h>
-#include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/internal/recordable.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/internal/trajectory_csv.h>
+#include <beeline/io/text/internal/csv_items.h>
+#include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {
@@ -121,10 +121,11 @@ void check_names(const std::vector<std::string>& joints) {
   for (const std::string& joint : joints) {
     const std::string other = joint_of_rate(joint);
     if (joint != "t" && !names.contains(other)) continue;
-    throw Error("joint " + in_quotes(joint) +
-                " cannot be written to a .csv file, where this is the " +
-                (joint == "t" ? "time" : "name of a column of joint " + in_quotes(other)) +
-                "; write .json instead");
+    throw Error::of("path",
+                    "joint " + in_quotes(joint) +
+                        " cannot be written to a .csv file, where this is the " +
+                        (joint == "t" ? "time" : "name of a column of joint " + in_quotes(other)) +
+                        "; write .json instead");
   }
 }
 

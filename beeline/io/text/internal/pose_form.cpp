@@ -6,11 +6,11 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/pose/se2.h>
-#include <beeline/pose/se3.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/pose_form.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/pose/se2.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {
@@ -148,7 +148,7 @@ const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
   std::string wanted;
   for (const std::string& column : names) wanted += (wanted.empty() ? "" : ",") + column;
   if (format.pose_form == PoseForm::matrix) wanted = "m11,m12,...,m44 or m11,m12,...,m34";
-  throw Error(given + "pose_form " + name(*format.pose_form) + " has " + wanted);
+  throw Error(given, "pose_form", " " + name(*format.pose_form) + " has " + wanted);
 }
 
 const PoseColumns& pose_columns_of(const Names& header) {
