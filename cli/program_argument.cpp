@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <beeline/io/program.h>
 #include <beeline/error.h>
+#include <beeline/io/program.h>
 #include <beeline/kinematics/forward.h>
 
 using namespace beeline;
@@ -63,18 +63,6 @@ Program program_from(const std::string& text, const std::string& file, const Arm
     return context.arm_argument.configuration(arm, q, "q", context.unit);
   };
   return program_of(arm, rows, configuration, start);
-}
-
-void throw_at_row(const Program& program, const std::string& file, const Error& error) {
-  const std::string message = error.what();
-  for (std::size_t i = 0; i < program.moves.size(); ++i) {
-    const std::string prefix = move_name(program, i) + ": ";
-    if (!message.starts_with(prefix)) continue;
-    const std::string& place = program.moves[i].place;
-    const int line = std::stoi(place.substr(place.rfind(':') + 1));
-    throw FileError(file, line, message.substr(prefix.size()));
-  }
-  throw error;
 }
 
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {

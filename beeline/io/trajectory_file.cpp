@@ -1,9 +1,6 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/internal/controller_form.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
@@ -11,6 +8,9 @@
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {
@@ -126,8 +126,9 @@ void check_controller_form(const Arm& arm, const Program& program, ControllerFor
     const MoveKind kind = program.moves[i].kind;
     const bool spline = kind == MoveKind::spline && form != ControllerForm::krl;
     if (kind != MoveKind::screw && !spline) continue;
-    throw Error(move_name(program, i) + ": " + name(form) + " has no " + name(kind) + " moves" +
-                (spline ? "; krl has" : "") + "; export the planned trajectory instead");
+    throw MoveError(program, i,
+                    name(form) + " has no " + name(kind) + " moves" + (spline ? "; krl has" : "") +
+                        "; export the planned trajectory instead");
   }
 }
 
