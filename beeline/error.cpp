@@ -68,6 +68,12 @@ std::string located(std::string_view path, int line, std::string_view message) {
   return text.append(": ").append(message);
 }
 
+/// The position of a name in a message; npos if the message, which was long, was cut before it.
+std::size_t position_of(std::string_view name, std::size_t position, std::string_view message) {
+  const bool whole = position <= message.size() && message.substr(position).starts_with(name);
+  return whole ? position : std::string::npos;
+}
+
 /// The first `bytes` bytes, fewer where they would end within a UTF-8 character.
 std::string_view front(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
@@ -79,8 +85,39 @@ std::string_view front(std::string_view text, std::size_t bytes) {
 
 Error::Error(const std::string& message) : std::runtime_error(internal::one_line(message)) {}
 
+Error::Error(std::string_view before, std::string_view argument, std::string_view after)
+    : Error(std::string(before).append(argument).append(after)) {
+  argument_ = argument;
+  position_ = position_of(argument_, internal::one_line(before).size(), what());
+}
+
+Error Error::of(std::string_view argument, const std::string& message) {
+  Error error(message);
+  error.argument_ = argument;
+  return error;
+}
+
+Error Error::behind(std::string_view text) const {
+  Error error(std::string(text) + what());
+  error.argument_ = argument_;
+  if (names_argument()) {
+    error.position_ =
+        position_of(argument_, internal::one_line(text).size() + position_, error.what());
+  }
+  return error;
+}
+
+std::string Error::message_for(std::string_view name) const {
+  std::string message = what();
+  if (!names_argument()) return std::string(name) + ": " + message;
+  return message.replace(position_, argument_.size(), name);
+}
+
 FileError::FileError(std::string_view path, int line, std::string_view message)
-    : Error(located(path, line, message)) {}
+    : Error(located(path, line, message)),
+      path_(path),
+      fault_(internal::one_line(message)),
+      line_(line) {}
 
 const std::string* internal::nearest_name(std::string_view name,
                                           const std::vector<std::string>& choices) {
@@ -100,12 +137,18 @@ const std::string* internal::nearest_name(std::string_view name,
   return nearest;
 }
 
-Error unknown_name(std::string_view what, std::string_view name,
-                   const std::vector<std::string>& choices) {
+std::string internal::unknown_text(std::string_view what, std::string_view name,
+                                   const std::vector<std::string>& choices) {
   std::string text =
       "unknown " + std::string(what) + " \"" + std::string(front(name, longest_compared)) + "\"";
-  const std::string* const nearest = internal::nearest_name(name, choices);
+  const std::string* const nearest = nearest_name(name, choices);
   if (nearest != nullptr) text += "; did you mean \"" + *nearest + "\"?";
+  return text;
+}
+
+Error unknown_name(std::string_view what, std::string_view name,
+                   const std::vector<std::string>& choices) {
+  std::string text = internal::unknown_text(what, name, choices);
   if (!choices.empty()) text += " (known: " + listed(choices) + ")";
   return Error(text);
 }

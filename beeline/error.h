@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,26 @@ namespace beeline {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message);
+  /// The error of one argument, or member of options, which the message names: the message is
+  /// `before`, the argument's name, and `after`.
+  Error(std::string_view before, std::string_view argument, std::string_view after);
+
+  /// Returns the error of one argument that the message does not name.
+  static Error of(std::string_view argument, const std::string& message);
+  /// Returns the error with a text in front of its message.
+  Error behind(std::string_view text) const;
+
+  /// Returns the name in C++ of the argument at fault, such as `max_samples`; empty: unknown.
+  const std::string& argument() const { return argument_; }
+  /// Whether the message names the argument.
+  bool names_argument() const { return position_ != std::string::npos; }
+  /// Returns the message for users who know the argument by another name, such as --max-samples.
+  /// That replaces the argument's name or, if the message does not name it, stands in front.
+  std::string message_for(std::string_view name) const;
+
+ private:
+  std::string argument_;
+  std::size_t position_ = std::string::npos;  ///< of the argument's name in the message
 };
 
 /// Invalid input in a file. The message begins with `path:line: `, or with `path: ` where the line
@@ -22,6 +43,14 @@ class Error : public std::runtime_error {
 class FileError : public Error {
  public:
   FileError(std::string_view path, int line, std::string_view message);
+
+  const std::string& path() const { return path_; }
+  int line() const { return line_; }                   ///< from 1; 0: unknown
+  const std::string& fault() const { return fault_; }  ///< the message without path and line
+
+ private:
+  std::string path_, fault_;
+  int line_ = 0;
 };
 
 /// Returns the error for a name that is not among `choices`. Its message suggests the choice with

@@ -136,7 +136,7 @@ std::vector<Option> LimitsArgument::options() {
                            "jerk x k^3.",
                    .target = &speed,
                    .range = {1e-6, 1},
-                   .phrases = {"the speed scale"}}}});
+                   .arguments = {"speed_scale"}}}});
 }
 
 Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
@@ -213,12 +213,12 @@ Task JacobianArgument::read(const Arm& arm) const {
 }
 
 Option joint_values_option(std::string name, std::string help, std::string* target,
-                           std::vector<std::string> phrases) {
+                           std::vector<std::string> arguments) {
   return {.name = std::move(name),
           .value = "Q",
           .help = std::move(help),
           .target = target,
-          .phrases = std::move(phrases)};
+          .arguments = std::move(arguments)};
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {

@@ -79,9 +79,9 @@ struct JacobianArgument {
   beeline::Task read(const beeline::Arm& arm) const;
 };
 
-/// --q, or another option that takes joint values, with the Option::phrases.
+/// --q, or another option that takes joint values, with the Option::arguments.
 Option joint_values_option(std::string name, std::string help, std::string* target,
-                           std::vector<std::string> phrases = {});
+                           std::vector<std::string> arguments = {});
 
 /// Angles beyond, in radians, may be meant in degrees: 2 pi, as typed with four digits.
 constexpr double largest_angle = 6.2842;

@@ -54,9 +54,11 @@ std::string aligned(const std::vector<ReportLine>& lines) {
 
 std::string place_of(const Arm& arm, const ModelDifference& difference) {
   if (difference.joint < 0) return name(difference.kind);
-  const std::string number = fmt::format("joint {}", difference.joint + 1);
+  const int number = difference.joint + 1;
   const std::string& joint = arm.joints()[static_cast<std::size_t>(difference.joint)].name;
-  return "joint" + number.substr(6) == joint ? number : fmt::format("{} {}", number, joint);
+  const bool named_by_number = joint == fmt::format("joint{}", number);
+  return named_by_number ? fmt::format("joint {}", number)
+                         : fmt::format("joint {} {}", number, joint);
 }
 
 std::vector<ReportLine> report_lines(const Arm& arm,
@@ -66,7 +68,8 @@ std::vector<ReportLine> report_lines(const Arm& arm,
   for (const ModelDifference& difference : differences) {
     std::string remedy = difference.remedy;
     if (difference.pose) {
-      remedy = remedy.substr(0, remedy.find(' ') + 1) + typed(*difference.pose, arm.planar(), unit);
+      const bool tool = difference.kind == DifferenceKind::tool;
+      remedy = (tool ? "--tcp " : "--mount ") + typed(*difference.pose, arm.planar(), unit);
     }
     std::string place = place_of(arm, difference);
     std::replace(place.begin(), place.end(), '_', difference.joint < 0 ? ' ' : '_');

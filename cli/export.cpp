@@ -176,7 +176,7 @@ Answer export_file(const ExportArguments& arguments) {
 std::vector<Option> program_options(ExportArguments& arguments) {
   return {joint_values_option(
               "--from", "Joint values at the start of a program. Default: its first waypoint.",
-              &arguments.from, {"the motion cannot start"}),
+              &arguments.from, {"start"}),
           arguments.work.option(),
           arguments.path.options()[1],
           {.name = "--tool-speed",
@@ -208,8 +208,7 @@ std::vector<Option> export_options(ExportArguments& arguments) {
                    "the trajectory's own samples; for urscript 125, which CB3 and e-Series keep "
                    "(e-Series up to 500). csv requires it.",
            .target = &arguments.rate,
-           .range = sample_rates,
-           .phrases = {"the rate", "need a rate"}}};
+           .range = sample_rates}};
 }
 
 }  // namespace

@@ -219,7 +219,7 @@ std::vector<Option> line_options(LineArguments& arguments) {
           joint_values_option("--from",
                               "Joint values at the start. Default: the joint values at the first "
                               "pose that are best for the whole path.",
-                              &arguments.from, {"the motion cannot start"}),
+                              &arguments.from, {"start"}),
           {.name = "--method",
            .value = "METHOD",
            .help = "exact: a planned motion with a certificate; inverse-jacobian: feedback by the "
@@ -247,8 +247,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
                  "lasts a whole number of periods. Default: as few samples as the motion needs.",
          .target = &arguments.rate,
          .range = sample_rates,
-         .methods = {exact},
-         .phrases = {"samples per second"}},
+         .methods = {exact}},
         {.name = "--duration",
          .value = "SECONDS",
          .help =
@@ -257,8 +256,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .target = &motion.duration,
          .range = above_zero,
          .methods = {exact},
-         .excludes = "--rate",
-         .phrases = {"duration must be"}},
+         .excludes = "--rate"},
         {.name = "--tolerance",
          .value = "METRES",
          .help = "Largest distance of the tool origin from the path between samples.",

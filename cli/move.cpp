@@ -154,8 +154,8 @@ Answer move_joints(const MoveArguments& arguments) {
 }
 
 std::vector<Option> move_options(MoveArguments& arguments) {
-  Option from = joint_values_option("--from", "Joint values at the start.", &arguments.from,
-                                    {"the motion cannot start"});
+  Option from =
+      joint_values_option("--from", "Joint values at the start.", &arguments.from, {"start"});
   Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
   from.required = to.required = true;
   return {from,
@@ -226,15 +226,13 @@ std::vector<Option> quickest_options(MoveArguments& arguments) {
                "than the limits allow is refused with the shortest. Default: the shortest.",
        .target = &arguments.duration,
        .range = above_zero,
-       .methods = {quickest},
-       .phrases = {"duration must be"}},
+       .methods = {quickest}},
       {.name = "--rate",
        .value = "HZ",
        .help = "Samples per second.",
        .target = &arguments.rate,
        .range = sample_rates,
-       .methods = {quickest},
-       .phrases = {"samples per second"}}};
+       .methods = {quickest}}};
 }
 
 }  // namespace

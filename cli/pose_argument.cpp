@@ -48,9 +48,9 @@ WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const s
     warn_of_angle(option, written.max_angle, written.form, unit);
     return written;
   } catch (const Error& error) {
-    const std::string message = error.what();
-    const bool prefixed = message.starts_with("pose:");  // the number's position follows
-    throw Error(option + (prefixed ? message.substr(4) : ": " + message));
+    // An error of a number begins with the argument's name, and the number's position follows.
+    if (error.argument() == "pose") throw Error(error.message_for(option));
+    throw error.behind(option + ": ");
   }
 }
 

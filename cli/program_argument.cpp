@@ -65,18 +65,6 @@ Program program_from(const std::string& text, const std::string& file, const Arm
   return program_of(arm, rows, configuration, start);
 }
 
-void throw_at_row(const Program& program, const std::string& file, const Error& error) {
-  const std::string message = error.what();
-  for (std::size_t i = 0; i < program.moves.size(); ++i) {
-    const std::string prefix = move_name(program, i) + ": ";
-    if (!message.starts_with(prefix)) continue;
-    const std::string& place = program.moves[i].place;
-    const int line = std::stoi(place.substr(place.rfind(':') + 1));
-    throw FileError(file, line, message.substr(prefix.size()));
-  }
-  throw error;
-}
-
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {
   std::vector<Pose> poses;
   for (const Move& move : program.moves) {

@@ -24,19 +24,13 @@ beeline::Program program_from(const std::string& text, const std::string& file,
                               const beeline::Arm& arm, const ProgramContext& context,
                               const PathArgument& path, const std::optional<beeline::Pose>& start);
 
-/// Throws the Error, as a FileError if it is about a move.
-[[noreturn]] void throw_at_row(const beeline::Program& program, const std::string& file,
-                               const beeline::Error& error);
-
-/// Calls what computes with the program; an Error about a move becomes a FileError at its row.
+/// Calls what computes with the program; a MoveError becomes a FileError at its row.
 template <class Compute>
 auto at_rows(const beeline::Program& program, const std::string& file, const Compute& compute) {
   try {
     return compute();
-  } catch (const beeline::FileError&) {
-    throw;
-  } catch (const beeline::Error& error) {
-    throw_at_row(program, file, error);
+  } catch (const beeline::MoveError& error) {
+    throw beeline::FileError(file, program.moves[error.move()].line, error.fault());
   }
 }
 

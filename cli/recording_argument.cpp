@@ -56,8 +56,7 @@ std::vector<Option> RecordingArgument::reading_options() {
                    "Default: joints by name, as the arm or its maker's description for ROS has "
                    "them.",
            .target = &joint_map,
-           .completes = Completes::file,
-           .phrases = {"the joint map", "of the joint map"}},
+           .completes = Completes::file},
           {.name = "--angle-unit",
            .value = "UNIT",
            .help = "The unit of the recording's angles, unless the names of its columns or "

@@ -178,8 +178,7 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
                "from 6 s on. The speed changes gradually; a recording that starts moving starts at "
                "speed 0.",
        .target = &arguments.speed_at,
-       .excludes = "--speed",
-       .phrases = {"a replay's speed at a time", "a replay's speeds", "the replay pauses"}},
+       .excludes = "--speed"},
       {.name = "--ramp",
        .value = "SECONDS",
        .help = "Time in which the playback speed changes by 1.",
@@ -191,8 +190,7 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
        .help = "Samples per second of the output, from the first to the last. Default: the "
                "recorded samples; with --speed-at 100.",
        .target = &arguments.rate,
-       .range = sample_rates,
-       .phrases = {"samples per second"}},
+       .range = sample_rates},
       limit_tolerance_option(&replay.limit_tolerance),
       {.name = "--measured",
        .value = "FILE",

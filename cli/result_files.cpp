@@ -42,7 +42,7 @@ std::vector<Option> ResultFiles::options() {
            .help = "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.",
            .target = &out,
            .completes = Completes::file,
-           .phrases = {"cannot be written to a .csv file"}},
+           .arguments = {"path"}},
           {.name = "--draw",
            .value = "FILE",
            .help = "Draw the arm and the path of its tool: .svg, .png or .pdf.",

@@ -125,8 +125,7 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
                "shortest.",
        .target = &arguments.retime.duration,
        .range = above_zero,
-       .excludes = "--rate",
-       .phrases = {"duration must be"}},
+       .excludes = "--rate"},
       {.name = "--max-samples",
        .value = "N",
        .help = "Give up if --rate makes more samples, or the file has more and more than "
@@ -137,8 +136,7 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
        .value = "HZ",
        .help = "Samples per second. Default: every sample of the file, and more between.",
        .target = &arguments.rate,
-       .range = sample_rates,
-       .phrases = {"samples per second"}}};
+       .range = sample_rates}};
 }
 
 }  // namespace

@@ -22,10 +22,41 @@ TEST(Error, IsShortAndUtf8ForAnyBytes) {
   EXPECT_TRUE(said.ends_with("x..."));
 }
 
+TEST(Error, OfAnArgumentIsWordedForItsNameElsewhere) {
+  const Error named("the ", "joint_map", " has 2 names");
+  EXPECT_STREQ(named.what(), "the joint_map has 2 names");
+  EXPECT_EQ(named.argument(), "joint_map");
+  EXPECT_EQ(named.message_for("--joint-map"), "the --joint-map has 2 names");
+  const Error behind = named.behind("a\n.csv: ");
+  EXPECT_STREQ(behind.what(), "a .csv: the joint_map has 2 names");
+  EXPECT_EQ(behind.argument(), "joint_map");
+  EXPECT_EQ(behind.message_for("-m"), "a .csv: the -m has 2 names");
+  const Error other = Error::of("rate", "5 samples per second are too few");
+  EXPECT_STREQ(other.what(), "5 samples per second are too few");
+  EXPECT_EQ(other.argument(), "rate");
+  EXPECT_EQ(other.message_for("--rate"), "--rate: 5 samples per second are too few");
+  EXPECT_EQ(other.behind("a: ").message_for("--rate"),
+            "--rate: a: 5 samples per second are too few");
+  EXPECT_EQ(Error("bad").argument(), "");
+  EXPECT_FALSE(Error("bad").behind("a: ").names_argument());
+}
+
+TEST(Error, OfAnArgumentInALongMessageIsWorded) {
+  const Error cut(std::string(100'000, 'x'), "rate", " is bad");
+  EXPECT_LT(cut.message_for("--rate").size(), 1000u);
+}
+
 TEST(FileError, BeginsWithPathAndLineAsCompilersDo) {
   EXPECT_STREQ(FileError("a.urdf", 12, "bad").what(), "a.urdf:12: bad");
   EXPECT_STREQ(FileError("a.urdf", 0, "bad").what(), "a.urdf: bad");
   EXPECT_THROW(throw FileError("a", 1, "b"), Error);
+}
+
+TEST(FileError, HasPathLineAndFault) {
+  const FileError error("dir: 1/a.csv:7", 12, "no: 3\nnumbers");
+  EXPECT_EQ(error.path(), "dir: 1/a.csv:7");
+  EXPECT_EQ(error.line(), 12);
+  EXPECT_EQ(error.fault(), "no: 3 numbers");
 }
 
 TEST(UnknownName, OfEquallyNearOnesSuggestsTheOneThatBeginsAlike) {

@@ -195,7 +195,7 @@ std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& tr
 void internal::check_limit_tolerance(double limit_tolerance) {
   constexpr double largest = 0.1;
   if (limit_tolerance >= 0 && limit_tolerance <= largest) return;
-  throw Error("limit_tolerance must be from 0 to 0.1, not " + number(limit_tolerance));
+  throw Error("", "limit_tolerance", " must be from 0 to 0.1, not " + number(limit_tolerance));
 }
 
 }  // namespace beeline

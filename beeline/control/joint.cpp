@@ -18,14 +18,16 @@ void check_whole_periods(const JointMoveOptions& options) {
   if (!options.duration) return;
   const double periods = *options.duration * options.rate;
   if (!std::isfinite(periods)) {
-    throw Error("duration must be shorter at " + number(options.rate) +
-                " samples per second, not " + number(*options.duration) + " s");
+    throw Error::of("duration", "duration must be shorter at " + number(options.rate) +
+                                    " samples per second, not " + number(*options.duration) + " s");
   }
   if (std::abs(periods - std::round(periods)) <= rounding * std::max(1.0, periods * 1e-6)) return;
   const double below = std::floor(periods) / options.rate;
-  throw Error("duration must be a whole number of periods at " + number(options.rate) +
-              " samples per second: " + (below > 0 ? number(below) + " or " : "") +
-              number(std::ceil(periods) / options.rate) + " s, not " + number(*options.duration));
+  throw Error::of("duration",
+                  "duration must be a whole number of periods at " + number(options.rate) +
+                      " samples per second: " + (below > 0 ? number(below) + " or " : "") +
+                      number(std::ceil(periods) / options.rate) + " s, not " +
+                      number(*options.duration));
 }
 
 void set_ended(BudgetMeter& budget, ControlledMotion& motion) {

@@ -18,12 +18,14 @@ void check(const ReplayOptions& options) {
   double before = -1;  // no time yet
   for (const auto& [time, speed] : options.speed_at) {
     if (!(time >= 0 && time > before && std::isfinite(time))) {
-      throw Error("the times of a replay's speeds must be at least 0 s and increase; one is " +
-                  number(time) + " s" + (before < 0 ? "" : " after " + number(before) + " s"));
+      throw Error::of("speed_at",
+                      "the times of a replay's speeds must be at least 0 s and increase; one is " +
+                          number(time) + " s" +
+                          (before < 0 ? "" : " after " + number(before) + " s"));
     }
     if (!(speed >= 0 && speed <= 1)) {
-      throw Error("a replay's speed at a time must be from 0 to 1, not " + number(speed) + " at " +
-                  number(time) + " s");
+      throw Error::of("speed_at", "a replay's speed at a time must be from 0 to 1, not " +
+                                      number(speed) + " at " + number(time) + " s");
     }
     before = time;
   }
@@ -35,8 +37,8 @@ void check(const ReplayOptions& options) {
                 number(options.speed));
   }
   if (!options.speed_at.empty() && options.speed_at.back().speed == 0) {
-    throw Error("the replay pauses at " + number(before) +
-                " s and would not end; add a later speed above zero");
+    throw Error::of("speed_at", "the replay pauses at " + number(before) +
+                                    " s and would not end; add a later speed above zero");
   }
 }
 
@@ -47,9 +49,10 @@ void check_steps(const Trajectory& recording, double rate) {
   constexpr double round_up = 1 + 1e-5;  // number() rounds to six digits
   const double duration = recording.times.back() - recording.times.front();
   if (duration == 0 || rate * duration >= min_steps) return;
-  throw Error(number(rate) + " samples per second leave fewer than 4 samples in a recording of " +
-              number(duration) + " s; " + number(round_up * min_steps / duration) +
-              " or more are needed");
+  throw Error::of("rate", number(rate) +
+                              " samples per second leave fewer than 4 samples in a recording of " +
+                              number(duration) + " s; " + number(round_up * min_steps / duration) +
+                              " or more are needed");
 }
 
 }  // namespace

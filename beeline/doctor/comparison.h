@@ -35,8 +35,12 @@ std::string name(DifferenceKind kind);
 /// One difference, and what to change in arm A so that it describes arm B.
 struct ModelDifference {
   DifferenceKind kind = DifferenceKind::length;
-  int joint = -1;                        ///< from 0, in A; -1: of the whole arm
-  std::string parameter = {};            ///< such as d, alpha, upper
+  int joint = -1;              ///< from 0, in A; -1: of the whole arm
+  std::string parameter = {};  ///< such as d, alpha, upper
+  /// The parameter's name alone: `distance a` of `distance a to the axis of joint 2:`; empty: the
+  /// parameter is nothing else.
+  std::string dimension = {};
+  bool known_unit = true;                ///< unit: B is A in another unit, not by another factor
   std::optional<double> a = {}, b = {};  ///< the values in A and B, rad or m
   std::optional<Pose> pose = {};  ///< mount: world_T_mount; tool: tool_T_tcp, to be added to A
   std::string what = {};          ///< one clause: "d of joint 1 is 0.089159 in A and 0.089459 in B"

@@ -16,7 +16,8 @@ BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
   using Clock = std::chrono::steady_clock;
   if (budget.time_limit) {
     if (!(*budget.time_limit >= 0)) {
-      throw Error("time_limit is " + number(*budget.time_limit) + " s; it must be 0 or more");
+      throw Error("", "time_limit",
+                  " is " + number(*budget.time_limit) + " s; it must be 0 or more");
     }
     constexpr double forever = 1e9;  // seconds; the clock's count would overflow beyond
     if (*budget.time_limit < forever) {
@@ -25,7 +26,8 @@ BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
     }
   }
   if (budget.max_work && *budget.max_work < 0) {
-    throw Error("max_work is " + std::to_string(*budget.max_work) + "; it must be 0 or more");
+    throw Error("", "max_work",
+                " is " + std::to_string(*budget.max_work) + "; it must be 0 or more");
   }
   limited_ = budget.time_limit || budget.max_work || budget.cancelled ||
              (budget.part_of != nullptr && budget.part_of->limited_);

@@ -50,6 +50,10 @@ InverseSolver::~InverseSolver() = default;
 
 std::string InverseSolver::method() const { return internal::method_name(*state_); }
 
+InverseMethod InverseSolver::chosen_method() const {
+  return state_->family ? InverseMethod::closed_form : InverseMethod::numerical;
+}
+
 InverseResult InverseSolver::solve(const Pose& world_T_tool) {
   return solve(world_T_tool, state_->options.seed ? *state_->options.seed : state_->middle);
 }

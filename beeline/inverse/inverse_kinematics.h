@@ -172,6 +172,8 @@ class InverseSolver {
   /// Returns the name of the closed form that the arm has, or "numerical". With options.lock,
   /// solve() may use a closed form of the remaining joints instead: see InverseResult::method.
   std::string method() const;
+  /// Returns closed_form where the arm has one, else numerical.
+  InverseMethod chosen_method() const;
 
   InverseResult solve(const Pose& world_T_tool);
   InverseResult solve(const Pose& world_T_tool, const ConfigurationRef& seed);

@@ -7,6 +7,7 @@
 #include <beeline/io/text/internal/json.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/internal/text_fault.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {
@@ -68,7 +69,10 @@ MappedJoint mapped_joint(std::string_view name) {
   name = internal::trimmed(name);
   const bool minus = name.starts_with('-');
   if (minus) name.remove_prefix(1);
-  internal::check_name(name, "a name of the joint map");
+  const ElementFault fault = internal::name_fault(name);
+  if (fault != ElementFault::none) {
+    throw Error::of("joint_map", "a name of the joint map " + internal::clause(fault, name));
+  }
   return {.name = std::string(name), .sign = minus ? -1.0 : 1.0};
 }
 
@@ -81,9 +85,11 @@ JointMap read_joint_map(const std::string& text, const Arm& arm) {
     begin = end + 1;
   }
   if (static_cast<int>(map.size()) != arm.dof()) {
-    throw Error("the joint map has " + std::to_string(map.size()) + " name" +
-                (map.size() == 1 ? "" : "s") + ", not " + std::to_string(arm.dof()) + ", for " +
-                listed(arm.joint_names()) + "; a file of a joint map ends in .json");
+    throw Error::of("joint_map", "the joint map has " + std::to_string(map.size()) + " name" +
+                                     (map.size() == 1 ? "" : "s") + ", not " +
+                                     std::to_string(arm.dof()) + ", for " +
+                                     listed(arm.joint_names()) +
+                                     "; a file of a joint map ends in .json");
   }
   return map;
 }

@@ -52,7 +52,8 @@ Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>&
             .speed = row.speed,
             .blend = row.blend.value_or(0),
             .dwell = row.dwell.value_or(0),
-            .place = file + ":" + std::to_string(row.line)};
+            .place = file + ":" + std::to_string(row.line),
+            .line = row.line};
   const bool via = i > 0 && passes(program.rows[i - 1]);
   if (via) move.via = poses[i - 1].translation();
   if (!via && move.kind == MoveKind::arc) {

@@ -126,8 +126,9 @@ void check_controller_form(const Arm& arm, const Program& program, ControllerFor
     const MoveKind kind = program.moves[i].kind;
     const bool spline = kind == MoveKind::spline && form != ControllerForm::krl;
     if (kind != MoveKind::screw && !spline) continue;
-    throw Error(move_name(program, i) + ": " + name(form) + " has no " + name(kind) + " moves" +
-                (spline ? "; krl has" : "") + "; export the planned trajectory instead");
+    throw MoveError(program, i,
+                    name(form) + " has no " + name(kind) + " moves" + (spline ? "; krl has" : "") +
+                        "; export the planned trajectory instead");
   }
 }
 

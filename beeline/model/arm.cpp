@@ -206,7 +206,8 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
 Arm with_speed_scale(const Arm& arm, double k) {
   constexpr double min_scale = 1e-6;  // its cube scales the jerk and must remain far above rounding
   if (!(k >= min_scale && k <= 1)) {
-    throw Error("the speed scale must be from " + number(min_scale) + " to 1, not " + number(k));
+    throw Error::of("speed_scale", "the speed scale must be from " + number(min_scale) +
+                                       " to 1, not " + number(k));
   }
   std::vector<Joint> joints = arm.joints();
   for (Joint& joint : joints) {
@@ -218,9 +219,9 @@ Arm with_speed_scale(const Arm& arm, double k) {
     for (const auto& [quantity, limit, factor] : rates) {
       limit *= factor;
       if (limit >= Limits::min_rate) continue;
-      throw Error("the speed scale " + number(k) + " is too small: the " + quantity +
-                  " limit of joint " + joint.name + " would be " + number(limit) + ", below " +
-                  number(Limits::min_rate));
+      throw Error::of("speed_scale", "the speed scale " + number(k) + " is too small: the " +
+                                         quantity + " limit of joint " + joint.name + " would be " +
+                                         number(limit) + ", below " + number(Limits::min_rate));
     }
     limits.speed_scale *= k;
   }

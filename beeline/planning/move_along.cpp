@@ -30,14 +30,15 @@ void check_options(const PathMotionOptions& options) {
       {"tolerance", options.tolerance}, {"orientation_tolerance", options.orientation_tolerance}};
   for (const auto& [option, value] : positives) {
     if (value >= min_tolerance) continue;
-    throw Error(std::string(option) + " must be at least " + number(min_tolerance) + ", not " +
-                number(value));
+    throw Error("", option,
+                " must be at least " + number(min_tolerance) + ", not " + number(value));
   }
   internal::check_options(options.tool_speed, options.rate);
   check_duration(options.duration);
   refuse_duration_with_rate(options.duration, options.rate);
   if (options.max_samples < 2) {
-    throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
+    throw Error("", "max_samples",
+                " must be at least 2, not " + std::to_string(options.max_samples));
   }
 }
 
@@ -52,7 +53,8 @@ void check_stops(const Route& route) {
 /// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
 Configuration checked_start(const Arm& arm, const Configuration& start) {
   const auto outside = limit_violations(arm, start);
-  if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
+  if (!outside.empty())
+    throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
   const Bounds bounds = bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
@@ -160,8 +162,8 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   const Configuration from = checked_start(arm, *start);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
-    throw Error("the motion cannot start: the tool is " + deviation_text(off) +
-                " away from the path's beginning");
+    throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
+                                 " away from the path's beginning");
   }
   return move(arm, from, route, task, options);
 }

@@ -116,19 +116,20 @@ class ProgramPlanner {
   bool plan(const std::optional<Configuration>& start) {
     if (start) {
       const auto outside = limit_violations(arm_, *start);
-      if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
+      if (!outside.empty())
+        throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
     }
     const Move& first = program_.moves.front();
     if (!start && first.kind != MoveKind::joint && first.kind != MoveKind::line) {
-      throw Error(
-          move_name(program_, 0) +
-          ": the motion begins at this waypoint, as no start is given; it must be that of a "
+      throw MoveError(
+          program_, 0,
+          "the motion begins at this waypoint, as no start is given; it must be that of a "
           "joint move or a line");
     }
     if (!start && (first.speed || first.blend > 0)) {
-      throw Error(move_name(program_, 0) +
-                  ": the motion begins at this waypoint, as no start is given; remove its speed "
-                  "or blend");
+      throw MoveError(program_, 0,
+                      "the motion begins at this waypoint, as no start is given; remove its speed "
+                      "or blend");
     }
     const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
     parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
@@ -361,6 +362,9 @@ std::string move_name(const Program& program, std::size_t i) {
   return "move " + std::to_string(i + 1) + " (" + name(move.kind) +
          (move.place.empty() ? "" : ", " + move.place) + ")";
 }
+
+MoveError::MoveError(const Program& program, std::size_t move, const std::string& fault)
+    : Error(move_name(program, move) + ": " + fault), move_(move), fault_(fault) {}
 
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options) {

@@ -40,6 +40,7 @@ struct Move {
   double blend = 0;
   double dwell = 0;        ///< seconds at rest at the waypoint, 0 or more
   std::string place = {};  ///< where the move is written, for messages: pick.csv:5
+  int line = 0;            ///< the line of a file there; 0: none
 };
 
 /// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.
@@ -52,6 +53,19 @@ struct Program {
 
 /// "move 3 (line, pick.csv:5)": the name of moves[i] in messages.
 std::string move_name(const Program& program, std::size_t i);
+
+/// Invalid input in one move of a program. The message is move_name(), `: ` and the fault.
+class MoveError : public Error {
+ public:
+  MoveError(const Program& program, std::size_t move, const std::string& fault);
+
+  std::size_t move() const { return move_; }           ///< of Program::moves
+  const std::string& fault() const { return fault_; }  ///< the message without move_name()
+
+ private:
+  std::size_t move_;
+  std::string fault_;
+};
 
 /// The part of a trajectory that is one move.
 struct PlannedMove {
@@ -92,7 +106,7 @@ struct ProgramMotion {
 ///   move has its own speed; `suggest` is ignored.
 /// - A dwell has a sample at both ends; with a rate it lasts whole periods, with a sample at each.
 ///
-/// Throws Error, with move_name(), for a program without moves; for a blend that is not between two
+/// Throws Error for a program without moves, and MoveError for a blend that is not between two
 /// lines or at a dwell; a via or a configuration where there is none, or an arc without via; a
 /// speed, blend or dwell out of range; a configuration outside the limits; and where
 /// path_through(), blended_lines() and move_along() do. `budget` is that of the whole program.

@@ -59,7 +59,10 @@ void check_start(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
     while (k < arm.dof() && near(k)) ++k;
     if (k == arm.dof()) return;
   }
-  check_within(arm, q, "the motion cannot start");
+  const auto outside = limit_violations(arm, q);
+  if (!outside.empty()) {
+    throw Error::of("from", "the motion cannot start: " + sentence(outside.front()));
+  }
 }
 
 Limits with_velocity(Limits limits) {
@@ -227,8 +230,8 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, cons
   // One period is for the averaging.
   const double steps = std::max(motion.duration * rate, std::round(duration * rate) - 1);
   if (!(longest * rate < max_samples)) {
-    throw Error(number(longest) + " s at " + number(rate) +
-                " samples per second are too many samples; lower the rate");
+    throw Error::of("rate", number(longest) + " s at " + number(rate) +
+                                " samples per second are too many samples; lower the rate");
   }
   if (motion.duration == 0) return at_rest(arm, motion.to);
   std::vector<Limits> limits;

@@ -64,7 +64,8 @@ double samples_left(const RetimeOptions& options, const Retimed& timed) {
 /// below 2.
 Reason too_long(const Trajectory& trajectory, const RetimeOptions& options) {
   if (options.max_samples < 2) {
-    throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
+    throw Error("", "max_samples",
+                " must be at least 2, not " + std::to_string(options.max_samples));
   }
   const int most = std::max(options.max_samples, default_max_samples);
   if (trajectory.size() <= static_cast<std::size_t>(most)) return {};

@@ -8,7 +8,8 @@ PathLimits path_limits(const Arm& arm, double speed_scale) {
   constexpr double min_scale = 1e-6;  // its cube scales the jerk and must remain far above rounding
   const double k = speed_scale;
   if (!(k >= min_scale && k <= 1)) {
-    throw Error("the speed scale must be from " + number(min_scale) + " to 1, not " + number(k));
+    throw Error::of("speed_scale", "the speed scale must be from " + number(min_scale) +
+                                       " to 1, not " + number(k));
   }
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());

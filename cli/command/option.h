@@ -58,8 +58,11 @@ struct Option {
   std::vector<std::string> methods = {};  ///< needs --method with one of these values
   std::string needs = {};                 ///< another option that it needs
   std::string excludes = {};              ///< an option that it cannot be combined with
-  /// Phrases of the library's errors about this option, in addition to its name with
-  /// underscores: "the motion cannot start" for --from.
+  /// The library's names of what the option sets, see Error::argument(), in addition to its own
+  /// name with underscores: start for --from.
+  std::vector<std::string> arguments = {};
+  /// Phrases of errors about this option that do not name their argument: those of maps and
+  /// pictures.
   std::vector<std::string> phrases = {};
 };
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/file.h>
 #include <beeline/model/catalog.h>
 
 using beeline::Error;
-using beeline::unknown_name;
 
 namespace {
 
@@ -36,8 +36,7 @@ Error unexpected(const Verb& verb, const std::string& word) {
     known.push_back(option.name);
     if (option.alias.size() > 2) known.push_back(option.alias);
   }
-  const std::string message = unknown_name("option", name, known).what();
-  return Error(message.substr(0, message.find(" (known")));  // the verb's help lists them
+  return Error(beeline::internal::unknown_text("option", name, known));  // the help lists them
 }
 
 /// An option as CLI11 parses it.

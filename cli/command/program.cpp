@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/file_stream.h>
@@ -68,26 +69,45 @@ std::size_t find_phrase(const std::string& message, const std::string& phrase) {
   return at;
 }
 
-/// The library's name of an option of several words: "max_samples" of --max-samples.
+/// The library's name of an option: "max_samples" of --max-samples.
 std::string library_name(const Option& option) {
   std::string name = option.name.substr(2);
   std::replace(name.begin(), name.end(), '-', '_');
-  return name.find('_') == std::string::npos ? "" : name;
+  return name;
 }
 
-/// Replaces the library's name of a typed option by the option. If the message has one of the
-/// option's phrases, puts the option in front.
-std::string naming_the_option(std::string message, const Selection& selection) {
+/// Whether the option sets the argument at fault.
+bool sets(const Option& option, const std::string& argument) {
+  return argument == library_name(option) ||
+         std::find(option.arguments.begin(), option.arguments.end(), argument) !=
+             option.arguments.end();
+}
+
+/// The message of an error that does not name its argument. Replaces the library's name of the
+/// option by `name`; if the message has one of the option's phrases, puts `name` in front. Nothing
+/// if it has neither.
+std::optional<std::string> message_by_phrase(std::string message, const Option& option,
+                                             const std::string& name) {
+  const std::string library = library_name(option);
+  const bool several_words = library.find('_') != std::string::npos;
+  const std::size_t at = several_words ? find_phrase(message, library) : std::string::npos;
+  if (at != std::string::npos) return message.replace(at, library.size(), name);
+  for (const std::string& phrase : option.phrases) {
+    if (find_phrase(message, phrase) != std::string::npos) return name + ": " + message;
+  }
+  return std::nullopt;
+}
+
+/// The message, with the typed option in place of the argument at fault.
+std::string naming_the_option(const Error& error, const Selection& selection) {
+  const std::string message = error.what(), &argument = error.argument();
   if (selection.verb == nullptr) return message;
   for (const Option& option : all_options(*selection.verb)) {
     for (const std::string& name : selection.typed) {
       if (name != option.name && name != option.alias) continue;
-      const std::string library = library_name(option);
-      const std::size_t at = library.empty() ? std::string::npos : find_phrase(message, library);
-      if (at != std::string::npos) return message.replace(at, library.size(), name);
-      for (const std::string& phrase : option.phrases) {
-        if (find_phrase(message, phrase) != std::string::npos) return name + ": " + message;
-      }
+      if (sets(option, argument)) return error.message_for(name);
+      if (!argument.empty()) continue;
+      if (auto found = message_by_phrase(message, option, name)) return *found;
     }
   }
   return message;
@@ -157,8 +177,8 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
   } catch (const beeline::FileError& error) {
     return fail(Exit::file, error.what());
   } catch (const Error& error) {
-    return fail(Exit::usage, naming_the_option(error.what(), selection) + " (see " +
-                                 selection.command + " --help)");
+    return fail(Exit::usage,
+                naming_the_option(error, selection) + " (see " + selection.command + " --help)");
   } catch (const std::bad_alloc&) {
     return fail(Exit::file, "the input needs more memory than is available");
   } catch (const std::exception& error) {

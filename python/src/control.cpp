@@ -119,7 +119,8 @@ void bind_control(nb::module_& m) {
                      "keeps, it is slowed down, to half the speed at most. The status is "
                      "`outside_limits` when the recording leaves the position limits or is too "
                      "fast at this speed. Raises Error for a recording that does not fit the arm.");
-  replayed.takes("arm", "Arm", "The arm.")
+  replayed.summary_has_motions()
+      .takes("arm", "Arm", "The arm.")
       .takes("recording", "Trajectory", "Its joints are matched by name.")
       .options<ReplayOptions>();
   define(

@@ -57,7 +57,8 @@ void bind_controller_file(nb::module_& m) {
                           "Returns the trajectory in the form that a controller takes, from time 0 "
                           "at its first sample. Raises Error for a trajectory that does not fit "
                           "the arm or that the form cannot hold.");
-  of_trajectory.takes("arm", "Arm", "The arm.")
+  of_trajectory.summary_has_motions()
+      .takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("form", Value<ControllerForm>::type(), form_doc)
       .options<ControllerFileOptions>();

@@ -21,7 +21,8 @@ nb::class_<Described<Player>> player_class(nb::module_& m) {
       "__init__", "None",
       "Starts at rest at `start`. Raises Error for a recording that does not fit the arm "
       "or leaves its position limits, and a start outside them.");
-  made.takes("self")
+  made.summary_has_motions()
+      .takes("self")
       .takes("arm", "Arm", "The arm.")
       .takes("recording", "Trajectory", "Its joints are matched by name.")
       .takes("start", array_like, configuration_doc)

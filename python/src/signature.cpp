@@ -61,8 +61,7 @@ std::string Signature::raised() const {
   add(outputs_, " of another shape or read-only");
   add(files_, " that cannot be read or written");
   if (!any_values_) add(values_, " other than described");
-  const bool described = refused_.find("fit the arm") != std::string::npos;
-  if (has_arm_ && !described) add(motions_, " that does not fit the arm");
+  if (has_arm_ && !summary_has_motions_) add(motions_, " that does not fit the arm");
   const std::size_t end = refused_.find_first_of(" ,");
   const std::string kind = refused_.substr(0, end);
   if (end != std::string::npos) {
@@ -93,6 +92,11 @@ Signature Signature::of_arm() const {
 
 Signature& Signature::any_values() {
   any_values_ = true;
+  return *this;
+}
+
+Signature& Signature::summary_has_motions() {
+  summary_has_motions_ = true;
   return *this;
 }
 

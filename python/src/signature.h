@@ -103,6 +103,8 @@ class Signature {
   Signature& returns(std::string doc);
   /// Any numbers are accepted, finite or not: arguments are refused for their shapes only.
   Signature& any_values();
+  /// The summary says which trajectories are refused: the section "Raises" adds nothing of them.
+  Signature& summary_has_motions();
 
   /// The signature of the method of Arm: the first parameter, `arm`, is self.
   Signature of_arm() const;
@@ -129,7 +131,7 @@ class Signature {
   std::string name_, returns_, summary_, returned_, parameters_, documented_, refused_;
   std::string arrays_, outputs_, files_, values_,
       motions_;  ///< names of parameters that may be refused
-  bool keywords_ = false, any_values_ = false, has_arm_ = false;
+  bool keywords_ = false, any_values_ = false, has_arm_ = false, summary_has_motions_ = false;
 };
 
 /// nanobind's description of the parameter that is the `from_last`th from the last one. A handle

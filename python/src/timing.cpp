@@ -180,7 +180,8 @@ void bind_timing(nb::module_& m) {
                     "position or a zero velocity vector). The result is within the limits at all "
                     "times. Raises Error when the trajectory does not fit the arm or has no two "
                     "different positions.");
-  retimed.takes("arm", "Arm", "The arm.")
+  retimed.summary_has_motions()
+      .takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<RetimeOptions>();
   define(

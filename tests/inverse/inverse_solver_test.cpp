@@ -152,6 +152,10 @@ TEST(InverseSolver, CopiesAnswerAlike) {
     std::optional<InverseSolver> solver(std::in_place, arm, InverseOptions{.all = true, .grid = 8});
     InverseSolver copy(*solver);
     EXPECT_EQ(copy.method(), solver->method());
+    EXPECT_EQ(solver->chosen_method(), InverseMethod::closed_form);
+    const InverseSolver searching(arm, {.method = InverseMethod::numerical});
+    EXPECT_EQ(searching.chosen_method(), InverseMethod::numerical);
+    EXPECT_EQ(searching.method(), "numerical");
     std::vector<Pose> poses;
     std::vector<std::vector<Configuration>> answers;
     for (int i = 0; i < 30; ++i) {

@@ -264,6 +264,22 @@ TEST(MoveProgram, ReasonsNameTheMoveAndItsPlace) {
       << joint.reason;
 }
 
+TEST(MoveProgram, AnErrorOfAMoveHasItsNumber) {
+  const Arm arm = built_in("panda");
+  for (std::size_t i = 0; i < pick().moves.size(); ++i) {
+    Program program = pick();
+    program.moves[i].place = "a: 1.csv:7";
+    program.moves[i].speed = -1;
+    try {
+      move_program(arm, home, program);
+      FAIL() << i;
+    } catch (const MoveError& error) {
+      EXPECT_EQ(error.move(), i);
+      EXPECT_EQ(error.what(), move_name(program, i) + ": " + error.fault());
+    }
+  }
+}
+
 TEST(MoveProgram, ChangesItsSpeedWithoutAStop) {
   const Arm arm = built_in("panda");
   Pose pose = forward_kinematics(arm, home);

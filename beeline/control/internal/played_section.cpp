@@ -126,8 +126,9 @@ std::vector<double> times_from(std::size_t first, std::size_t count, double rate
 
 void check_samples(double samples, double duration, double rate) {
   if (samples < max_samples) return;
-  throw Error("replaying " + number(duration) + " s at " + number(rate) +
-              " samples per second makes more than " + number(max_samples) + " samples");
+  throw Error::of("rate", "replaying " + number(duration) + " s at " + number(rate) +
+                              " samples per second makes more than " + number(max_samples) +
+                              " samples");
 }
 
 PlayedSection ended_section(const PlayedMotion& motion) {

@@ -86,15 +86,17 @@ void check_options(const SimulationOptions& options) {
   }
   constexpr int most = 10'000'000;  // for an arm of seven joints about 1 GB of samples
   if (options.max_steps < 1 || options.max_steps > most) {
-    throw Error("max_steps must be from 1 to " + std::to_string(most) + ", not " +
-                std::to_string(options.max_steps));
+    throw Error("", "max_steps",
+                " must be from 1 to " + std::to_string(most) + ", not " +
+                    std::to_string(options.max_steps));
   }
 }
 
 ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {
   check_configuration(arm, start);
   const auto outside = limit_violations(arm, start);
-  if (!outside.empty()) throw Error("the motion cannot start: " + sentence(outside.front()));
+  if (!outside.empty())
+    throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
   ControlledMotion motion;
   motion.trajectory = at_rest(arm, start);
   motion.trajectory.velocities.clear();

@@ -143,7 +143,6 @@ Arm reversed(const Arm& arm) {
   for (JointLine& line : lines) {
     line.direction = -(back.linear() * line.direction);
     line.point = back * line.point;
-    line.pitch = line.pitch;
   }
   std::reverse(lines.begin(), lines.end());
   std::vector<Joint> joints = arm_along(lines, back, arm).joints();
@@ -214,6 +213,7 @@ std::vector<Hypothesis> scale_hypotheses(const Arm& a, const Arm& b) {
   if (!(in_a > 1e-9) || !(in_b > 1e-9)) return {};
   double scale = in_b / in_a;
   if (std::abs(scale - 1) < 1e-4) return {};
+  bool known_unit = false;
   std::string unit = "all lengths are " + number(scale) + " times those of A";
   for (const auto& [factor, name] :
        {std::pair{1000.0, "millimetres"}, std::pair{100.0, "centimetres"},
@@ -222,12 +222,18 @@ std::vector<Hypothesis> scale_hypotheses(const Arm& a, const Arm& b) {
       const double exact = larger ? factor : 1 / factor;
       if (std::abs(scale / exact - 1) > 1e-3) continue;
       scale = exact;
+      known_unit = true;
       unit = std::string(larger ? "B" : "A") + ": lengths are " + name + ", not metres";
     }
   }
   return {{scaled_arm(a, scale),
            b,
-           {.kind = DifferenceKind::unit, .parameter = "length", .a = 1, .b = scale, .what = unit},
+           {.kind = DifferenceKind::unit,
+            .parameter = "length",
+            .known_unit = known_unit,
+            .a = 1,
+            .b = scale,
+            .what = unit},
            scale}};
 }
 

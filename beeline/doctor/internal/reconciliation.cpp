@@ -136,22 +136,26 @@ ModelDifference sign_difference(std::size_t joint) {
           .remedy = q + " of B = -" + q + " of A"};
 }
 
-ModelDifference length_difference(std::size_t joint, const std::string& parameter, double in_a,
-                                  double in_b) {
+ModelDifference length_difference(std::size_t joint, const std::string& dimension, double in_a,
+                                  double in_b, const std::string& where) {
+  const std::string parameter = dimension + where;
   return {.kind = DifferenceKind::length,
           .joint = static_cast<int>(joint),
           .parameter = parameter,
+          .dimension = dimension,
           .a = in_a,
           .b = in_b,
           .what = parameter + " " + number(in_a) + " m in A, " + number(in_b) + " m in B" +
                   in_brackets(length_relation(in_a, in_b))};
 }
 
-ModelDifference angle_parameter_difference(std::size_t joint, const std::string& parameter,
-                                           double in_a, double in_b) {
+ModelDifference angle_parameter_difference(std::size_t joint, const std::string& dimension,
+                                           double in_a, double in_b, const std::string& where) {
+  const std::string parameter = dimension + where;
   return {.kind = DifferenceKind::angle,
           .joint = static_cast<int>(joint),
           .parameter = parameter,
+          .dimension = dimension,
           .a = in_a,
           .b = in_b,
           .what = parameter + " " + beeline::angle(in_a) + " in A, " + beeline::angle(in_b) +

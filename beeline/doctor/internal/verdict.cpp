@@ -18,7 +18,7 @@ bool of_description(const ModelDifference& difference) {
     case DifferenceKind::orientation:
       return difference.joint < 0;
     case DifferenceKind::unit:
-      return difference.what.find("times") == std::string::npos;
+      return difference.known_unit;
     default:
       return true;
   }
@@ -61,8 +61,8 @@ std::string subject(const Arm& a, const ModelDifference& difference) {
     default:
       break;
   }
-  const std::string parameter = difference.parameter.substr(0, difference.parameter.find(" to "));
-  const std::string what = parameter.substr(0, parameter.find(','));
+  const std::string& what =
+      difference.dimension.empty() ? difference.parameter : difference.dimension;
   return (what.empty() ? name(difference.kind) : what) + (joint.empty() ? "" : " of " + joint);
 }
 

@@ -52,9 +52,11 @@ double value_of(const Tree& tree, const std::vector<double>& symbols, double bra
       return result;
     case Tree::Kind::quotient:
       return part(0) / part(1);
-    case Tree::Kind::call:
-      if (tree.function == "fifteenths") return result * std::numbers::pi / 12;
-      if (tree.function == "atan2") return std::atan2(part(0), part(1));
+    case Tree::Kind::angle:
+      return result * std::numbers::pi / 12;
+    case Tree::Kind::arctangent:
+      return std::atan2(part(0), part(1));
+    case Tree::Kind::signed_root:
       return branch_sign * std::sqrt(part(0));
     case Tree::Kind::power:
       return std::pow(part(0), tree.exponent);
@@ -94,8 +96,8 @@ std::vector<PlanarLink> planar_links(const SymbolicArm& arm) {
   return links;
 }
 
-Tree call(const std::string& function, std::vector<Tree> arguments) {
-  return {.kind = Tree::Kind::call, .function = function, .parts = std::move(arguments)};
+Tree atan2(Tree y, Tree x) {
+  return {.kind = Tree::Kind::arctangent, .parts = {std::move(y), std::move(x)}};
 }
 
 Tree positive_first(const Expression& expression) {
@@ -106,7 +108,9 @@ Tree positive_first(const Expression& expression) {
   return tree;
 }
 
-Tree branch(const Expression& square) { return call("branch", {positive_first(square)}); }
+Tree branch(const Expression& square) {
+  return {.kind = Tree::Kind::signed_root, .parts = {positive_first(square)}};
+}
 
 Tree over(const Expression& numerator, const Expression& denominator) {
   const auto& [monomial, coefficient] = *denominator.terms().begin();
@@ -193,9 +197,8 @@ Tree InverseSteps::bend_of(const PlanarLink& link, int sign) const {
     parts.push_back(factored(Expression(sign * multiple) * Expression::symbol(symbol)));
   }
   if (link.fifteenths != 0) {
-    parts.push_back({.kind = Tree::Kind::call,
-                     .coefficient = Coefficient(sign * link.fifteenths),
-                     .function = "fifteenths"});
+    parts.push_back(
+        {.kind = Tree::Kind::angle, .coefficient = Coefficient(sign * link.fifteenths)});
   }
   return sum(std::move(parts));
 }

@@ -26,7 +26,7 @@ struct PlanarLink {
 /// length. None if the base is not the world, a joint is coupled, or the tool is beside the link.
 std::vector<PlanarLink> planar_links(const SymbolicArm& arm);
 
-Tree call(const std::string& function, std::vector<Tree> arguments);
+Tree atan2(Tree y, Tree x);
 Tree branch(const Expression& square);  ///< plus or minus the root
 Tree over(const Expression& numerator, const Expression& denominator);
 Tree positive_first(const Expression& expression);

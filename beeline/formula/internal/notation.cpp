@@ -25,7 +25,7 @@ bool is_greek(const std::string& letter) {
 /// Whether the tree is written with a minus sign in front.
 bool is_negative(const Tree& tree) {
   const bool has_coefficient = tree.kind == Tree::Kind::number ||
-                               tree.kind == Tree::Kind::product || tree.function == "fifteenths";
+                               tree.kind == Tree::Kind::product || tree.kind == Tree::Kind::angle;
   return has_coefficient && tree.coefficient.is_negative();
 }
 
@@ -210,8 +210,7 @@ std::string Notation::sum(const Tree& tree) const {
       text += this->text(part);
       continue;
     }
-    const bool either = part.kind == Tree::Kind::call && part.function == "branch";  // has ±
-    if (either) {
+    if (part.kind == Tree::Kind::signed_root) {
       text += (latex_ ? " \\pm " : " ± ") + root(part);
       continue;
     }
@@ -237,16 +236,9 @@ std::string Notation::root(const Tree& tree) const {
   return latex_ ? "\\sqrt{" + square + '}' : "√(" + square + ')';
 }
 
-std::string Notation::call(const Tree& tree) const {
-  if (tree.function == "fifteenths") {
-    const Coefficient degrees = tree.coefficient * Coefficient(15);
-    return number(degrees, false) + (latex_ ? "^{\\circ}" : "°");
-  }
-  if (tree.function == "branch") return (latex_ ? "\\pm" : "±") + root(tree);
-  std::string arguments;
-  for (const Tree& part : tree.parts) arguments += (arguments.empty() ? "" : ", ") + text(part);
-  const std::string name = latex_ ? "\\operatorname{" + tree.function + '}' : tree.function;
-  return name + '(' + arguments + ')';
+std::string Notation::arctangent(const Tree& tree) const {
+  return (latex_ ? "\\operatorname{atan2}(" : "atan2(") + text(tree.parts[0]) + ", " +
+         text(tree.parts[1]) + ')';
 }
 
 std::string Notation::text(const Tree& tree) const {
@@ -271,8 +263,12 @@ std::string Notation::text(const Tree& tree) const {
     case Tree::Kind::quotient:
       if (latex_) return "\\frac{" + text(tree.parts[0]) + "}{" + text(tree.parts[1]) + '}';
       return bracketed(tree.parts[0]) + '/' + bracketed(tree.parts[1]);
-    case Tree::Kind::call:
-      return call(tree);
+    case Tree::Kind::angle:
+      return number(tree.coefficient * Coefficient(15), false) + (latex_ ? "^{\\circ}" : "°");
+    case Tree::Kind::signed_root:
+      return (latex_ ? "\\pm" : "±") + root(tree);
+    case Tree::Kind::arctangent:
+      return arctangent(tree);
   }
   return "";
 }

@@ -30,7 +30,7 @@ class Notation {
   int rank(const Tree& factor) const;
   std::string product(const Tree& tree) const;
   std::string bracketed(const Tree& tree) const;
-  std::string call(const Tree& tree) const;
+  std::string arctangent(const Tree& tree) const;
   std::string root(const Tree& tree) const;
   std::string sum(const Tree& tree) const;
   std::string factor(const Tree& tree) const;

@@ -15,11 +15,11 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
     const Expression c = steps.define("c", "2", over(u * u + v * v - a * a - b * b, 2 * a * b),
                                       "The law of cosines gives the second angle:");
     const Expression s = steps.define("s", "2", branch(1 - c * c));
-    steps.define_angle(two, call("atan2", {factored(s), factored(c)}));
-    steps.define_angle(one,
-                       difference(call("atan2", {factored(v), factored(u)}),
-                                  call("atan2", {factored(b * s), factored(a + b * c)})),
-                       "The first angle is that of the point, less that of the point in link 1:");
+    steps.define_angle(two, atan2(factored(s), factored(c)));
+    steps.define_angle(
+        one,
+        difference(atan2(factored(v), factored(u)), atan2(factored(b * s), factored(a + b * c))),
+        "The first angle is that of the point, less that of the point in link 1:");
     steps.remark(
         "There is a solution if @ is from -1 to 1; two, by the sign of @, with the elbow on either "
         "side.",
@@ -30,7 +30,7 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
       const Expression r = steps.define("r", "", branch(u * u + v * v),
                                         "The distance of the point from joint 1, of either sign:");
       steps.define_slide(two, factored(r - a - two.length));
-      steps.define_angle(one, call("atan2", {over(v, r), over(u, r)}));
+      steps.define_angle(one, atan2(over(v, r), over(u, r)));
       steps.remark("There are two solutions, by the sign of @; if it is 0, any angle is one.", {r});
       return;
     }
@@ -39,8 +39,8 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
                      "The distance of the point from joint 1 is that in link 1, where the slide "
                      "is at w:");
     steps.define_slide(two, factored(w - two.length));
-    steps.define_angle(one, difference(call("atan2", {factored(v), factored(u)}),
-                                       call("atan2", {factored(w * sb), factored(a + w * cb)})));
+    steps.define_angle(one, difference(atan2(factored(v), factored(u)),
+                                       atan2(factored(w * sb), factored(a + w * cb))));
     steps.remark("There is a solution if the root is real; two, by its sign.");
   } else {
     const auto [along, across] = steps.in_slide_axes(one, u, v);
@@ -49,7 +49,7 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
           steps.define("s", "2", over(across, two.length),
                        "The slide cannot move the point across, the rotation does:");
       const Expression c = steps.define("c", "2", branch(1 - s * s));
-      steps.define_angle(two, call("atan2", {factored(s), factored(c)}));
+      steps.define_angle(two, atan2(factored(s), factored(c)));
       steps.define_slide(one, factored(along - one.length - two.length * c));
       steps.remark("There is a solution if @ is from -1 to 1; two, by the sign of @.", {s, c});
       return;
@@ -90,8 +90,8 @@ void solve_slide(InverseSteps& steps, const std::vector<PlanarLink>& links) {
                      "Across the slide it is moved by link 1 alone, at the angle "
                      "with sine s and cosine c to the tool:");
     const Expression cosine = steps.define("c", "", branch(1 - sine * sine));
-    steps.define_angle(
-        one, call("atan2", {factored(sine * ct + cosine * st), factored(cosine * ct - sine * st)}));
+    steps.define_angle(one,
+                       atan2(factored(sine * ct + cosine * st), factored(cosine * ct - sine * st)));
     steps.define_last_angle(links, 1, "The angles add up to the orientation:");
     steps.define_slide(three, factored(u * ct + v * st - one.length * cosine - three.length));
     steps.remark("There is a solution if @ is from -1 to 1; two, by the sign of @.",

@@ -117,7 +117,9 @@ Program::Id ProgramChain::tree(const Tree& tree) {
       return result;
     case Tree::Kind::number:
     case Tree::Kind::quotient:
-    case Tree::Kind::call:
+    case Tree::Kind::arctangent:
+    case Tree::Kind::signed_root:
+    case Tree::Kind::angle:
       break;
   }
   return result;

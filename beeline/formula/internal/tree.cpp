@@ -26,7 +26,9 @@ Expression expression_of(const Tree& tree) {
       for (int k = 0; k < tree.exponent; ++k) result = result * expression_of(tree.parts.front());
       return result;
     case Tree::Kind::quotient:
-    case Tree::Kind::call:
+    case Tree::Kind::arctangent:
+    case Tree::Kind::signed_root:
+    case Tree::Kind::angle:
       break;
   }
   throw Error("a quotient or a function is no polynomial");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,15 +10,16 @@ namespace beeline::internal {
 /// A formula as it is written: sums of products of factors.
 struct Tree {
   enum class Kind {
-    number,    ///< coefficient
-    symbol,    ///< symbol
-    trig,      ///< cosine or sine
-    sum,       ///< of the parts
-    product,   ///< coefficient times the parts
-    power,     ///< first part to the power `exponent`
-    quotient,  ///< first part over second part
-    call  ///< function of the parts: atan2, branch (plus or minus the root); or, without parts,
-          ///< fifteenths: coefficient * 15 degrees
+    number,       ///< coefficient
+    symbol,       ///< symbol
+    trig,         ///< cosine or sine
+    sum,          ///< of the parts
+    product,      ///< coefficient times the parts
+    power,        ///< first part to the power `exponent`
+    quotient,     ///< first part over second part
+    arctangent,   ///< atan2 of the first part, y, and the second, x
+    signed_root,  ///< plus or minus the square root of the first part: the branches of an inverse
+    angle         ///< coefficient * 15 degrees
   };
 
   Kind kind = Kind::number;
@@ -27,7 +27,6 @@ struct Tree {
   int symbol = -1;
   Trig trig = {};
   int exponent = 1;
-  std::string function = {};
   std::vector<Tree> parts = {};
 
   bool is_zero() const { return kind == Kind::number && coefficient.is_zero(); }

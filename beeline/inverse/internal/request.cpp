@@ -23,18 +23,20 @@ double rounding_of(const Arm& arm, const Pose& goal) {
 
 void check_count(const char* what, int value, int minimum) {
   if (value >= minimum) return;
-  throw Error(std::string(what) + " is " + std::to_string(value) + "; it must be " +
-              std::to_string(minimum) + " or more");
+  throw Error(
+      "", what,
+      " is " + std::to_string(value) + "; it must be " + std::to_string(minimum) + " or more");
 }
 
 void check_weights(const Arm& arm, const Eigen::VectorXd& weights) {
   if (weights.size() != arm.dof()) {
-    throw Error("weights are " + std::to_string(weights.size()) + " numbers; arm " + arm.name() +
-                " has " + std::to_string(arm.dof()) + " coordinates");
+    throw Error::of("weights", "weights are " + std::to_string(weights.size()) + " numbers; arm " +
+                                   arm.name() + " has " + std::to_string(arm.dof()) +
+                                   " coordinates");
   }
   for (const double weight : weights) {
     if (weight >= 1e-6 && weight <= 1e6) continue;
-    throw Error("a weight is " + number(weight) + "; each must be from 1e-6 to 1e6");
+    throw Error::of("weights", "a weight is " + number(weight) + "; each must be from 1e-6 to 1e6");
   }
 }
 
@@ -43,16 +45,18 @@ void check_pose_tolerance(const Arm& arm, const Eigen::VectorXd& tolerance) {
   const std::string meaning =
       arm.planar() ? "x, y (m), theta (rad)" : "x, y, z (m), roll, pitch, yaw (rad)";
   if (tolerance.size() != size) {
-    throw Error("pose_tolerance is " + std::to_string(tolerance.size()) + " numbers; arm " +
-                arm.name() + " needs " + std::to_string(size) + ": " + meaning);
+    throw Error("", "pose_tolerance",
+                " is " + std::to_string(tolerance.size()) + " numbers; arm " + arm.name() +
+                    " needs " + std::to_string(size) + ": " + meaning);
   }
   constexpr double farthest = 1e3;  // metres
   for (Eigen::Index k = 0; k < size; ++k) {
     const double most = k < lengths ? farthest : std::numbers::pi;
     // As pi in degrees may be rounded.
     if (tolerance[k] >= 0 && tolerance[k] <= most * (1 + 1e-9)) continue;
-    throw Error("pose_tolerance has " + number(tolerance[k]) + "; lengths are 0 to " +
-                number(farthest) + " m and angles 0 to pi: " + meaning);
+    throw Error("", "pose_tolerance",
+                " has " + number(tolerance[k]) + "; lengths are 0 to " + number(farthest) +
+                    " m and angles 0 to pi: " + meaning);
   }
 }
 
@@ -78,7 +82,7 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.lock && arm.dof() == 1) throw Error("lock leaves arm " + arm.name() + " no joint");
   if (options.weights) check_weights(arm, *options.weights);
   if (options.pose_tolerance) check_pose_tolerance(arm, *options.pose_tolerance);
-  if (options.every_turn && !options.all) throw Error("every_turn needs the option all");
+  if (options.every_turn && !options.all) throw Error("", "every_turn", " needs the option all");
 }
 
 Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,

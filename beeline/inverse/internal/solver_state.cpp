@@ -20,8 +20,8 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
   select_family(state);
   state.similar = nullptr;
   if (options.method == InverseMethod::closed_form && !options.lock && !state.family) {
-    throw Error("arm " + arm.name() + " has no closed form for the task " + name(state.task) +
-                "; method numerical solves it");
+    throw Error::of("method", "arm " + arm.name() + " has no closed form for the task " +
+                                  name(state.task) + "; method numerical solves it");
   }
   return state;
 }
@@ -32,8 +32,9 @@ void check_lock(const SolverState& state, const ConfigurationRef& seed) {
   const double lower = state.bounds.lower[k], upper = state.bounds.upper[k];
   if (seed[k] >= lower && seed[k] <= upper) return;
   const Joint& joint = state.arm.joint_of(k);
-  throw Error("joint " + joint.name + " is locked at " + with_unit(joint, seed[k]) +
-              "; its limits are " + with_unit(joint, lower) + " to " + with_unit(joint, upper));
+  throw Error::of("lock", "joint " + joint.name + " is locked at " + with_unit(joint, seed[k]) +
+                              "; its limits are " + with_unit(joint, lower) + " to " +
+                              with_unit(joint, upper));
 }
 
 const PreparedSearch& search_within_limits(SolverState& state) {

@@ -311,7 +311,8 @@ void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const 
     check_configuration(problem.arm, start);
   }
   if (options.max_restarts < 0) {
-    throw Error("max_restarts must be zero or more, not " + std::to_string(options.max_restarts));
+    throw Error("", "max_restarts",
+                " must be zero or more, not " + std::to_string(options.max_restarts));
   }
   if (seeds.q.size() != static_cast<std::size_t>(seeds.blocks) * problem.coordinates.size()) {
     throw Error("the seed table is not one for arm " + problem.arm.name());

@@ -61,15 +61,16 @@ void check_arm_in(const FormDescription& form, const Arm& arm) {
 
 void check_rate_in(const FormDescription& form, const std::optional<double>& rate) {
   if (form.form == ControllerForm::csv && !rate) {
-    throw Error("csv setpoints need a rate, samples per second");
+    throw Error::of("rate", "csv setpoints need a rate, samples per second");
   }
   if (rate) check_rate(*rate);
   const double cycles = rate ? 500 / *rate : 4;
   if (form.form == ControllerForm::urscript &&
       !(cycles > 0.5 && std::abs(cycles - std::round(cycles)) <= 1e-9 * cycles)) {
-    throw Error(
+    throw Error::of(
+        "rate",
         "the rate of servoj setpoints must be 500 / n Hz, such as 500, 250, 125 or 100, not " +
-        number(*rate) + ": each lasts n control cycles of 2 ms (CB3 series: 8 ms, 125 / n)");
+            number(*rate) + ": each lasts n control cycles of 2 ms (CB3 series: 8 ms, 125 / n)");
   }
 }
 

@@ -45,8 +45,9 @@ Trajectory setpoints(const Trajectory& trajectory, double rate) {
   const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
   const double periods = duration > 0 ? std::max(1.0, std::ceil(duration * rate - slack)) : 0;
   if (!(periods < max_setpoints)) {
-    throw Error("the rate " + number(rate) + " Hz gives " + number(periods) + " setpoints in " +
-                number(duration) + " s; at most 10 million are written");
+    throw Error::of("rate", "the rate " + number(rate) + " Hz gives " + number(periods) +
+                                " setpoints in " + number(duration) +
+                                " s; at most 10 million are written");
   }
   Trajectory result;
   result.joint_names = trajectory.joint_names;

@@ -139,10 +139,11 @@ void check_names(const std::vector<std::string>& joints) {
   for (const std::string& joint : joints) {
     const std::string other = joint_of_rate(joint);
     if (joint != "t" && !names.contains(other)) continue;
-    throw Error("joint " + in_quotes(joint) +
-                " cannot be written to a .csv file, where this is the " +
-                (joint == "t" ? "time" : "name of a column of joint " + in_quotes(other)) +
-                "; write .json instead");
+    throw Error::of("path",
+                    "joint " + in_quotes(joint) +
+                        " cannot be written to a .csv file, where this is the " +
+                        (joint == "t" ? "time" : "name of a column of joint " + in_quotes(other)) +
+                        "; write .json instead");
   }
 }
 

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double max_dwell = 1e6;  // seconds
 
-[[noreturn]] void refuse_move(const Program& program, std::size_t i, const std::string& reason) {
-  throw Error(move_name(program, i) + ": " + reason);
-}
-
 void check_count(const Program& program) {
   if (program.moves.size() <= max_moves) return;
   throw Error("the program has " + std::to_string(program.moves.size()) + " moves; at most " +
@@ -96,11 +92,11 @@ void check_distinct(const Program& program, std::size_t i, const std::vector<Pos
   if (move.kind == MoveKind::line && poses.size() == 2) return;
   for (std::size_t k = 1; k < poses.size(); ++k) {
     if (pose_difference(poses[k], poses[k - 1]).norm() > identical) continue;
-    refuse_move(program, i + k - 1, "the waypoint is the same as the one before it");
+    throw MoveError(program, i + k - 1, "the waypoint is the same as the one before it");
   }
   for (const Pose& end : poses) {
     if (!move.via || (end.translation() - *move.via).norm() > identical) continue;
-    refuse_move(program, i, "the via position is the same as that of a waypoint");
+    throw MoveError(program, i, "the via position is the same as that of a waypoint");
   }
 }
 
@@ -115,7 +111,7 @@ std::size_t add_stretch(const Program& program, std::size_t i, Pose& from, doubl
   try {
     stretch = stretch_through(program, i, poses);
   } catch (const Error& error) {
-    refuse_move(program, last, error.what());
+    throw MoveError(program, last, error.what());
   }
   Route& route = part.route;
   stretch.blend_radii.resize(last - i + 1, 0);
@@ -156,7 +152,7 @@ void check_program(const Arm& arm, const Program& program) {
     try {
       check_move(arm, program, i);
     } catch (const Error& error) {
-      refuse_move(program, i, error.what());
+      throw MoveError(program, i, error.what());
     }
   }
 }

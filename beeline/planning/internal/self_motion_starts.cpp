@@ -85,8 +85,9 @@ void add_inside(const Arm& arm, const Pose& pose, const SelfMotion& unlimited,
 }  // namespace
 
 InverseMethod method_for_few_poses(const Arm& arm, const Task& task) {
-  const bool numerical = InverseSolver(arm, {.task = task}).method() == "numerical";
-  return numerical && arm.dof() > task.size() ? InverseMethod::numerical : InverseMethod::automatic;
+  const InverseMethod chosen = InverseSolver(arm, {.task = task}).chosen_method();
+  return chosen == InverseMethod::numerical && arm.dof() > task.size() ? chosen
+                                                                       : InverseMethod::automatic;
 }
 
 std::vector<Node> self_motion_starts(const Arm& arm, const Task& task, const Pose& pose,

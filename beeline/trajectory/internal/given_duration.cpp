@@ -9,7 +9,7 @@ namespace beeline::internal {
 
 void check_duration(const std::optional<double>& duration) {
   if (!duration || (*duration > 0 && std::isfinite(*duration))) return;
-  throw Error("duration must be above 0 s, not " + number(*duration));
+  throw Error::of("duration", "duration must be above 0 s, not " + number(*duration));
 }
 
 void refuse_duration_with_rate(const std::optional<double>& duration, double rate) {

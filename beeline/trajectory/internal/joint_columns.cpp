@@ -170,14 +170,14 @@ JointColumns mapped_columns(const Arm& arm, const Names& names, const Index& ind
                             const JointMap& joint_map) {
   JointColumns columns;
   if (static_cast<int>(joint_map.size()) != arm.dof()) {
-    throw Error("the joint_map has " + std::to_string(joint_map.size()) + " names; arm " +
-                arm.name() + " needs " + std::to_string(arm.dof()) + ", for " +
-                listed(arm.joint_names()));
+    throw Error("the ", "joint_map",
+                " has " + std::to_string(joint_map.size()) + " names; arm " + arm.name() +
+                    " needs " + std::to_string(arm.dof()) + ", for " + listed(arm.joint_names()));
   }
   for (const MappedJoint& joint : joint_map) {
     const Eigen::Index column = column_named(joint.name, names, index);
     if (std::count(columns.positions.begin(), columns.positions.end(), column) > 0) {
-      throw Error("the joint_map gives " + joint.name + " to two joints");
+      throw Error("the ", "joint_map", " gives " + joint.name + " to two joints");
     }
     columns.positions.push_back(column);
   }

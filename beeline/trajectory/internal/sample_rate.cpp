@@ -8,8 +8,9 @@ namespace beeline::internal {
 void check_rate(double rate, const std::string& zero) {
   if (rate >= lowest_rate && std::isfinite(rate)) return;
   if (rate == 0 && !zero.empty()) return;
-  throw Error("the rate must be " + number(lowest_rate) + " samples per second or above" +
-              (zero.empty() ? "" : ", or 0 for " + zero) + ", not " + number(rate));
+  throw Error::of("rate", "the rate must be " + number(lowest_rate) +
+                              " samples per second or above" +
+                              (zero.empty() ? "" : ", or 0 for " + zero) + ", not " + number(rate));
 }
 
 }  // namespace beeline::internal

@@ -128,17 +128,22 @@ class Builder {
           "is not JSON: its numbers have no NaN and no infinity; leave out a limit that is not "
           "known");
     }
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..."
+    refuse("is not JSON: " + printable(syntax_fault(error)));
+  }
+
+ private:
+  /// The fault of a syntax error, of which the parser has only a text: "[json.exception...] parse
+  /// error at line 1, column 2: syntax error while ...".
+  static std::string_view syntax_fault(const nlohmann::json::exception& error) {
     std::string_view why = error.what();
     why.remove_prefix(std::min(why.size(), why.find("] ") + 2));
     const std::size_t colon = why.find(": ");
     if (why.starts_with("parse error at ")) why.remove_prefix(std::min(why.size(), colon + 2));
     constexpr std::string_view known = "syntax error while ";
     if (why.starts_with(known)) why.remove_prefix(known.size());
-    refuse("is not JSON: " + printable(why));
+    return why;
   }
 
- private:
   /// Whether the characters at which the parser stopped, control characters in it as <U+000A>,
   /// begin NaN, nan, Infinity, -Infinity or inf.
   static bool is_not_finite(const std::string& text) {

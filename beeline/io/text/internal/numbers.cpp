@@ -58,8 +58,11 @@ std::vector<double> parse_numbers(std::string_view text, std::string_view what) 
   std::vector<double> values;
   for (;;) {
     const std::size_t comma = text.find(',');
-    const std::string item = std::string(what) + ": item " + std::to_string(values.size() + 1);
-    values.push_back(parse_number(text.substr(0, comma), item));
+    const std::string_view item = text.substr(0, comma);
+    double& value = values.emplace_back(0);
+    if (const ElementFault fault = read_number(item, value); fault != ElementFault::none) {
+      throw Error("", what, ": item " + std::to_string(values.size()) + ": " + clause(fault, item));
+    }
     if (comma == std::string_view::npos) return values;
     text.remove_prefix(comma + 1);
   }

@@ -148,7 +148,7 @@ const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
   std::string wanted;
   for (const std::string& column : names) wanted += (wanted.empty() ? "" : ",") + column;
   if (format.pose_form == PoseForm::matrix) wanted = "m11,m12,...,m44 or m11,m12,...,m34";
-  throw Error(given + "pose_form " + name(*format.pose_form) + " has " + wanted);
+  throw Error(given, "pose_form", " " + name(*format.pose_form) + " has " + wanted);
 }
 
 const PoseColumns& pose_columns_of(const Names& header) {
