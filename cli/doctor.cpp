@@ -217,13 +217,17 @@ Answer compare(const DoctorArguments& arguments) {
           .reason = "A and B are not described alike"};
 }
 
+Positional first_model(DoctorArguments& arguments) {
+  Positional model = arguments.arm.argument();
+  model.name = "A";
+  return model;
+}
+
 }  // namespace
 
 Verb doctor_verb() {
   const auto shared = std::make_shared<DoctorArguments>();
   DoctorArguments& arguments = *shared;
-  Positional first = arguments.arm.argument();
-  first.name = "A";
   return {
       .name = "doctor",
       .summary = "Diagnose a model: suspicious numbers, or what two descriptions have different",
@@ -242,7 +246,7 @@ Verb doctor_verb() {
           "with the fewest differences is printed, with what to write; nothing is claimed that "
           "forward kinematics at random configurations does not confirm. Exit code 0: nothing is "
           "suspicious, or the two move alike as they are and have equal limits; 1 otherwise.",
-      .arguments = {first,
+      .arguments = {first_model(arguments),
                     {.name = "B",
                      .help = "The other description of the arm: a built-in arm, a joint string "
                              "or a file.",
