@@ -7,6 +7,7 @@
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -157,8 +158,7 @@ class FaultSearch {
 
   void report(Fault fault, std::size_t k, int i, Reason reason) {
     if (found_) return;
-    const Joint& joint = arm_.joint_of(i);
-    reason.set(ReasonField::joint, joint.name).set(ReasonField::unit, std::string(unit(joint)));
+    set_joint(arm_.joint_of(i), reason);
     found_ = {fault, k, std::move(reason)};
   }
 

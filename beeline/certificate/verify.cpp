@@ -12,6 +12,7 @@
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 
@@ -54,14 +55,9 @@ struct Verifier {
     set_fault(trajectory, fault, k, std::move(reason), result);
   }
 
-  static Reason away(ReasonCode code, const Deviation& deviation) {
-    return {
-        code,
-        {{ReasonField::distance, deviation.position}, {ReasonField::angle, deviation.orientation}}};
-  }
-
   static Reason away(ReasonCode code, const Deviation& deviation, std::string segment_name) {
-    return away(code, deviation).set(ReasonField::segment_name, std::move(segment_name));
+    return deviation_reason(code, deviation)
+        .set(ReasonField::segment_name, std::move(segment_name));
   }
 
   /// Returns whether sample k, with this deviation, is within tolerance; records a fault if not.
@@ -112,8 +108,8 @@ struct Verifier {
   void fail_between(std::size_t k, bool line, const Deviation& measured, const Deviation& bound) {
     const double change =
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
-    Reason reason = near(measured) ? away(ReasonCode::deviation_unproved, bound)
-                                   : away(ReasonCode::leaves_path, measured);
+    Reason reason = near(measured) ? deviation_reason(ReasonCode::deviation_unproved, bound)
+                                   : deviation_reason(ReasonCode::leaves_path, measured);
     reason.set(ReasonField::is_line, line);
     if (change > 0.5) reason.set(ReasonField::change, change);
     fail(Fault::deviation, k, std::move(reason));
@@ -186,7 +182,7 @@ struct Verifier {
         check_interval(k - 1, stay,
                        path_intervals(arm, trajectory, k - 1, stay, task, 1, 1).front());
       } else {
-        fail(Fault::deviation, k, away(ReasonCode::leaves_last_waypoint, left));
+        fail(Fault::deviation, k, deviation_reason(ReasonCode::leaves_last_waypoint, left));
       }
     }
   }

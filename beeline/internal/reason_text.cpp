@@ -76,14 +76,18 @@ std::string ReasonText::how_to_continue() const {
   }
 }
 
-std::string outside_text(const ReasonText& reason) {
+std::string excess_if_alike(const ReasonText& reason) {
   using enum ReasonField;
   const double q = reason.value(value);
   const double passed = q > reason.value(upper) ? reason.value(upper) : reason.value(lower);
-  const std::string by = number(std::abs(q - passed)) + " " + reason.text(unit);
+  if (number(q) != number(passed)) return "";
+  return " by " + number(std::abs(q - passed)) + " " + reason.text(unit);
+}
+
+std::string outside_text(const ReasonText& reason) {
+  using enum ReasonField;
   return reason.joint() + " at " + reason.joint_value(value) + " is outside its limits " +
-         reason.joint_value(lower) + " to " + reason.joint_value(upper) +
-         (number(q) == number(passed) ? " by " + by : "");
+         reason.joint_value(lower) + " to " + reason.joint_value(upper) + excess_if_alike(reason);
 }
 
 std::string point_text(const Eigen::Vector3d& exact) {

@@ -39,6 +39,10 @@ class ReasonText {
   const Reason& reason_;
 };
 
+/// " by 1e-08 rad", by how much the joint's value is beyond its limit, where the digits of both are
+/// alike; empty elsewhere.
+std::string excess_if_alike(const ReasonText& reason);
+
 /// "joint elbow at 3 rad (172 deg) is outside its limits -2 rad (-115 deg) to 2 rad (115 deg)".
 std::string outside_text(const ReasonText& reason);
 

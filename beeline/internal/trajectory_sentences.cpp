@@ -12,11 +12,8 @@ using enum ReasonField;
 
 /// "its limits of 0 to 1 rad", with the excess where the digits do not show it.
 std::string range(const ReasonText& reason) {
-  const double q = reason.value(value);
-  const double passed = q > reason.value(upper) ? reason.value(upper) : reason.value(lower);
-  const std::string by = number(std::abs(q - passed)) + " " + reason.text(unit);
   return "its limits of " + reason.number(lower) + " to " + reason.in_unit(upper) +
-         (number(q) == number(passed) ? " by " + by : "");
+         excess_if_alike(reason);
 }
 
 /// "1.2 rad/s^2 over the next samples; its limit is 1 rad/s^2", with the digits that differ.

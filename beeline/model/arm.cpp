@@ -8,6 +8,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/model/internal/ranges.h>
 
 namespace beeline {
@@ -254,12 +255,10 @@ std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q, 
   std::vector<Reason> violations;
   for (const int k : outside_limits(arm, q, slack)) {
     const Limits& limits = arm.limits(k);
-    violations.push_back({ReasonCode::joint_outside_limits,
-                          {{ReasonField::joint, arm.joint_of(k).name},
-                           {ReasonField::unit, unit(arm.joint_of(k))},
-                           {ReasonField::value, q[k]},
-                           {ReasonField::lower, limits.lower},
-                           {ReasonField::upper, limits.upper}}});
+    Reason outside = internal::joint_reason(ReasonCode::joint_outside_limits, arm.joint_of(k));
+    outside.set(ReasonField::value, q[k]);
+    outside.set(ReasonField::lower, limits.lower).set(ReasonField::upper, limits.upper);
+    violations.push_back(std::move(outside));
   }
   return violations;
 }

@@ -6,6 +6,7 @@
 #include <beeline/internal/enum_names.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
@@ -332,11 +333,8 @@ class ProgramPlanner {
             .bound;
     if (!budget_.complete()) return fail_ended(part.first);
     if (within(bound, {options_.tolerance, options_.orientation_tolerance})) return true;
-    return fail(
-        part.first, MotionStatus::not_proved,
-        {ReasonCode::path_not_proved,
-         {{ReasonField::distance, bound.position}, {ReasonField::angle, bound.orientation}}},
-        part_name(program_, part));
+    return fail(part.first, MotionStatus::not_proved,
+                deviation_reason(ReasonCode::path_not_proved, bound), part_name(program_, part));
   }
 
   const Arm& arm_;

@@ -8,6 +8,7 @@
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/internal/joint_reason.h>
 
 namespace beeline::internal {
 namespace {
@@ -96,17 +97,13 @@ void set_outside_limits(const Request& request, const Configuration& q, bool all
   result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
   result.residual = result.nearest->excess;
   const int k = result.nearest->blocking;
-  const Joint& joint = request.arm.joint_of(k);
   const bool above = q[k] > request.bounds.upper[k];
-  result.reason = {
-      all_examined ? ReasonCode::all_solutions_outside_limits
-                   : ReasonCode::solutions_outside_limits,
-      {{ReasonField::joint, joint.name},
-       {ReasonField::unit, std::string(unit(joint))},
-       {ReasonField::value, q[k]},
-       {ReasonField::excess, result.residual},
-       {ReasonField::is_upper, above},
-       {ReasonField::limit, above ? request.bounds.upper[k] : request.bounds.lower[k]}}};
+  result.reason = joint_reason(all_examined ? ReasonCode::all_solutions_outside_limits
+                                            : ReasonCode::solutions_outside_limits,
+                               request.arm.joint_of(k));
+  result.reason.set(ReasonField::value, q[k]).set(ReasonField::excess, result.residual);
+  result.reason.set(ReasonField::is_upper, above);
+  result.reason.set(ReasonField::limit, above ? request.bounds.upper[k] : request.bounds.lower[k]);
 }
 
 /// Adds the parts of an error that exceed the tolerance.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/certificate/verify.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/internal/motion_proof.h>
 
 namespace beeline::internal {
@@ -25,9 +26,7 @@ std::size_t prove(const Arm& arm, const Route& route, const Task& task,
   motion.status = MotionStatus::not_proved;
   motion.reason = within(bound, {options.tolerance, options.orientation_tolerance})
                       ? std::move(proof.reason)
-                      : Reason{ReasonCode::path_not_proved,
-                               {{ReasonField::distance, bound.position},
-                                {ReasonField::angle, bound.orientation}}};
+                      : deviation_reason(ReasonCode::path_not_proved, bound);
   return std::min(proof.sample, motion.trajectory.size() - 2);
 }
 

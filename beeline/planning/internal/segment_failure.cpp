@@ -6,6 +6,7 @@
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/singular_joint.h>
@@ -119,8 +120,7 @@ bool is_beginning(const Arm& arm, const Segment& segment, double s) {
 Reason singular_start(const Arm& arm, const Task& task, const Configuration& q) {
   Reason reason{ReasonCode::singular_at_start};
   if (const std::optional<int> k = singular_joint(arm, task, q)) {
-    reason.set(ReasonField::joint, arm.joint_of(*k).name);
-    reason.set(ReasonField::unit, unit(arm.joint_of(*k))).set(ReasonField::value, q[*k]);
+    set_joint(arm.joint_of(*k), reason).set(ReasonField::value, q[*k]);
   }
   return reason;
 }
@@ -196,12 +196,9 @@ void set_stop(const Segment& segment, double s, Reason& reason) {
 
 Reason passed_limit(const Arm& arm, int coordinate, bool lower) {
   const Limits& limits = arm.limits(coordinate);
-  const Joint& joint = arm.joint_of(coordinate);
-  return {ReasonCode::would_pass_limits,
-          {{ReasonField::joint, joint.name},
-           {ReasonField::unit, std::string(unit(joint))},
-           {ReasonField::is_upper, !lower},
-           {ReasonField::limit, lower ? limits.lower : limits.upper}}};
+  Reason reason = joint_reason(ReasonCode::would_pass_limits, arm.joint_of(coordinate));
+  reason.set(ReasonField::is_upper, !lower);
+  return reason.set(ReasonField::limit, lower ? limits.lower : limits.upper);
 }
 
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,

@@ -24,7 +24,7 @@ void check_joints(const Arm& arm) {
 /// Whether a pose is solved by all its solutions, and there are finitely many.
 bool has_all_solutions(const Arm& arm) {
   return arm.dof() <= default_task(arm).size() &&
-         InverseSolver(arm, {.all = true}).method() != "numerical";
+         InverseSolver(arm, {.all = true}).chosen_method() == InverseMethod::closed_form;
 }
 
 }  // namespace

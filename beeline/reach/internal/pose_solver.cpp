@@ -47,7 +47,7 @@ PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
     loop_ = form_->request(seed_, Configuration::Ones(arm.dof()), bounds.lower, bounds.upper);
   } else {
     InverseSolver all(arm, {.all = true, .lock = redundant_});
-    if (all.method() != "numerical") all_.emplace(all);
+    if (all.chosen_method() == InverseMethod::closed_form) all_.emplace(all);
   }
   const auto passes = static_cast<Eigen::Index>(values_.size());
   found_.resize(arm.dof(), (passes + 1) * most_at_once);
