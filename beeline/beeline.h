@@ -20,9 +20,9 @@
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
+#include <beeline/draw/drawing.h>
 #include <beeline/draw/figure.h>
 #include <beeline/draw/paper.h>
-#include <beeline/draw/scene.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/formula/document.h>

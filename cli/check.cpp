@@ -62,8 +62,8 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
     plot.path = FollowedPath{verification.path, verification.path_parameters, *options.task,
                              tolerance, checked.waypoints};
   }
-  const Drawing drawing = timing_figure(arm, trajectory, plot);
-  internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
+  const Picture picture = timing_figure(arm, trajectory, plot);
+  internal::write_file(arguments.plot, render(picture, format_of(arguments.plot)));
 }
 
 std::string status_of(const Verification& verification) {

@@ -41,8 +41,8 @@ void draw(const std::vector<GainMotion>& runs, const Configuration& goal,
   for (const GainMotion& run : runs) {
     motions.push_back({"K_p = " + shown(run.gain), run.motion.trajectory});
   }
-  const Drawing drawing = step_response_figure(motions, goal, "Proportional gain K_p");
-  internal::write_file(picture, render(drawing, format_of(picture)));
+  const Picture drawn = step_response_figure(motions, goal, "Proportional gain K_p");
+  internal::write_file(picture, render(drawn, format_of(picture)));
 }
 
 }  // namespace

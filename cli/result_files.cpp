@@ -77,8 +77,8 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {
-    const Drawing drawing = timing_figure(plotted.value_or(arm), trajectory, plot_options);
-    files.push_back({plot, render(drawing, format_of(plot))});
+    const Picture picture = timing_figure(plotted.value_or(arm), trajectory, plot_options);
+    files.push_back({plot, render(picture, format_of(plot))});
   }
   internal::write_files(files);
 }

@@ -52,14 +52,14 @@ class LoopImages {
   }
 
   std::string drawn(std::size_t k) const {
-    Drawing drawing;
-    drawing.width = layout_.width;
-    drawing.height = layout_.height;
+    Picture picture;
+    picture.width = layout_.width;
+    picture.height = layout_.height;
     for (FrameMark& mark : frame_marks(layout_, &animation_.frames[k])) {
       const bool hidden = mark.appears > 0 && mark.appears > animation_.times[k];
-      if (!hidden) drawing.marks.push_back(std::move(mark.mark));
+      if (!hidden) picture.marks.push_back(std::move(mark.mark));
     }
-    return pixels_of(drawing, even(layout_.width), even(layout_.height), scale);
+    return pixels_of(picture, even(layout_.width), even(layout_.height), scale);
   }
 
   const Animation& animation_;

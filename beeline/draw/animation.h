@@ -11,9 +11,9 @@ namespace beeline {
 
 /// A figure that moves: what stands still, and items that change with time.
 struct Animation {
-  Figure figure;              ///< what stands still; Item::appears counts in the units of `times`
-  std::vector<double> times;  ///< seconds, strictly increasing
-  std::vector<Scene> frames;  ///< for each time, what every panel shows beside its own scene
+  Figure figure;                ///< what stands still; Item::appears counts in the units of `times`
+  std::vector<double> times;    ///< seconds, strictly increasing
+  std::vector<Drawing> frames;  ///< for each time, what every panel shows beside its own drawing
 };
 
 /// How an animation is played: in a loop of at most a day, at rest before it begins and after it

@@ -3,7 +3,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/skeleton.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
@@ -15,11 +15,11 @@ namespace beeline {
 using namespace internal;
 namespace {
 
-Figure views_of(Scene scene, const Arm& arm, const std::string& caption,
+Figure views_of(Drawing drawing, const Arm& arm, const std::string& caption,
                 const ArmFigureOptions& options) {
   Figure figure;
   figure.title = options.title.empty() ? arm.name() : options.title;
-  Panel main{.scene = std::move(scene), .caption = caption};
+  Panel main{.drawing = std::move(drawing), .caption = caption};
   if (arm.planar()) {
     figure.columns = {{std::move(main)}};
     return figure;
@@ -27,7 +27,7 @@ Figure views_of(Scene scene, const Arm& arm, const std::string& caption,
   main.view = oblique_view(options.azimuth, options.elevation);
   figure.columns = {{main}};
   if (!options.small_views) return figure;
-  Panel above{.scene = main.scene, .zoom = 0.5, .pen = 0.6, .labels = false};
+  Panel above{.drawing = main.drawing, .zoom = 0.5, .pen = 0.6, .labels = false};
   Panel beside = above;
   above.view = top_view();
   beside.view = front_view();
@@ -66,10 +66,10 @@ std::string motion_caption(const Arm& arm, const Trajectory& trajectory) {
   return caption;
 }
 
-void add_numbered(Scene& scene, const std::vector<Pose>& waypoints) {
+void add_numbered(Drawing& drawing, const std::vector<Pose>& waypoints) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < waypoints.size(); ++i) names.push_back(std::to_string(i + 1));
-  add_poses(scene, waypoints, names);
+  add_poses(drawing, waypoints, names);
 }
 
 constexpr int max_ghosts = 1000;
@@ -136,41 +136,41 @@ Configuration display_configuration(const Arm& arm) {
 }
 
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options) {
-  Scene scene;
-  add_arm(scene, arm, q, {.frames = options.frames, .tool = !options.jacobian});
+  Drawing drawing;
+  add_arm(drawing, arm, q, {.frames = options.frames, .tool = !options.jacobian});
   if (options.jacobian) {
-    add_jacobian_arrows(scene, arm, q, jacobian_arrow_scale(arm, q), arm.planar());
+    add_jacobian_arrows(drawing, arm, q, jacobian_arrow_scale(arm, q), arm.planar());
   }
   const std::string caption =
       options.caption.empty() ? "tool at " + tool_text(arm, q) : options.caption;
-  return views_of(std::move(scene), arm, caption, options);
+  return views_of(std::move(drawing), arm, caption, options);
 }
 
 Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<Pose>& waypoints,
                      const ArmFigureOptions& options) {
   const Trajectory trajectory = checked(arm, given, options);
   const Configuration& end = trajectory.positions.back();
-  Scene scene;
+  Drawing drawing;
   for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
-    add_arm(scene, arm, sample(trajectory, t).position, {.faded = true});
+    add_arm(drawing, arm, sample(trajectory, t).position, {.faded = true});
   }
-  add_arm(scene, arm, end,
+  add_arm(drawing, arm, end,
           {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
-  add_trail(scene, arm, trajectory, {.dots = options.dots});
-  add_numbered(scene, waypoints);
-  if (options.jacobian) add_jacobian_arrows(scene, arm, end, jacobian_arrow_scale(arm, end));
+  add_trail(drawing, arm, trajectory, {.dots = options.dots});
+  add_numbered(drawing, waypoints);
+  if (options.jacobian) add_jacobian_arrows(drawing, arm, end, jacobian_arrow_scale(arm, end));
   const std::string caption =
       options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
-  return views_of(std::move(scene), arm, caption, options);
+  return views_of(std::move(drawing), arm, caption, options);
 }
 
 Animation motion_animation(const Arm& arm, const Trajectory& given,
                            const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
   const Trajectory trajectory = checked(arm, given, options);
-  Scene scene;
-  if (options.ghosts > 0) add_arm(scene, arm, trajectory.positions.front(), {.faded = true});
-  add_trail(scene, arm, trajectory, {.dots = options.dots, .growing = true});
-  add_numbered(scene, waypoints);
+  Drawing drawing;
+  if (options.ghosts > 0) add_arm(drawing, arm, trajectory.positions.front(), {.faded = true});
+  add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
+  add_numbered(drawing, waypoints);
   Animation animation;
   const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
   constexpr double rate = 50, max_steps = 999;
@@ -179,7 +179,7 @@ Animation motion_animation(const Arm& arm, const Trajectory& given,
   for (int k = 0; k <= steps; ++k) {
     const double since = steps == 0 ? 0 : duration * k / steps;
     const Configuration q = sample(trajectory, begin + since).position;
-    Scene frame;
+    Drawing frame;
     add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian});
     if (options.jacobian) {
       if (k == 0) arrow_scale = jacobian_arrow_scale(arm, q);
@@ -190,7 +190,7 @@ Animation motion_animation(const Arm& arm, const Trajectory& given,
   }
   const std::string caption =
       options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
-  animation.figure = views_of(std::move(scene), arm, caption, options);
+  animation.figure = views_of(std::move(drawing), arm, caption, options);
   return animation;
 }
 

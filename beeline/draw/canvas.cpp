@@ -15,10 +15,10 @@ Format format_of(std::string_view path) {
               "\"; it must end in .svg, .png or .pdf");
 }
 
-std::string render(const Drawing& drawing, Format format) {
-  if (format == Format::svg) return internal::svg_of(drawing);
+std::string render(const Picture& picture, Format format) {
+  if (format == Format::svg) return internal::svg_of(picture);
 #ifdef BEELINE_CAIRO
-  return format == Format::png ? internal::png_of(drawing) : internal::pdf_of(drawing);
+  return format == Format::png ? internal::png_of(picture) : internal::pdf_of(picture);
 #else
   throw Error(
       "this build writes no PNG and PDF pictures, only .svg: configure it with "

@@ -16,7 +16,7 @@ Format format_of(std::string_view path);
 
 /// Returns the bytes of the picture file; equal for equal figures. A PNG has 180 pixels per inch.
 /// Throws Error where compose() does.
-std::string render(const Drawing& drawing, Format format);
+std::string render(const Picture& picture, Format format);
 std::string render(const Figure& figure, Format format);
 
 /// Writes the figure in the format that the path's extension names. Writes to a temporary file and

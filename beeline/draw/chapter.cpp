@@ -7,7 +7,7 @@
 #include <beeline/control/joint.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/concept_figures.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
@@ -30,8 +30,8 @@ Figure figure_1_6(const Arm& arm) {
   for (const auto& [letter, q] :
        {std::pair{"(a)", degrees(112, -52, -60)}, std::pair{"(b)", degrees(60, -45, -90)}}) {
     Panel panel;
-    add_arm(panel.scene, arm, q);
-    add_joint_angles(panel.scene, arm, q, 0.9);
+    add_arm(panel.drawing, arm, q);
+    add_joint_angles(panel.drawing, arm, q, 0.9);
     panel.caption = letter + (" " + angles_text(q)) + "\ntool at " + tool_text(arm, q);
     figure.columns.push_back({panel});
   }
@@ -56,10 +56,10 @@ struct FigureMotion {
 Panel still_panel(const Arm& arm, const FigureMotion& motion, bool growing) {
   const Configuration& start = motion.trajectory.positions.front();
   Panel panel;
-  add_arm(panel.scene, arm, start, {.faded = true});
-  add_trail(panel.scene, arm, motion.trajectory, {motion.trail.dots, growing});
-  add_poses(panel.scene, motion.goals, motion.names);
-  panel.scene.add(Layer::note, Label{forward_kinematics(arm, start).translation(), "start"});
+  add_arm(panel.drawing, arm, start, {.faded = true});
+  add_trail(panel.drawing, arm, motion.trajectory, {motion.trail.dots, growing});
+  add_poses(panel.drawing, motion.goals, motion.names);
+  panel.drawing.add(Layer::note, Label{forward_kinematics(arm, start).translation(), "start"});
   panel.caption = motion.caption;
   return panel;
 }
@@ -88,7 +88,7 @@ FigureMotion motion_1_9(const Arm& /*arm*/) {
 
 Figure still_figure(const Arm& arm, const FigureMotion& motion) {
   Panel panel = still_panel(arm, motion, false);
-  add_arm(panel.scene, arm, motion.trajectory.positions.back(), {.tool = false});
+  add_arm(panel.drawing, arm, motion.trajectory.positions.back(), {.tool = false});
   Figure figure;
   figure.columns = {{panel}};
   return figure;
@@ -103,8 +103,8 @@ Figure figure_1_8(const Arm& arm) {
   const Configuration left = degrees(0, 90, 0);
   for (const Configuration& q : {left, degrees(161, -109, 38)}) {
     Panel panel;
-    add_arm(panel.scene, arm, q, {.tool = false});
-    add_jacobian_arrows(panel.scene, arm, q, jacobian_arrow_scale(arm, left), true);
+    add_arm(panel.drawing, arm, q, {.tool = false});
+    add_jacobian_arrows(panel.drawing, arm, q, jacobian_arrow_scale(arm, left), true);
     panel.caption = angles_text(q);
     figure.columns.push_back({panel});
   }
@@ -125,10 +125,11 @@ Figure figure_splines(const Arm& arm) {
         path == PathKind::line ? lines_through(poses) : path_through(poses, path);
     const PathMotion motion = move_along(arm, start, route_of(through, path));
     Panel panel;
-    add_arm(panel.scene, arm, start, {.faded = true});
-    add_arm(panel.scene, arm, motion.trajectory.positions.back(), {.tool = false});
-    add_trail(panel.scene, arm, motion.trajectory, {.dots = 1 + twentieths_of(motion.trajectory)});
-    add_poses(panel.scene, waypoints, {"1", "2", "3"});
+    add_arm(panel.drawing, arm, start, {.faded = true});
+    add_arm(panel.drawing, arm, motion.trajectory.positions.back(), {.tool = false});
+    add_trail(panel.drawing, arm, motion.trajectory,
+              {.dots = 1 + twentieths_of(motion.trajectory)});
+    add_poses(panel.drawing, waypoints, {"1", "2", "3"});
     panel.caption = (path == PathKind::line ? "straight lines, a stop at each waypoint: "
                                             : "one spline, no stop: ") +
                     fixed(motion.trajectory.times.back(), 2) + " s; a dot each 0.05 s";

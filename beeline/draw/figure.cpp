@@ -32,15 +32,15 @@ View oblique_view(double azimuth, double elevation) {
   return view;
 }
 
-Drawing compose(const Figure& figure) {
+Picture compose(const Figure& figure) {
   const internal::PageLayout layout = internal::laid_out(figure);
-  Drawing drawing;
-  drawing.width = layout.width;
-  drawing.height = layout.height;
+  Picture picture;
+  picture.width = layout.width;
+  picture.height = layout.height;
   for (internal::FrameMark& mark : internal::frame_marks(layout, nullptr)) {
-    drawing.marks.push_back(std::move(mark.mark));
+    picture.marks.push_back(std::move(mark.mark));
   }
-  return drawing;
+  return picture;
 }
 
 }  // namespace beeline

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <beeline/draw/drawing.h>
 #include <beeline/draw/paper.h>
-#include <beeline/draw/scene.h>
 #include <beeline/error.h>
 
 namespace beeline {
@@ -21,14 +21,14 @@ View side_view();   ///< y to the right, z up
 /// ground, radians; z is up. Throws Error when an angle is not finite.
 View oblique_view(double azimuth, double elevation);
 
-/// One view of a scene with a caption.
+/// One view of a drawing with a caption.
 struct Panel {
-  Scene scene = {};
+  Drawing drawing = {};
   View view = top_view();
   std::string caption = {};
   double zoom = 1;     ///< scale relative to the other panels of the figure
-  double pen = 1;      ///< factor on the sizes that the scene gives in points (line widths, text)
-  bool labels = true;  ///< draw the scene's labels
+  double pen = 1;      ///< factor on the sizes that the drawing gives in points (line widths, text)
+  bool labels = true;  ///< draw the drawing's labels
   bool axes = true;    ///< draw rulers or the ground grid with the scale bar
 };
 
@@ -44,6 +44,6 @@ struct Figure {
 
 /// Lays the figure out on a page that contains all of it. Throws Error for a figure without panels,
 /// a page size outside 100 to 10000 points and coordinates that cannot be drawn.
-Drawing compose(const Figure& figure);
+Picture compose(const Figure& figure);
 
 }  // namespace beeline

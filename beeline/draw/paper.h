@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 
 namespace beeline {
 
@@ -52,8 +52,8 @@ struct PaperText {
 
 using PaperMark = std::variant<PaperStroke, PaperText>;
 
-/// A page: marks in order of drawing.
-struct Drawing {
+/// A picture on paper: marks in order of drawing.
+struct Picture {
   double width = 0;
   double height = 0;
   std::vector<PaperMark> marks;

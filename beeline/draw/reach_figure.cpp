@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/timing_figure.h>
 
 namespace beeline {
@@ -71,10 +71,10 @@ Panel scale_panel(double height, double most) {
     Tiles tiles{.colour = colour_of(k)};
     tiles.tiles.push_back({Vector3(0, k * step, 0), Vector3(width, k * step, 0),
                            Vector3(width, (k + 1) * step, 0), Vector3(0, (k + 1) * step, 0)});
-    panel.scene.add(Layer::ground, tiles);
+    panel.drawing.add(Layer::ground, tiles);
   }
   for (int k = 0; k <= shades; k += shades / 4) {
-    panel.scene.add(
+    panel.drawing.add(
         Layer::note,
         Label{.at = Vector3(width, k * step, 0), .text = number(most * k / shades), .up = 0});
   }
@@ -110,9 +110,9 @@ Panel panel_of(const ReachSlice& slice, double most) {
                       : slice.normal == 1 ? front_view()
                                           : side_view()};
   for (Tiles& tiles : tiles_of(slice, most)) {
-    if (!tiles.tiles.empty()) panel.scene.add(Layer::ground, std::move(tiles));
+    if (!tiles.tiles.empty()) panel.drawing.add(Layer::ground, std::move(tiles));
   }
-  internal::add_arm(panel.scene, slice.arm, display_configuration(slice.arm), {.tool = false});
+  internal::add_arm(panel.drawing, slice.arm, display_configuration(slice.arm), {.tool = false});
   return panel;
 }
 

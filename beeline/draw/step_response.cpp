@@ -41,7 +41,7 @@ double settling_time(const Curve& curve) {
 
 }  // namespace
 
-Drawing step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
+Picture step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
                              const std::string& title) {
   Chart chart{.heading = "distance towards the goal",
               .x_name = "time [s]",

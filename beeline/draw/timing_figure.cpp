@@ -76,7 +76,7 @@ void add_legend(const Trajectory& trajectory, Sheet& sheet) {
 
 }  // namespace
 
-Drawing timing_figure(const Trajectory& trajectory, const std::string& title) {
+Picture timing_figure(const Trajectory& trajectory, const std::string& title) {
   check_trajectory(trajectory);
   if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
   Sheet sheet{.title = title.empty() ? extent_of(trajectory) : title, .plot_height = plot_height};
@@ -85,7 +85,7 @@ Drawing timing_figure(const Trajectory& trajectory, const std::string& title) {
   return compose(sheet);
 }
 
-Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigureOptions& options) {
+Picture timing_figure(const Arm& arm, const Trajectory& given, const TimingFigureOptions& options) {
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
   const Task task = options.task   ? *options.task

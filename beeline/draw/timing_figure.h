@@ -39,12 +39,12 @@ struct TimingFigureOptions {
 /// trail with its deviation exaggerated, and the deviation over the arc length with its proved
 /// bound and tolerance. Throws Error when the trajectory does not fit the arm, has no samples, or
 /// does not fit `path`.
-Drawing timing_figure(const Arm& arm, const Trajectory& trajectory,
+Picture timing_figure(const Arm& arm, const Trajectory& trajectory,
                       const TimingFigureOptions& options = {});
 
 /// Draws the same of a trajectory without its arm: positions, velocities and accelerations. Throws
 /// Error where check_trajectory() does, and when there are no samples.
-Drawing timing_figure(const Trajectory& trajectory, const std::string& title = {});
+Picture timing_figure(const Trajectory& trajectory, const std::string& title = {});
 
 /// A motion with the name of its curve.
 struct NamedMotion {
@@ -57,7 +57,7 @@ struct NamedMotion {
 /// q₀) / |g − q₀|². Above 100 the motion overshoots. The time axis ends where all motions have come
 /// within half a percent for good; a curve ends where it leaves ±300 %. Throws Error for a motion
 /// without samples, a goal of another size, and a goal equal to the start.
-Drawing step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
+Picture step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
                              const std::string& title);
 
 /// Draws a slice of a reach map: each position that is reached in the colour of its value, with a

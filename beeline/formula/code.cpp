@@ -1,20 +1,20 @@
 #include <algorithm>
 
 #include <beeline/formula/document.h>
+#include <beeline/formula/internal/chain_graph.h>
 #include <beeline/formula/internal/code_writer.h>
-#include <beeline/formula/internal/program_chain.h>
 
 namespace beeline {
 namespace {
 
+using internal::ChainGraph;
 using internal::CodeWriter;
-using internal::Program;
-using internal::ProgramChain;
+using internal::ComputationGraph;
 
 /// The entries of the task's rows, of a 6 x dof matrix row by row.
-std::vector<Program::Id> task_entries(const std::vector<Program::Id>& matrix, const Task& task,
-                                      int dof) {
-  std::vector<Program::Id> entries;
+std::vector<ComputationGraph::Id> task_entries(const std::vector<ComputationGraph::Id>& matrix,
+                                               const Task& task, int dof) {
+  std::vector<ComputationGraph::Id> entries;
   for (std::size_t row = 0; row < 6; ++row) {
     if (!task.rows[row]) continue;
     const auto begin = matrix.begin() + static_cast<std::ptrdiff_t>(row) * dof;
@@ -23,12 +23,12 @@ std::vector<Program::Id> task_entries(const std::vector<Program::Id>& matrix, co
   return entries;
 }
 
-Program::Id determinant_of(ProgramChain& chain, const DeterminantFormula& determinant) {
-  Program& program = chain.program();
-  Program::Id product = chain.expression(determinant.constant);
+ComputationGraph::Id determinant_of(ChainGraph& chain, const DeterminantFormula& determinant) {
+  ComputationGraph& graph = chain.graph();
+  ComputationGraph::Id product = chain.expression(determinant.constant);
   for (const auto& [factor, exponent] : determinant.factors) {
     for (int k = 0; k < exponent; ++k) {
-      product = program.multiply(product, chain.expression(factor));
+      product = graph.multiply(product, chain.expression(factor));
     }
   }
   return product;
@@ -55,8 +55,8 @@ GeneratedCode formula_code(const SymbolicArm& arm, const ExpressionMatrix& matri
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits)) {
     throw Error("\"" + name + "\" is not a name for a function: letters, digits and underscores");
   }
-  ProgramChain chain(arm, numbers);
-  std::vector<Program::Id> entries;
+  ChainGraph chain(arm, numbers);
+  std::vector<ComputationGraph::Id> entries;
   for (const Expression& entry : matrix.entries) entries.push_back(chain.expression(entry));
   if (entries.empty()) throw Error("a matrix without entries has no code");
   CodeWriter writer(arm, chain, language);
@@ -69,7 +69,7 @@ GeneratedCode formula_code(const SymbolicArm& arm, const ExpressionMatrix& matri
 
 GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content,
                            CodeLanguage language, bool numbers) {
-  ProgramChain chain(arm, numbers);
+  ChainGraph chain(arm, numbers);
   CodeWriter writer(arm, chain, language);
   const std::string rows = listed(row_names({content.task.rows, Frame::base}));
   const std::string frame = "in the " + name(content.frame) + " frame";

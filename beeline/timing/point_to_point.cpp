@@ -148,7 +148,7 @@ Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods
     const internal::AveragedScaling averaged(uniform, period);
     for (std::size_t k = 1; k < all; ++k) {
       if (k % batch == 0 && budget.ended(batch)) return {};
-      const internal::Progress now = averaged.at(trajectory.times[k]);
+      const internal::ParameterState now = averaged.at(trajectory.times[k]);
       trajectory.positions[k][i] = motion.from[i] + now.s;
       trajectory.velocities[k][i] = now.speed;
       trajectory.accelerations[k][i] = now.acceleration;

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from ._core import (
     Animation,
     Arm,
-    Drawing,
+    Picture,
     Trajectory,
     arm_figure,
     chapter_figure,
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Drawing:
+def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Picture:
     """Draws an arm, or its motion.
 
     Parameters
@@ -35,7 +35,7 @@ def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **o
 
     Returns
     -------
-    Drawing
+    Picture
         Notebooks show it, `save()` writes it.
 
     Raises
@@ -83,6 +83,6 @@ def animate(
     return motion_animation(arm, trajectory, waypoints, small_views=small_views, **options)
 
 
-def figure(number: str) -> Drawing:
+def figure(number: str) -> Picture:
     """Draws a figure of Dellaert, *Serial Link Manipulators*: one of `chapter_figures()`."""
     return chapter_figure(number)

@@ -12,7 +12,7 @@ std::vector<Pose> waypoints_from(const Arm& arm, nb::handle value) {
   return value.is_none() ? std::vector<Pose>() : PosePlane(arm).poses(value, "waypoints");
 }
 
-Drawing arm_drawing(const Arm& arm, nb::handle q, const nb::kwargs& keywords) {
+Picture arm_picture(const Arm& arm, nb::handle q, const nb::kwargs& keywords) {
   const auto given = options<ArmFigureOptions>(keywords);
   const Configuration at =
       q.is_none() ? display_configuration(arm) : Value<Configuration>::from(q, "q");
@@ -24,7 +24,7 @@ void bind_chapter(nb::module_& m) {
       "chapter_figures", [] { return Value<std::vector<std::string>>::to(chapter_figures()); },
       nb::sig("def chapter_figures() -> list[str]"),
       "The figures of Dellaert, *Serial Link Manipulators*, that chapter_figure() draws.");
-  Signature figure("chapter_figure", "Drawing",
+  Signature figure("chapter_figure", "Picture",
                    "Draws a figure of Dellaert, *Serial Link Manipulators*.");
   figure.takes("number", "str", "One of `chapter_figures()`, such as `1.7`.");
   define(
@@ -52,7 +52,7 @@ void bind_motion_figures(nb::module_& m) {
   constexpr const char* waypoints_doc =
       "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta each.";
   const std::string poses = std::string(arm_poses_like) + " | None";
-  Signature figure("motion_figure", "Drawing",
+  Signature figure("motion_figure", "Picture",
                    "Draws a motion: the trail of the tool, the arm at the end, faded arms before, "
                    "and the waypoints.");
   figure.takes("arm", "Arm", "The arm.")
@@ -91,7 +91,7 @@ void bind_motion_figures(nb::module_& m) {
 }
 
 void bind_charts(nb::module_& m) {
-  Signature timing("timing_figure", "Drawing",
+  Signature timing("timing_figure", "Picture",
                    "Draws positions, velocities and accelerations of all joints over time, with "
                    "their limits, the speed of the tool, and the inverse condition number of the "
                    "task's Jacobian (0 at a singularity). For a planned motion along a path, also "
@@ -126,7 +126,7 @@ void bind_charts(nb::module_& m) {
       timing, nb::arg("arm"), nb::arg("motion"), nb::kw_only(), nb::arg("title") = "",
       nb::arg("task") = nb::none(), nb::arg("tolerance") = nb::none(),
       nb::arg("waypoint_times") = nb::make_tuple());
-  Signature responses("step_response_figure", "Drawing",
+  Signature responses("step_response_figure", "Picture",
                       "Draws the step responses of controllers: for each motion, over time, the "
                       "distance towards the goal in joint space, in percent.");
   responses.takes("motions", "collections.abc.Mapping[str, Trajectory]", "By the curves' names.")
@@ -153,14 +153,14 @@ void bind_pictures(nb::module_& m) {
   bind_chapter(m);
   bind_motion_figures(m);
   bind_charts(m);
-  Signature figure("arm_figure", "Drawing",
+  Signature figure("arm_figure", "Picture",
                    "Draws an arm: from above when it is planar, otherwise in an oblique view with "
                    "two small views beside it.");
   figure.takes("arm", "Arm", "The arm.")
       .takes("q", std::string(array_like) + " | None",
              "Configuration (n,). Default: `display_configuration(arm)`.", "None")
       .options<ArmFigureOptions>();
-  define(m, &arm_drawing, figure, nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
+  define(m, &arm_picture, figure, nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
   Signature shown("display_configuration", array_type,
                   "Returns a configuration (n,) that shows the arm well: the middle of the "
                   "position limits or, where the arm is singular there, one far from "

@@ -24,7 +24,7 @@ auto without_lock(Work work) {
 }
 
 /// The picture for notebooks, not wider than their cells.
-nb::str notebook_svg(const Drawing& drawing);
+nb::str notebook_svg(const Picture& picture);
 
 void bind_pages(nb::module_& module);
 

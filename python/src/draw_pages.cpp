@@ -7,8 +7,8 @@
 namespace beeline::python {
 namespace {
 
-nb::str svg_of(const Drawing& drawing) {
-  const std::string svg = without_lock([&] { return render(drawing, Format::svg); });
+nb::str svg_of(const Picture& picture) {
+  const std::string svg = without_lock([&] { return render(picture, Format::svg); });
   return nb::str(svg.data(), svg.size());
 }
 
@@ -45,31 +45,31 @@ void bind_copies(nb::class_<Picture>& picture, const std::string& name) {
 constexpr const char* svg_getter = "def svg(self) -> str";
 constexpr const char* size_doc = "Points, 1/72 inch.";
 
-void bind_drawing(nb::module_& m) {
-  nb::class_<Drawing> drawing(m, "Drawing",
+void bind_picture(nb::module_& m) {
+  nb::class_<Picture> picture(m, "Picture",
                               "A picture on a page. Notebooks show it; `save()` writes it.");
-  drawing.def_prop_ro(
-      "svg", [](const Drawing& self) { return svg_of(self); }, nb::for_getter(nb::sig(svg_getter)),
+  picture.def_prop_ro(
+      "svg", [](const Picture& self) { return svg_of(self); }, nb::for_getter(nb::sig(svg_getter)),
       "The picture as the text of an SVG file; equal for equal pictures.");
-  drawing.def_ro("width", &Drawing::width, size_doc);
-  drawing.def_ro("height", &Drawing::height, size_doc);
+  picture.def_ro("width", &Picture::width, size_doc);
+  picture.def_ro("height", &Picture::height, size_doc);
   Signature save("save", "None",
                  "Writes the picture in the format that the path's extension names. PNG and PDF "
                  "need a build with Cairo; without it they raise Error.");
   save.takes("self").takes("path", path_like, "A .svg, .png or .pdf file.");
   define(
-      drawing,
-      [](const Drawing& self, nb::handle path) {
+      picture,
+      [](const Picture& self, nb::handle path) {
         const std::string file = path_from(path, "path");
         without_lock([&] { internal::write_file(file, render(self, format_of(file))); });
       },
       save, nb::arg("path"));
-  drawing.def("_repr_svg_", &notebook_svg);
-  drawing.def("__repr__", [](const Drawing& self) {
-    return "<beeline.Drawing of " + number(self.width) + " x " + number(self.height) + " points>";
+  picture.def("_repr_svg_", &notebook_svg);
+  picture.def("__repr__", [](const Picture& self) {
+    return "<beeline.Picture of " + number(self.width) + " x " + number(self.height) + " points>";
   });
-  bind_copies(drawing, "Drawing");
-  bind_equality(drawing, [](const Drawing& a, const Drawing& b) {
+  bind_copies(picture, "Picture");
+  bind_equality(picture, [](const Picture& a, const Picture& b) {
     return a.width == b.width && a.height == b.height && a.marks == b.marks;
   });
 }
@@ -120,8 +120,8 @@ PlayedAnimation::PlayedAnimation(Animation made, const PlaybackOptions& options)
   internal::check_playback(animation, playback);
 }
 
-nb::str notebook_svg(const Drawing& drawing) {
-  std::string svg = without_lock([&] { return render(drawing, Format::svg); });
+nb::str notebook_svg(const Picture& picture) {
+  std::string svg = without_lock([&] { return render(picture, Format::svg); });
   const std::string start = "<svg ";
   const std::size_t root = svg.find(start);
   svg.insert(root + start.size(), "style=\"max-width: 100%; height: auto\" ");
@@ -129,7 +129,7 @@ nb::str notebook_svg(const Drawing& drawing) {
 }
 
 void bind_pages(nb::module_& m) {
-  bind_drawing(m);
+  bind_picture(m);
   bind_animation(m);
 }
 

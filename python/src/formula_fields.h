@@ -168,12 +168,12 @@ struct Fields<WrittenSection> {
   static constexpr const char* name = "WrittenSection";
   static constexpr const char* doc = "A part of a FormulaDocument.";
   static constexpr auto all() {
-    using Section = WrittenSection;
-    return std::tuple(field("key", &Section::key, "Such as jacobian."),
-                      field("title", &Section::title, "Title."),
-                      field("remarks", &Section::remarks, "Sentences below the title."),
-                      field("formulas", &Section::formulas, "Formulas."),
-                      field("sentences", &Section::sentences, "Sentences behind the formulas."));
+    using Written = WrittenSection;
+    return std::tuple(field("key", &Written::key, "Such as jacobian."),
+                      field("title", &Written::title, "Title."),
+                      field("remarks", &Written::remarks, "Sentences below the title."),
+                      field("formulas", &Written::formulas, "Formulas."),
+                      field("sentences", &Written::sentences, "Sentences behind the formulas."));
   }
 };
 

@@ -58,15 +58,15 @@ void SlicePlane::takes(Signature& signature) {
 
 namespace {
 
-Drawing drawing_of(const SliceArray& arrays) {
+Picture picture_of(const SliceArray& arrays) {
   const ReachSlice slice = slice_of(arrays);
   return without_lock([&] { return compose(reach_figure(slice)); });
 }
 
 /// The picture of a slice or of two.
-Drawing drawing_from(nb::handle slice) {
+Picture picture_from(nb::handle slice) {
   const SliceArray* single = nullptr;
-  if (nb::try_cast<const SliceArray*>(slice, single) && single) return drawing_of(*single);
+  if (nb::try_cast<const SliceArray*>(slice, single) && single) return picture_of(*single);
   if (!nb::isinstance<nb::list>(slice) && !nb::isinstance<nb::tuple>(slice)) {
     raise_type("slice", "a ReachSlice or a list of two", slice);
   }
@@ -117,7 +117,7 @@ void bind_slice(nb::module_& m) {
       nb::for_getter(nb::sig("def coordinates(self) -> tuple[numpy.typing.NDArray[numpy.float64], "
                              "numpy.typing.NDArray[numpy.float64]]")),
       "Of the centres along the two axes of the values, m.");
-  slice.def("_repr_svg_", [](const SliceArray& self) { return notebook_svg(drawing_of(self)); });
+  slice.def("_repr_svg_", [](const SliceArray& self) { return notebook_svg(picture_of(self)); });
   Signature title("with_title", "ReachSlice", "Returns a copy with another title.");
   title.takes("self").takes("title", "str", "What pictures name it.");
   define(
@@ -146,14 +146,14 @@ void bind_slices(nb::module_& m) {
       },
       of, nb::arg("map"), nb::arg("axis"), nb::arg("at"), nb::arg("measure") = "directions");
 
-  Signature figure("reach_figure", "Drawing",
+  Signature figure("reach_figure", "Picture",
                    "Draws a slice of a map: each position that is reached in the colour of its "
                    "value, with a scale beside it, and the arm; or slices of two maps beside each "
                    "other, with one scale. Raises Error for another number of slices, and for two "
                    "of different measures or planes.");
   figure.takes("slice", "ReachSlice | " + Value<std::vector<SliceArray>>::argument_type(),
                "Of slice_of(), or the two of slices_of().");
-  define(m, &drawing_from, figure, nb::arg("slice"));
+  define(m, &picture_from, figure, nb::arg("slice"));
 
   Signature image("write_vti", "None",
                   "Writes the positions of a map as an image of VTK, which ParaView opens, with "

@@ -2,7 +2,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
@@ -17,9 +17,9 @@ using namespace internal;
 namespace {
 
 template <class Shape>
-std::vector<Shape> all_of(const Scene& scene) {
+std::vector<Shape> all_of(const Drawing& drawing) {
   std::vector<Shape> found;
-  for (const Item& item : scene.items) {
+  for (const Item& item : drawing.items) {
     if (const auto* shape = std::get_if<Shape>(&item.shape)) found.push_back(*shape);
   }
   return found;
@@ -59,10 +59,10 @@ TEST(Frames, AtOnePlaceHaveOneLabelAndOtherLengths) {
   for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const Configuration q = display_configuration(arm);
-    Scene scene;
-    add_arm(scene, arm, q, {.frames = true, .tool = false});
-    const std::vector<FrameTriad> triads = all_of<FrameTriad>(scene);
-    const std::vector<Label> labels = all_of<Label>(scene);
+    Drawing drawing;
+    add_arm(drawing, arm, q, {.frames = true, .tool = false});
+    const std::vector<FrameTriad> triads = all_of<FrameTriad>(drawing);
+    const std::vector<Label> labels = all_of<Label>(drawing);
     ASSERT_EQ(triads.size(), arm.joints().size() + 1);
     for (std::size_t i = 0; i < triads.size(); ++i) {
       const Vector3 at = triads[i].pose.translation();
@@ -80,9 +80,9 @@ TEST(Frames, AtOnePlaceHaveOneLabelAndOtherLengths) {
 
 TEST(JacobianArrows, ThatCoincideStayVisible) {
   const Arm arm = built_in("rrr");
-  Scene scene;
-  add_jacobian_arrows(scene, arm, Configuration::Zero(3), 1);
-  const std::vector<Polyline> arrows = all_of<Polyline>(scene);
+  Drawing drawing;
+  add_jacobian_arrows(drawing, arm, Configuration::Zero(3), 1);
+  const std::vector<Polyline> arrows = all_of<Polyline>(drawing);
   ASSERT_EQ(arrows.size(), 3u);
   for (std::size_t i = 0; i + 1 < 3; ++i) {
     const auto length = [](const Polyline& arrow) {
@@ -91,7 +91,7 @@ TEST(JacobianArrows, ThatCoincideStayVisible) {
     EXPECT_GT(length(arrows[i]), length(arrows[i + 1]));
     EXPECT_GT(arrows[i].width, arrows[i + 1].width + 1);
   }
-  Scene apart;
+  Drawing apart;
   add_jacobian_arrows(apart, built_in("gantry"), Configuration::Zero(2), 1);
   for (const Polyline& arrow : all_of<Polyline>(apart)) EXPECT_EQ(arrow.width, 2.2);
 }

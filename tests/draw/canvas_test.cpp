@@ -22,16 +22,16 @@ int big_endian(const std::string& bytes, std::size_t at) {
 
 TEST(Canvas, WritesEveryFormat) {
   for (const std::string& number : chapter_figures()) {
-    const Drawing drawing = compose(chapter_figure(number));
-    const std::string svg = render(drawing, Format::svg);
+    const Picture picture = compose(chapter_figure(number));
+    const std::string svg = render(picture, Format::svg);
     EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
     EXPECT_NE(svg.find("<svg "), std::string::npos);
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
-    const std::string png = render(drawing, Format::png);
+    const std::string png = render(picture, Format::png);
     EXPECT_EQ(png.rfind("\x89PNG\r\n\x1a\n", 0), 0u);
-    EXPECT_NEAR(big_endian(png, 16), 2.5 * drawing.width, 1);  // 180 pixels an inch
-    EXPECT_NEAR(big_endian(png, 20), 2.5 * drawing.height, 1);
-    const std::string pdf = render(drawing, Format::pdf);
+    EXPECT_NEAR(big_endian(png, 16), 2.5 * picture.width, 1);  // 180 pixels an inch
+    EXPECT_NEAR(big_endian(png, 20), 2.5 * picture.height, 1);
+    const std::string pdf = render(picture, Format::pdf);
     EXPECT_EQ(pdf.rfind("%PDF-", 0), 0u);
     EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
   }

@@ -28,9 +28,9 @@ std::vector<Vector3> tool_positions(const Arm& arm, const Trajectory& motion) {
 
 const Panel& panel(const Figure& figure, std::size_t column) { return figure.columns[column][0]; }
 
-std::vector<Polyline> arrows(const Scene& scene) {
+std::vector<Polyline> arrows(const Drawing& drawing) {
   std::vector<Polyline> found;
-  for (const Item& item : scene.items) {
+  for (const Item& item : drawing.items) {
     const auto* line = std::get_if<Polyline>(&item.shape);
     if (line != nullptr && line->arrow && line->points.size() == 2) found.push_back(*line);
   }
@@ -54,7 +54,7 @@ TEST(Chapter, Figures11And12ShowTheJointTypes) {
   std::vector<JointKind> kinds;
   const Figure two = chapter_figure("1.1"), six = chapter_figure("1.2");
   for (const auto& column : two.columns) {
-    for (const Item& item : column[0].scene.items) {
+    for (const Item& item : column[0].drawing.items) {
       if (const auto* joint = std::get_if<JointSymbol>(&item.shape)) kinds.push_back(joint->kind);
     }
   }
@@ -73,7 +73,7 @@ TEST(Chapter, Figures14And15NameTransformationsAnglesAndLengths) {
   const auto texts = [](const std::string& number) {
     std::string all;
     const Figure figure = chapter_figure(number);
-    for (const Item& item : figure.columns[0][0].scene.items) {
+    for (const Item& item : figure.columns[0][0].drawing.items) {
       if (const auto* label = std::get_if<Label>(&item.shape)) all += label->text + ";";
     }
     return all;
@@ -89,13 +89,14 @@ TEST(Chapter, TheSplinePassesTheWaypointsFaster) {
   for (std::size_t part = 0; part < 2; ++part) {
     const std::string& caption = panel(figure, part).caption;
     durations[part] = std::stod(caption.substr(caption.find(": ") + 2));
-    const auto& trail = std::get<Polyline>(
-        std::find_if(panel(figure, part).scene.items.begin(), panel(figure, part).scene.items.end(),
-                     [](const Item& item) {
-                       return item.layer == Layer::trail &&
-                              std::holds_alternative<Polyline>(item.shape);
-                     })
-            ->shape);
+    const auto& trail =
+        std::get<Polyline>(std::find_if(panel(figure, part).drawing.items.begin(),
+                                        panel(figure, part).drawing.items.end(),
+                                        [](const Item& item) {
+                                          return item.layer == Layer::trail &&
+                                                 std::holds_alternative<Polyline>(item.shape);
+                                        })
+                               ->shape);
     for (const Pose2& waypoint : figure_1_9_waypoints()) {
       double nearest = 9;
       for (const Vector3& p : trail.points) {
@@ -114,7 +115,7 @@ TEST(Chapter, Figure13NamesFourFrames) {
   for (const Panel& part : figure.columns[0]) {
     int triads = 0;
     std::vector<std::string> names;
-    for (const Item& item : part.scene.items) {
+    for (const Item& item : part.drawing.items) {
       triads += std::holds_alternative<FrameTriad>(item.shape);
       if (const auto* label = std::get_if<Label>(&item.shape)) names.push_back(label->text);
     }
@@ -156,7 +157,7 @@ TEST(Chapter, Figure18ArrowsAreSquareToTheLeversAndProportional) {
   for (std::size_t part = 0; part < 2; ++part) {
     const std::vector<Pose> links = link_poses(arm, configurations[part]);
     const Vector3 tool = links.back().translation();
-    const std::vector<Polyline> shown = arrows(panel(figure, part).scene);
+    const std::vector<Polyline> shown = arrows(panel(figure, part).drawing);
     ASSERT_EQ(shown.size(), 3u);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3 lever = tool - links[k].translation();  // frame k sits at joint k + 1

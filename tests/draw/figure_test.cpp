@@ -4,7 +4,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/page.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/text.h>
@@ -23,16 +23,16 @@ namespace {
 using testing::expect_within_page;
 using testing::Random;
 
-Figure figure_of(Scene scene, const View& view = top_view()) {
+Figure figure_of(Drawing drawing, const View& view = top_view()) {
   Figure figure;
-  figure.columns = {{Panel{.scene = std::move(scene), .view = view}}};
+  figure.columns = {{Panel{.drawing = std::move(drawing), .view = view}}};
   return figure;
 }
 
-Scene dots_at(std::vector<Vector3> points) {
-  Scene scene;
-  scene.add(Layer::mark, Dots{std::move(points)});
-  return scene;
+Drawing dots_at(std::vector<Vector3> points) {
+  Drawing drawing;
+  drawing.add(Layer::mark, Dots{std::move(points)});
+  return drawing;
 }
 
 /// Where the figure's only Dots of a colour that nothing else has are on paper.
@@ -87,13 +87,13 @@ TEST(Compose, ClipsNothingAtAnyScale) {
     std::vector<Vector3> points;
     for (int k = 0; k < 20; ++k) points.push_back(random.vector(size));
     for (const View& view : {top_view(), front_view(), side_view(), oblique_view(0.3, 0.4)}) {
-      Scene scene = dots_at(points);
-      scene.add(Layer::note, Label{points[0], "a label"});
-      scene.floor = 0;
-      const Drawing drawing = compose(figure_of(scene, view));
-      expect_within_page(drawing, "size " + std::to_string(size));
-      EXPECT_LT(drawing.width, 700) << size;
-      EXPECT_LT(drawing.height, 700) << size;
+      Drawing drawing = dots_at(points);
+      drawing.add(Layer::note, Label{points[0], "a label"});
+      drawing.floor = 0;
+      const Picture picture = compose(figure_of(drawing, view));
+      expect_within_page(picture, "size " + std::to_string(size));
+      EXPECT_LT(picture.width, 700) << size;
+      EXPECT_LT(picture.height, 700) << size;
     }
   }
 }
@@ -105,20 +105,20 @@ TEST(Compose, DrawsWhatIsAllInOnePlace) {
       expect_within_page(compose(figure), "one place");
     }
   }
-  expect_within_page(compose(figure_of(Scene{})), "nothing");
+  expect_within_page(compose(figure_of(Drawing{})), "nothing");
 }
 
 TEST(Compose, KeepsTheAspect) {
   Random random;
   for (int trial = 0; trial < 200; ++trial) {
-    Scene scene = dots_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    std::get<Dots>(scene.items[0].shape).colour = {0.123, 0, 0};
+    Drawing drawing = dots_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    std::get<Dots>(drawing.items[0].shape).colour = {0.123, 0, 0};
     std::vector<Vector3> others;
     for (int k = 0; k < 5; ++k) {
       others.emplace_back(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-1, 1));
     }
-    scene.add(Layer::mark, Dots{others});
-    const std::vector<PaperPoint> at = places(figure_of(scene), {0.123, 0, 0});
+    drawing.add(Layer::mark, Dots{others});
+    const std::vector<PaperPoint> at = places(figure_of(drawing), {0.123, 0, 0});
     ASSERT_EQ(at.size(), 3u);
     const PaperPoint x = at[1] - at[0], y = at[2] - at[0];
     EXPECT_NEAR(x.y(), 0, 1e-9);
@@ -131,9 +131,9 @@ TEST(Compose, KeepsTheAspect) {
 TEST(Compose, DrawsPanelsAtOneScale) {
   Figure figure;
   for (const double size : {1.0, 3.0}) {
-    Scene scene = dots_at({{0, 0, 0}, {size, 0, 0}});
-    std::get<Dots>(scene.items[0].shape).colour = {0.123, 0, 0};
-    figure.columns.push_back({Panel{.scene = scene}});
+    Drawing drawing = dots_at({{0, 0, 0}, {size, 0, 0}});
+    std::get<Dots>(drawing.items[0].shape).colour = {0.123, 0, 0};
+    figure.columns.push_back({Panel{.drawing = drawing}});
   }
   const std::vector<PaperPoint> at = places(figure, {0.123, 0, 0});
   ASSERT_EQ(at.size(), 4u);
@@ -180,9 +180,9 @@ TEST(Compose, RefusesWhatCannotBeDrawn) {
   EXPECT_REFUSED(compose(figure_of(dots_at({{0, nan, 0}}))), "dot at (0, nan, 0)");
   EXPECT_REFUSED(compose(figure_of(dots_at({{0, 0, -inf}}))), "must be finite");
   EXPECT_REFUSED(compose(figure_of(dots_at({{1e13, 0, 0}}))), "within 1e12 m");
-  Scene scene;
-  scene.add(Layer::note, Label{{nan, 0, 0}, "a"});
-  EXPECT_REFUSED(compose(figure_of(scene)), "label");
+  Drawing drawing;
+  drawing.add(Layer::note, Label{{nan, 0, 0}, "a"});
+  EXPECT_REFUSED(compose(figure_of(drawing)), "label");
   EXPECT_REFUSED(compose(Figure{}), "at least one panel");
   Figure empty_column;
   empty_column.columns.emplace_back();
@@ -206,10 +206,10 @@ TEST(Compose, FillsThePage) {
     figure.width = 400;
     figure.height = height;
     figure.fill = true;
-    const Drawing drawing = compose(figure);
-    EXPECT_NEAR(drawing.width, 400 + 2 * page_margin, 1);
-    EXPECT_NEAR(drawing.height, height + 2 * page_margin, 1);
-    expect_within_page(drawing, "filled");
+    const Picture picture = compose(figure);
+    EXPECT_NEAR(picture.width, 400 + 2 * page_margin, 1);
+    EXPECT_NEAR(picture.height, height + 2 * page_margin, 1);
+    expect_within_page(picture, "filled");
   }
 }
 

@@ -12,9 +12,9 @@ namespace beeline {
 namespace {
 
 /// The curves of a drawing in a colour, without the legend's.
-std::vector<PaperPoint> curve_of(const Drawing& drawing, const Colour& colour) {
+std::vector<PaperPoint> curve_of(const Picture& picture, const Colour& colour) {
   std::vector<PaperPoint> longest;
-  for (const PaperMark& mark : drawing.marks) {
+  for (const PaperMark& mark : picture.marks) {
     const auto* stroke = std::get_if<PaperStroke>(&mark);
     if (stroke == nullptr || !(stroke->line == colour)) continue;
     if (stroke->path.points.size() > longest.size()) longest = stroke->path.points;
@@ -30,13 +30,13 @@ TEST(StepResponse, OfAGainAbove1OvershootsAndBelow1DoesNot) {
     motions.push_back({"gain " + std::to_string(gain),
                        control_joints(arm, start, goal, {.kp = gain}).trajectory});
   }
-  const Drawing drawing = step_response_figure(motions, goal, "gains");
-  testing::expect_within_page(drawing, "gains");
+  const Picture picture = step_response_figure(motions, goal, "gains");
+  testing::expect_within_page(picture, "gains");
   // The highest curve on paper, whose y points down, is that of the gain that overshoots.
   double highest[3];
   for (int k = 0; k < 3; ++k) {
     highest[k] = 1e9;
-    for (const PaperPoint& p : curve_of(drawing, distinct_colour(k))) {
+    for (const PaperPoint& p : curve_of(picture, distinct_colour(k))) {
       highest[k] = std::min(highest[k], p.y());
     }
   }

@@ -217,11 +217,11 @@ TEST(TimingFigure, ClipsNothingOfArmsWithOneToThirtyJoints) {
     for (const int samples : {1, 2, 3, 200}) {
       for (const bool known : {false, true}) {
         const Arm arm = limited(testing::random_arm(random, joints), random);
-        const Drawing drawing = timing_figure(arm, wave(random, arm, samples, known));
-        expect_within_page(drawing, std::to_string(joints) + " joints");
-        EXPECT_GT(render(drawing, Format::svg).size(), 1000u);
+        const Picture picture = timing_figure(arm, wave(random, arm, samples, known));
+        expect_within_page(picture, std::to_string(joints) + " joints");
+        EXPECT_GT(render(picture, Format::svg).size(), 1000u);
         std::set<std::string> texts;
-        for (const PaperMark& mark : drawing.marks) {
+        for (const PaperMark& mark : picture.marks) {
           if (const auto* text = std::get_if<PaperText>(&mark)) texts.insert(text->text);
         }
         for (const std::string& name : arm.joint_names()) EXPECT_TRUE(texts.contains(name));

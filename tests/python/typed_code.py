@@ -68,12 +68,12 @@ def reach(arm: beeline.Arm) -> beeline.Placement | None:
     assert branches.shape == map.grid.shape and margin.shape == map.grid.shape[:3]
     cell: int | None = map.grid.cell_of(numpy.eye(4))
     assert cell is not None
-    drawing: beeline.Drawing = beeline.reach_figure(beeline.slice_of(map, "z", 0, "margin"))
+    drawing: beeline.Picture = beeline.reach_figure(beeline.slice_of(map, "z", 0, "margin"))
     assert drawing.width > 0
     side: beeline.ReachSide = beeline.compare_reach(map, map).sides[1]
     assert side.alone == 0 and side.volume > 0
     first, second = beeline.slices_of(map, map, "y", 0)
-    both: beeline.Drawing = beeline.reach_figure([first.with_title("first"), second])
+    both: beeline.Picture = beeline.reach_figure([first.with_title("first"), second])
     assert both.width > drawing.width
     found = beeline.find_placements(map, [beeline.forward_kinematics(arm, arm.middle)], step=0.5)
     return found.placements[0] if found else None

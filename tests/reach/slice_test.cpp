@@ -58,7 +58,7 @@ TEST(ReachSlice, IsDrawnWithTheArmAndAScale) {
     EXPECT_NE(svg.find("puma560"), std::string::npos);
     EXPECT_NE(svg.find("z = 0.2 m"), std::string::npos);
     std::size_t tiles = 0;
-    for (const Item& item : figure.columns[0][0].scene.items) {
+    for (const Item& item : figure.columns[0][0].drawing.items) {
       if (const auto* of_shade = std::get_if<Tiles>(&item.shape)) tiles += of_shade->tiles.size();
     }
     EXPECT_GT(tiles, 5);

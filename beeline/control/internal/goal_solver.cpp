@@ -99,31 +99,31 @@ void GoalSolver::fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& 
 }
 
 /// Tries one step. `rejected` increases the damping; `none`: the goal is stationary.
-GoalSolver::Progress GoalSolver::improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
-                                         const Eigen::VectorXd& upper) {
+GoalSolver::StepOutcome GoalSolver::improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                                            const Eigen::VectorXd& upper) {
   const double size = a_.squaredNorm();
   damping_ = std::clamp(damping_, min_damping * size, std::max(std::sqrt(cost_), 1e-6) * size);
   fill_step(lower, upper);
   Rows remainder = c_;
   for (Eigen::Index k = 0; k < x_.size(); ++k) remainder -= x_[k] * a_.col(k);
   const double predicted = cost_ - remainder.squaredNorm();
-  if (!(predicted > 1e-15 * cost_)) return Progress::none;
+  if (!(predicted > 1e-15 * cost_)) return StepOutcome::none;
   const double cost = evaluate_trial(world_T_tool);
   const double ratio = (cost_ - cost) / predicted;
   const bool passed =
       -descent(task_.matrix(), task_.command(), x_) > max_slope_ratio * descent(a_, c_, x_);
   if ((!(ratio >= min_gain_ratio) || passed) && cost > solved * solved) {
     damping_ = std::max(10 * damping_, 0.01 * std::sqrt(cost_) * size);
-    return Progress::rejected;
+    return StepOutcome::rejected;
   }
   const double reduction = cost_ - cost;
   if (ratio < 1 && reduction < 1e-3 * cost_ &&
       reduction < 2 * negligible_reduction * std::sqrt(cost_)) {
-    return Progress::none;
+    return StepOutcome::none;
   }
   if (ratio > 0.75) damping_ /= 10;
   accept_trial(cost > unsolved * unsolved ? cost_on_same_side(cost, world_T_tool) : cost);
-  return Progress::yes;
+  return StepOutcome::yes;
 }
 
 /// The determinant of A for as many coordinates as rows. Its sign changes at a singularity.
@@ -213,7 +213,7 @@ GoalStatus GoalSolver::approach(const Pose& world_T_tool, const Eigen::VectorXd&
   accept_trial(evaluate_trial(world_T_tool));
   bool stationary = false, left_saddle = false;
   for (int i = 0; i < max_goal_steps && cost_ > solved * solved && !stationary; ++i) {
-    if (improve(world_T_tool, lower, upper) != Progress::none) continue;
+    if (improve(world_T_tool, lower, upper) != StepOutcome::none) continue;
     stationary = left_saddle || !leave_saddle(world_T_tool, lower, upper);
     left_saddle = true;
   }

@@ -35,13 +35,13 @@ class GoalSolver {
   const Configuration& goal() const { return goal_; }
 
  private:
-  enum class Progress { yes, rejected, none };
+  enum class StepOutcome { yes, rejected, none };
 
   double evaluate_trial(const Pose& world_T_tool);
   void accept_trial(double cost);
   void fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
-  Progress improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
-                   const Eigen::VectorXd& upper);
+  StepOutcome improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                      const Eigen::VectorXd& upper);
   double determinant(const Jacobian& a) const;
   bool fill_null_direction(double damping);
   double cost_on_same_side(double cost, const Pose& world_T_tool);

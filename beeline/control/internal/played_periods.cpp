@@ -62,7 +62,7 @@ class PeriodSearch {
     const RecordedSection& section = motion_.sections[i];
     const auto played = times_from(first, static_cast<std::size_t>(periods_[i]) + 1, rate_);
     const double speed = length(section) / played.back(), begin = times[section.begin];
-    std::vector<Progress> progress;
+    std::vector<ParameterState> progress;
     for (const double t : played) progress.push_back({begin + t * speed, speed, 0});
     progress.back().s = times[section.end];
     return samples_at(motion_, played, progress);

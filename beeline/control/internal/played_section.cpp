@@ -58,10 +58,10 @@ Trajectory from_zero(const Trajectory& recording, bool round) {
 }  // namespace
 
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
-                      std::span<const Progress> progress) {
+                      std::span<const ParameterState> progress) {
   Trajectory played{motion.arm.joint_names(), times, {}, {}, {}};
   constexpr std::size_t batch = 64;  // samples, of about a microsecond
-  for (const Progress& now : progress) {
+  for (const ParameterState& now : progress) {
     if (played.positions.size() % batch == 0 && ended(motion.budget, batch)) return {};
     const auto stop = stop_at(motion, now.s);
     const TrajectoryState state =
@@ -165,7 +165,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
   double smallest_step = 0;
   for (double scale = 1; scale * motion.max_slowdown >= 1;) {
     if (ended(motion.budget)) return ended_section(motion);
-    std::vector<Progress> progress =
+    std::vector<ParameterState> progress =
         scheduled_progress(motion.arm, motion.recording,
                            {options, rate, motion.first, scale, motion.sections, motion.budget});
     const auto times = times_from(motion.first, progress.size(), rate);

@@ -58,7 +58,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
 /// The samples at these times and this progress along the recording; none where the budget ends.
 /// Those at stops have the recorded values.
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
-                      std::span<const Progress> progress);
+                      std::span<const ParameterState> progress);
 
 /// The time of sample k at a rate, in whole nanoseconds.
 double time_at_rate(std::size_t k, double rate);

@@ -32,7 +32,7 @@ VelocityUse use_at_constant_speed(std::span<const Limits> limits, const Trajecto
 
 /// The use with changes of speed. A step may pass many samples.
 VelocityUse use_in_steps(std::span<const Limits> limits, const Trajectory& recording,
-                         std::span<const Progress> steps) {
+                         std::span<const ParameterState> steps) {
   VelocityUse use;
   if (recording.size() < 2) return use;
   const auto& t = recording.times;
@@ -116,7 +116,7 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
     motion.first = played.size() - 1;
   }
   if (!steady) {
-    const std::vector<Progress> asked =
+    const std::vector<ParameterState> asked =
         scheduled_progress(motion.arm, motion.recording,
                            {options, rate, motion.first, 1, motion.sections, motion.budget});
     const VelocityUse use = use_in_steps(known, motion.recording, asked);

@@ -34,7 +34,7 @@ class SpeedSimulation {
     window_ = static_cast<std::size_t>(std::clamp(std::round(width), 1.0, max_window));
   }
 
-  std::vector<Progress> run() {
+  std::vector<ParameterState> run() {
     const double first = starts_at_rest(arm_, recording_) ? schedule_.scale * first_target() : 0;
     speeds_.assign(window_ + 1, first);
     simulated_ = {recording_.times.front(), first, 0};
@@ -77,7 +77,7 @@ class SpeedSimulation {
   /// The rate of change of the speed, as near to the wanted one as the limits of acceleration
   /// allow.
   double speed_rate(double wanted) const {
-    const Progress& now = simulated_;
+    const ParameterState& now = simulated_;
     const TrajectoryState state = sample(recording_, now.s);
     double low = -ramp_rate_, high = ramp_rate_;
     for (int i = 0; i < arm_.dof(); ++i) {
@@ -108,8 +108,8 @@ class SpeedSimulation {
     double sum = (speeds_[begin] + speeds_[now]) / 2;
     for (std::size_t k = begin + 1; k < now; ++k) sum += speeds_[k];
     const double count = static_cast<double>(window_);
-    const Progress& last = simulated_;
-    Progress next{0, sum / count, (speeds_[now] - speeds_[begin]) / (count * period_)};
+    const ParameterState& last = simulated_;
+    ParameterState next{0, sum / count, (speeds_[now] - speeds_[begin]) / (count * period_)};
     // The averaged speed is quadratic between samples.
     next.s = last.s + period_ * (last.speed + next.speed) / 2 -
              period_ * period_ * (next.acceleration - last.acceleration) / 12;
@@ -126,7 +126,7 @@ class SpeedSimulation {
     const double factor = (end - begin) / passed;
     // At a stop the speed is that of the section before.
     for (std::size_t k = first == 0 ? 0 : first + 1; k < progress_.size(); ++k) {
-      Progress& now = progress_[k];
+      ParameterState& now = progress_[k];
       now = {begin + factor * (now.s - begin), factor * now.speed, factor * now.acceleration};
     }
     simulated_.s = progress_.back().s = end;
@@ -138,14 +138,14 @@ class SpeedSimulation {
   double period_, ramp_rate_, target_;
   std::size_t window_ = 1, next_change_ = 0;
   std::vector<double> speeds_;  ///< before they are averaged; first `window_` before the beginning
-  std::vector<Progress> progress_;
-  Progress simulated_ = {};  ///< the last one, as it was before its section was slowed down
+  std::vector<ParameterState> progress_;
+  ParameterState simulated_ = {};  ///< the last one, as it was before its section was slowed down
 };
 
 }  // namespace
 
-std::vector<Progress> scheduled_progress(const Arm& arm, const Trajectory& recording,
-                                         const SpeedSchedule& schedule) {
+std::vector<ParameterState> scheduled_progress(const Arm& arm, const Trajectory& recording,
+                                               const SpeedSchedule& schedule) {
   return SpeedSimulation(arm, recording, schedule).run();
 }
 

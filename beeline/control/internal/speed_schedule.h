@@ -27,7 +27,7 @@ struct SpeedSchedule {
 /// acceleration is continuous. The speed starts at its first target where the motion starts at
 /// rest, otherwise at zero. Each section is slowed down such that it ends at a sample. Returns what
 /// was found where the budget ends. Throws Error for more samples than a replay may have.
-std::vector<Progress> scheduled_progress(const Arm& arm, const Trajectory& recording,
-                                         const SpeedSchedule& schedule);
+std::vector<ParameterState> scheduled_progress(const Arm& arm, const Trajectory& recording,
+                                               const SpeedSchedule& schedule);
 
 }  // namespace beeline::internal

@@ -162,8 +162,8 @@ std::string animated_svg(const Animation& animation, const PlaybackOptions& opti
   check_playback(animation, options);
   const PageLayout layout = laid_out(animation.figure, animation.frames);
   Frames frames;
-  for (const Scene& frame : animation.frames) frames.push_back(frame_marks(layout, &frame));
-  Drawing page;
+  for (const Drawing& frame : animation.frames) frames.push_back(frame_marks(layout, &frame));
+  Picture page;
   page.width = layout.width;
   page.height = layout.height;
   std::string svg = svg_begin(page) +

@@ -18,14 +18,14 @@ double jacobian_arrow_scale(const Arm& arm, const ConfigurationRef& q) {
   return fastest > 1e-9 * size && size > 0 ? 0.4 * size / fastest : 1;
 }
 
-void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q, double scale,
+void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, double scale,
                          bool levers) {
   const Jacobian columns = jacobian(arm, q);
   const Skeleton bones = skeleton(arm, q);
   for (std::size_t i = 0; levers && i < bones.joints.size(); ++i) {
     if (bones.joints[i].kind == JointKind::prismatic) continue;
     const Colour colour = distinct_colour(arm.drives()[i].coordinate);
-    scene.add(Layer::mark, Polyline{{bones.joints[i].centre, bones.tool}, colour, 0.8, {4, 3}});
+    drawing.add(Layer::mark, Polyline{{bones.joints[i].centre, bones.tool}, colour, 0.8, {4, 3}});
   }
   std::vector<int> order;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -50,15 +50,15 @@ void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q
     arrow.outline = 0.7;
     arrow.rim = paper_white;
     arrow.arrow = true;
-    scene.add(Layer::mark, arrow);
+    drawing.add(Layer::mark, arrow);
     constexpr int max_labels = 8;  // more labels would overlap
     if (arm.dof() > max_labels) continue;
-    scene.add(Layer::note, Label{arrow.points.back(), "J" + subscript(k + 1), arrow.colour, 9,
-                                 velocity.x(), velocity.y()});
+    drawing.add(Layer::note, Label{arrow.points.back(), "J" + subscript(k + 1), arrow.colour, 9,
+                                   velocity.x(), velocity.y()});
   }
 }
 
-void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, double radius) {
+void add_joint_angles(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, double radius) {
   const Skeleton bones = skeleton(arm, q);
   double before = to_plane(arm.base()).theta;
   for (std::size_t i = 0; i < bones.joints.size(); ++i) {
@@ -72,17 +72,17 @@ void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, d
       return Vector3(joint.centre + distance * Vector3(std::cos(heading), std::sin(heading), 0));
     };
     if (std::abs(angle) > std::numbers::pi / 180) {
-      scene.add(
+      drawing.add(
           Layer::trail,
           Polyline{{joint.centre, at(before, 1.55 * radius)}, construction_grey, 0.8, {3, 2.5}});
       Polyline arc{{}, ink, 1};
       constexpr int steps = 40;
       for (int k = 0; k <= steps; ++k) arc.points.push_back(at(before + angle * k / steps, radius));
       arc.arrow = true;
-      scene.add(Layer::mark, arc);
+      drawing.add(Layer::mark, arc);
       const double middle = before + angle / 2;
-      scene.add(Layer::note, Label{at(middle, radius), "θ" + subscript(static_cast<int>(i) + 1),
-                                   ink, 9.5, std::cos(middle), std::sin(middle)});
+      drawing.add(Layer::note, Label{at(middle, radius), "θ" + subscript(static_cast<int>(i) + 1),
+                                     ink, 9.5, std::cos(middle), std::sin(middle)});
     }
     before = after;
   }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 #include <beeline/model/arm.h>
 
 namespace beeline::internal {
@@ -11,7 +11,7 @@ namespace beeline::internal {
 /// for each metre per unit of the coordinate), in distinct_colour(k); Figure 1.8 of Dellaert,
 /// *Serial Link Manipulators*. An arrow along a shorter one is wider and below it. With `levers`,
 /// adds a dashed line from each revolute joint to the tool.
-void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q, double scale,
+void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, double scale,
                          bool levers = false);
 
 /// Returns the scale at which the longest arrow is 2/5 of the greatest distance of the arm from its
@@ -21,7 +21,7 @@ double jacobian_arrow_scale(const Arm& arm, const ConfigurationRef& q);
 /// Draws the angle of each revolute joint of a planar arm as an arc of `radius` metres, from the
 /// extension of the previous link (dashed) to the joint's own link, labelled θ₁, θ₂, ... Angles
 /// below one degree are omitted.
-void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, double radius);
+void add_joint_angles(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, double radius);
 
 /// Formats the joint angles: "θ₁ = 0°, θ₂ = 90°".
 std::string angles_text(const ConfigurationRef& q);

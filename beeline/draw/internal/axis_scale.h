@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 
 namespace beeline::internal {
 

@@ -100,7 +100,7 @@ void put(cairo_t* to, const PaperText& text) {
   cairo_restore(to);
 }
 
-void paint(cairo_surface_t* surface, const Drawing& drawing, double scale) {
+void paint(cairo_surface_t* surface, const Picture& picture, double scale) {
   const Context context(cairo_create(surface));
   cairo_t* to = context.get();
   cairo_scale(to, scale, scale);
@@ -113,47 +113,47 @@ void paint(cairo_surface_t* surface, const Drawing& drawing, double scale) {
   cairo_set_line_join(to, CAIRO_LINE_JOIN_ROUND);
   set_colour(to, paper_white);
   cairo_paint(to);
-  for (const PaperMark& mark : drawing.marks) {
+  for (const PaperMark& mark : picture.marks) {
     std::visit([to](const auto& what) { put(to, what); }, mark);
   }
   check(cairo_status(to));
 }
 
 /// An image of the page, without an opacity channel.
-Surface painted_image(const Drawing& drawing, int width, int height, double scale) {
+Surface painted_image(const Picture& picture, int width, int height, double scale) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  paint(surface.get(), drawing, scale);
+  paint(surface.get(), picture, scale);
   return surface;
 }
 
 }  // namespace
 
-std::string png_of(const Drawing& drawing) {
+std::string png_of(const Picture& picture) {
   std::string bytes;
   const auto pixels = [](double points) {
     return static_cast<int>(std::ceil(points * pixels_per_point));
   };
   const Surface surface =
-      painted_image(drawing, pixels(drawing.width), pixels(drawing.height), pixels_per_point);
+      painted_image(picture, pixels(picture.width), pixels(picture.height), pixels_per_point);
   check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
   return bytes;
 }
 
-std::string pdf_of(const Drawing& drawing) {
+std::string pdf_of(const Picture& picture) {
   std::string bytes;
   const Surface surface(
-      cairo_pdf_surface_create_for_stream(append, &bytes, drawing.width, drawing.height));
+      cairo_pdf_surface_create_for_stream(append, &bytes, picture.width, picture.height));
   // A fixed creation date, so that equal figures give equal files.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                  "1970-01-01T00:00:00Z");
-  paint(surface.get(), drawing, 1);
+  paint(surface.get(), picture, 1);
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
   return bytes;
 }
 
-std::string pixels_of(const Drawing& drawing, int width, int height, double scale) {
-  const Surface surface = painted_image(drawing, width, height, scale);
+std::string pixels_of(const Picture& picture, int width, int height, double scale) {
+  const Surface surface = painted_image(picture, width, height, scale);
   cairo_surface_flush(surface.get());
   const auto* rows = reinterpret_cast<const char*>(cairo_image_surface_get_data(surface.get()));
   const int stride = cairo_image_surface_get_stride(surface.get());

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/concept_figures.h>
 #include <beeline/draw/internal/joint_pictures.h>
 #include <beeline/draw/internal/text.h>
@@ -56,10 +56,10 @@ Figure figure_1_2(const Arm& /*arm*/) {
 Figure figure_1_3(const Arm& arm) {
   const Configuration turned = Configuration(one_degree * Eigen::Vector3d(0, 50, -80));
   Panel rest, actuated;
-  add_arm(rest.scene, arm, Configuration::Zero(3), {.frames = true, .tool = false});
+  add_arm(rest.drawing, arm, Configuration::Zero(3), {.frames = true, .tool = false});
   rest.caption = "at rest: " + angles_text(Configuration::Zero(3));
-  add_arm(actuated.scene, arm, turned, {.frames = true, .tool = false});
-  add_joint_angles(actuated.scene, arm, turned, 0.95);
+  add_arm(actuated.drawing, arm, turned, {.frames = true, .tool = false});
+  add_joint_angles(actuated.drawing, arm, turned, 0.95);
   actuated.caption = "actuated: " + angles_text(turned);
   Figure figure;
   figure.columns = {{rest, actuated}};
@@ -73,7 +73,7 @@ Figure figure_1_4(const Arm& /*arm*/) {
   const Configuration q = one_degree * Eigen::Vector2d(50, -65);
   const std::vector<Pose> links = link_poses(arm, q);
   Panel panel;
-  add_arm(panel.scene, arm, q, {.frames = true, .tool = false});
+  add_arm(panel.drawing, arm, q, {.frames = true, .tool = false});
   const auto transform = [&](std::size_t from, std::size_t to, double bend, const Colour& colour) {
     Polyline arrow{bent_arrow(links[from].translation(), links[to].translation(), bend), colour,
                    1.4};
@@ -82,8 +82,8 @@ Figure figure_1_4(const Arm& /*arm*/) {
     const Vector3 out =
         std::copysign(1.0, bend) *
         Vector3::UnitZ().cross(Vector3(links[to].translation() - links[from].translation()));
-    panel.scene.add(Layer::mark, arrow);
-    panel.scene.add(
+    panel.drawing.add(Layer::mark, arrow);
+    panel.drawing.add(
         Layer::note,
         Label{middle, "T" + subscript(static_cast<int>(to)) + superscript(static_cast<int>(from)),
               colour, 11, out.x(), out.y()});
@@ -104,20 +104,22 @@ Figure figure_1_5(const Arm& /*arm*/) {
   const Configuration q = one_degree * Eigen::Vector2d(35, 40);
   const std::vector<Pose> links = link_poses(arm, q);
   Panel panel;
-  add_arm(panel.scene, arm, q, {.frames = true, .tool = false});
-  add_joint_angles(panel.scene, arm, q, 1.1);
+  add_arm(panel.drawing, arm, q, {.frames = true, .tool = false});
+  add_joint_angles(panel.drawing, arm, q, 1.1);
   for (std::size_t i = 1; i < links.size(); ++i) {
     const Vector3 from = links[i - 1].translation(), to = links[i].translation();
     const Vector3 side = -0.62 * Vector3::UnitZ().cross((to - from).normalized());
     for (const auto& [begin, end] : {std::pair{from, to}, std::pair{to, from}}) {
       Polyline half{{(from + to) / 2 + side, end + side}, construction_grey, 0.9};
       half.arrow = true;
-      panel.scene.add(Layer::mark, half);
-      panel.scene.add(Layer::trail,
-                      Polyline{{begin + 0.4 * side, begin + 1.15 * side}, construction_grey, 0.7});
+      panel.drawing.add(Layer::mark, half);
+      panel.drawing.add(
+          Layer::trail,
+          Polyline{{begin + 0.4 * side, begin + 1.15 * side}, construction_grey, 0.7});
     }
-    panel.scene.add(Layer::note, Label{(from + to) / 2 + side, "a" + subscript(static_cast<int>(i)),
-                                       ink, 9.5, side.x(), side.y()});
+    panel.drawing.add(Layer::note,
+                      Label{(from + to) / 2 + side, "a" + subscript(static_cast<int>(i)), ink, 9.5,
+                            side.x(), side.y()});
   }
   panel.caption = "frame {i} is at joint i + 1, or at the tool, with x along link i";
   Figure figure;

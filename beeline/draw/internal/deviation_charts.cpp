@@ -154,16 +154,16 @@ double exaggeration(const PathTrace& trace) {
 
 Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const FollowedPath& followed,
                           double factor) {
-  Scene scene;
-  scene.add(Layer::trail, Polyline{trace.polyline, construction_grey, 0.7});
+  Drawing drawing;
+  drawing.add(Layer::trail, Polyline{trace.polyline, construction_grey, 0.7});
   const std::vector<Vector3> trail = enlarged(trace, factor);
-  scene.add(Layer::trail, Polyline{trail, amber, 0.9});
-  scene.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
+  drawing.add(Layer::trail, Polyline{trail, amber, 0.9});
+  drawing.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
   const PlacedWaypoints waypoints = placed_waypoints(followed);
   std::vector<std::string> names;
   for (std::size_t w = 0; w < waypoints.poses.size(); ++w) names.push_back(std::to_string(w + 1));
-  add_poses(scene, waypoints.poses, names);
-  Panel panel{.scene = std::move(scene)};
+  add_poses(drawing, waypoints.poses, names);
+  Panel panel{.drawing = std::move(drawing)};
   panel.view = arm.planar() ? top_view() : widest_view(trail);
   panel.caption = factor > 1
                       ? "trail of the tool, its deviation from the path ×\u00a0" +

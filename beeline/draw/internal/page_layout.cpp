@@ -12,22 +12,22 @@
 namespace beeline::internal {
 namespace {
 
-Cell cell_of(const Panel& panel, std::span<const Scene> frames) {
-  check_scene(panel.scene);
+Cell cell_of(const Panel& panel, std::span<const Drawing> frames) {
+  check_drawing(panel.drawing);
   Cell cell;
   cell.panel = &panel;
   cell.rulers = panel.axes && has_rulers(panel.view);
   cell.scale_bar = panel.axes && !cell.rulers;
-  if (cell.scale_bar) cell.floor = floor_grid(panel.scene, frames);
+  if (cell.scale_bar) cell.floor = floor_grid(panel.drawing, frames);
   for (const Polyline& line : cell.floor) add_footprints(line, 1, cell.footprints);
-  const auto add = [&](const Scene& scene) {
-    for (const Item& item : scene.items) {
+  const auto add = [&](const Drawing& drawing) {
+    for (const Item& item : drawing.items) {
       if (!panel.labels && std::holds_alternative<Label>(item.shape)) continue;
       add_footprints(item.shape, panel.pen, cell.footprints);
     }
   };
-  add(panel.scene);
-  for (const Scene& frame : frames) add(frame);
+  add(panel.drawing);
+  for (const Drawing& frame : frames) add(frame);
   if (cell.footprints.empty()) cell.footprints.emplace_back();
   return cell;
 }
@@ -37,13 +37,15 @@ struct Sourced {
   MarkSource source;
 };
 
-void add_all(const Scene& scene, MarkSource::Kind kind, const auto& add) {
-  for (std::size_t i = 0; i < scene.items.size(); ++i) add(scene.items[i], MarkSource{kind, 0, i});
+void add_all(const Drawing& drawing, MarkSource::Kind kind, const auto& add) {
+  for (std::size_t i = 0; i < drawing.items.size(); ++i)
+    add(drawing.items[i], MarkSource{kind, 0, i});
 }
 
 /// Returns the items in order of drawing: by layer, within the arm's body from far to near, and a
 /// joint after the links that end in it.
-std::vector<Sourced> in_order(const Cell& cell, const Scene* frame, const Projection& projection) {
+std::vector<Sourced> in_order(const Cell& cell, const Drawing* frame,
+                              const Projection& projection) {
   struct Ordered {
     const Item* item;
     double depth;
@@ -56,7 +58,7 @@ std::vector<Sourced> in_order(const Cell& cell, const Scene* frame, const Projec
     const double far = 100 * projection.scale * depth(item.shape, projection);
     order.push_back({&item, sorted ? std::round(far) : 0, source});
   };
-  add_all(cell.panel->scene, MarkSource::Kind::still, add);
+  add_all(cell.panel->drawing, MarkSource::Kind::still, add);
   if (frame != nullptr) add_all(*frame, MarkSource::Kind::moving, add);
   const auto touches = [](const Item& line, const Vector3& centre) {
     const auto* polyline = std::get_if<Polyline>(&line.shape);
@@ -116,12 +118,12 @@ std::vector<PaperMark> caption(const Cell& cell, const Plot& plot, const PaperPo
 
 /// Places the labels of the panel beside what it shows at the beginning and at the end.
 std::vector<PaperMark> placed_labels(const Cell& cell, const PaperPoint& corner,
-                                     std::span<const Scene> frames) {
+                                     std::span<const Drawing> frames) {
   if (!cell.panel->labels) return {};
   const Plot plot = plot_of(cell, corner);
   std::vector<PaperMark> drawn;
   std::vector<Label> labels;
-  const auto draw_items = [&](const Scene* frame) {
+  const auto draw_items = [&](const Drawing* frame) {
     for (const Sourced& sourced : in_order(cell, frame, plot.projection)) {
       if (sourced.item->layer == Layer::ground) continue;
       draw(sourced.item->shape, plot.projection, drawn);
@@ -140,7 +142,7 @@ std::vector<PaperMark> placed_labels(const Cell& cell, const PaperPoint& corner,
   return {drawn.begin() + shapes, drawn.end()};
 }
 
-void draw_cell(const PageLayout::PlacedCell& placed, std::size_t panel, const Scene* frame,
+void draw_cell(const PageLayout::PlacedCell& placed, std::size_t panel, const Drawing* frame,
                std::vector<FrameMark>& marks) {
   const Plot plot = plot_of(placed.cell, placed.corner);
   const auto add = [&](std::vector<PaperMark> drawn, MarkSource source, double appears = 0) {
@@ -176,9 +178,9 @@ void check_figure(const Figure& figure) {
 
 }  // namespace
 
-PageLayout laid_out(const Figure& figure, std::span<const Scene> frames) {
+PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames) {
   check_figure(figure);
-  for (const Scene& frame : frames) check_scene(frame);
+  for (const Drawing& frame : frames) check_drawing(frame);
   Columns columns;
   for (const auto& panels : figure.columns) {
     columns.emplace_back();
@@ -187,7 +189,7 @@ PageLayout laid_out(const Figure& figure, std::span<const Scene> frames) {
   const PaperPoint size = fit(columns, {figure.width, figure.height}, figure.fill);
   PageLayout layout;
   layout.width = std::ceil(size.x() + 2 * page_margin);
-  Drawing title;
+  Picture title;
   title.width = layout.width;
   double top = draw_title(figure.title, size.x(), title);
   layout.title = std::move(title.marks);
@@ -205,7 +207,7 @@ PageLayout laid_out(const Figure& figure, std::span<const Scene> frames) {
   return layout;
 }
 
-std::vector<FrameMark> frame_marks(const PageLayout& layout, const Scene* frame) {
+std::vector<FrameMark> frame_marks(const PageLayout& layout, const Drawing* frame) {
   std::vector<FrameMark> marks;
   for (const PaperMark& mark : layout.title) marks.push_back({mark, {}});
   for (std::size_t i = 0; i < layout.cells.size(); ++i) {

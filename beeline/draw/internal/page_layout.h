@@ -14,7 +14,7 @@ struct MarkSource {
   enum class Kind : char { page, background, still, moving, label, caption };
   Kind kind = Kind::page;
   std::size_t panel = 0;
-  std::size_t item = 0;  ///< in the panel's scene, or in the frame's
+  std::size_t item = 0;  ///< in the panel's drawing, or in the frame's
 
   auto operator<=>(const MarkSource&) const = default;
 };
@@ -39,10 +39,10 @@ struct PageLayout {
 };
 
 /// Lays the figure out. Each panel has room for the items of all frames, which every panel shows
-/// beside its own scene. Throws Error as compose() does.
-PageLayout laid_out(const Figure& figure, std::span<const Scene> frames = {});
+/// beside its own drawing. Throws Error as compose() does.
+PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames = {});
 
 /// Draws one frame; null: the figure without any.
-std::vector<FrameMark> frame_marks(const PageLayout& layout, const Scene* frame);
+std::vector<FrameMark> frame_marks(const PageLayout& layout, const Drawing* frame);
 
 }  // namespace beeline::internal

@@ -12,7 +12,7 @@ struct Projection {
   View view = View::Identity();
   double scale = 1;                        ///< points on paper per metre
   PaperPoint origin = PaperPoint::Zero();  ///< the world's origin on paper, points
-  double pen = 1;                          ///< factor on the sizes that a scene gives in points
+  double pen = 1;                          ///< factor on the sizes that a drawing gives in points
 
   PaperPoint operator()(const Vector3& p) const;
   PaperPoint direction(const Vector3& d) const;  ///< of a world direction; not longer than d

@@ -36,11 +36,11 @@ void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks) {
   draw_side(box, y, axis_name(projection.view, 1) + " [m]", false, marks);
 }
 
-std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> frames) {
-  if (!scene.floor) return {};
+std::vector<Polyline> floor_grid(const Drawing& drawing, std::span<const Drawing> frames) {
+  if (!drawing.floor) return {};
   std::vector<Footprint> footprints;
-  for (const Item& item : scene.items) add_footprints(item.shape, 0, footprints);
-  for (const Scene& frame : frames) {
+  for (const Item& item : drawing.items) add_footprints(item.shape, 0, footprints);
+  for (const Drawing& frame : frames) {
     for (const Item& item : frame.items) add_footprints(item.shape, 0, footprints);
   }
   if (footprints.empty()) return {};
@@ -64,9 +64,10 @@ std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> fram
   const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
   std::vector<Polyline> lines;
   const auto line = [&](double x0, double y0, double x1, double y1) {
-    lines.push_back({{{x0 * step, y0 * step, *scene.floor}, {x1 * step, y1 * step, *scene.floor}},
-                     grid_grey,
-                     0.7});
+    lines.push_back(
+        {{{x0 * step, y0 * step, *drawing.floor}, {x1 * step, y1 * step, *drawing.floor}},
+         grid_grey,
+         0.7});
   };
   for (double x = first_x; x <= last_x; ++x) line(x, first_y, x, last_y);
   for (double y = first_y; y <= last_y; ++y) line(first_x, y, last_x, y);

@@ -9,7 +9,7 @@
 
 namespace beeline::internal {
 
-/// The rectangle of a panel in which its scene is drawn, and the projection that fits it there.
+/// The rectangle of a panel in which its drawing is drawn, and the projection that fits it there.
 struct Plot {
   Projection projection;
   PaperBox box;
@@ -30,8 +30,8 @@ bool has_rulers(const View& view);
 void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks);
 
 /// Returns grid lines on the ground plane at multiples of a round step, around the content of the
-/// scene and of all frames.
-std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> frames = {});
+/// drawing and of all frames.
+std::vector<Polyline> floor_grid(const Drawing& drawing, std::span<const Drawing> frames = {});
 
 /// Draws the world's axes and a scale bar at the lower edge of the plot.
 void draw_scale_bar(const Plot& plot, std::vector<PaperMark>& marks);

@@ -70,7 +70,7 @@ double height_of(const ColumnCells& column, double plot_height) {
 /// around the picture, so that all columns end at one height.
 void draw_column(ColumnCells& column, const PaperPoint& corner, double height, double plot_height,
                  std::vector<PaperMark>& marks) {
-  const Drawing& above = column.column->above;
+  const Picture& above = column.column->above;
   const double spare = above.marks.empty() ? 0 : height - height_of(column, plot_height);
   const PaperPoint centred(std::floor((column.width() - above.width) / 2), std::floor(spare / 2));
   for (const PaperMark& mark : above.marks) marks.push_back(moved(mark, corner + centred));
@@ -85,7 +85,7 @@ void draw_column(ColumnCells& column, const PaperPoint& corner, double height, d
 
 }  // namespace
 
-Drawing compose(const Sheet& sheet) {
+Picture compose(const Sheet& sheet) {
   std::vector<ColumnCells> columns;
   double width = 0;
   for (const ChartColumn& column : sheet.columns) {
@@ -94,23 +94,23 @@ Drawing compose(const Sheet& sheet) {
     width += columns.back().width() + (columns.size() > 1 ? gap_between : 0);
   }
   if (columns.empty()) throw Error("a sheet needs at least one column");
-  Drawing drawing;
-  drawing.width = std::ceil(width + 2 * page_margin);
-  double top = draw_title(sheet.title, width, drawing);
+  Picture picture;
+  picture.width = std::ceil(width + 2 * page_margin);
+  double top = draw_title(sheet.title, width, picture);
   const double begin = page_margin + columns.front().left;
   top +=
-      3 + draw_legend(sheet.legend, {begin, top + 3}, width - columns.front().left, &drawing.marks);
+      3 + draw_legend(sheet.legend, {begin, top + 3}, width - columns.front().left, &picture.marks);
   PaperPoint corner(page_margin, top + 3);
   double height = 0;
   for (const ColumnCells& column : columns) {
     height = std::max(height, height_of(column, sheet.plot_height));
   }
   for (ColumnCells& column : columns) {
-    draw_column(column, corner, height, sheet.plot_height, drawing.marks);
+    draw_column(column, corner, height, sheet.plot_height, picture.marks);
     corner.x() += column.width() + gap_between;
   }
-  drawing.height = std::ceil(corner.y() + height + page_margin - gap_below);
-  return drawing;
+  picture.height = std::ceil(corner.y() + height + page_margin - gap_below);
+  return picture;
 }
 
 }  // namespace beeline::internal

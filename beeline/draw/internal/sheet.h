@@ -9,7 +9,7 @@ namespace beeline::internal {
 struct ChartColumn {
   std::vector<Chart> charts = {};
   double plot_width = 380;  ///< points
-  Drawing above = {};
+  Picture above = {};
 };
 
 /// Columns of charts side by side; all charts have one height.
@@ -22,6 +22,6 @@ struct Sheet {
 
 /// Lays the sheet out on a page that contains all of it. Throws Error for a sheet without charts
 /// and for values that cannot be drawn.
-Drawing compose(const Sheet& sheet);
+Picture compose(const Sheet& sheet);
 
 }  // namespace beeline::internal

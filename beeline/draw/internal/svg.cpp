@@ -146,7 +146,7 @@ std::string svg_element(const PaperMark& mark, const std::string& children) {
   return std::visit([&](const auto& what) { return element(what, children); }, mark);
 }
 
-std::string svg_begin(const Drawing& page) {
+std::string svg_begin(const Picture& page) {
   const std::string width = svg_number(page.width), height = svg_number(page.height);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
@@ -157,9 +157,9 @@ std::string svg_begin(const Drawing& page) {
          typeface + "', Verdana, sans-serif\">\n";
 }
 
-std::string svg_of(const Drawing& drawing) {
-  std::string svg = svg_begin(drawing);
-  for (const PaperMark& mark : drawing.marks) svg += svg_element(mark);
+std::string svg_of(const Picture& picture) {
+  std::string svg = svg_begin(picture);
+  for (const PaperMark& mark : picture.marks) svg += svg_element(mark);
   return svg + svg_end;
 }
 

@@ -9,10 +9,10 @@ namespace beeline::internal {
 /// Returns the drawing as an SVG file: shapes to a hundredth of a point, texts as text in the
 /// typeface or, where a viewer lacks it, in Verdana, which is as wide, or another sans serif.
 /// Throws Error for a coordinate that is not finite or above 1e9 points.
-std::string svg_of(const Drawing& drawing);
+std::string svg_of(const Picture& picture);
 
 /// The parts of a file, for animations. A file is svg_begin(), elements, svg_end.
-std::string svg_begin(const Drawing& page);
+std::string svg_begin(const Picture& page);
 inline constexpr const char* svg_end = "</g>\n</svg>\n";
 
 /// Returns a number with at most two decimals: "12.5". Throws Error as svg_of() does.

@@ -46,10 +46,11 @@ double extent(const std::vector<Vector3>& points) {
 }
 
 /// Adds a line through the points, and over it its parts below the floor.
-void add_line(Scene& scene, const Arm& arm, const std::vector<Vector3>& points, double appears) {
-  scene.add(Layer::trail, Polyline{points, amber, 0.8}, appears);
-  if (!scene.floor || !stands_upright(arm)) return;
-  const double floor = *scene.floor - 1e-9;
+void add_line(Drawing& drawing, const Arm& arm, const std::vector<Vector3>& points,
+              double appears) {
+  drawing.add(Layer::trail, Polyline{points, amber, 0.8}, appears);
+  if (!drawing.floor || !stands_upright(arm)) return;
+  const double floor = *drawing.floor - 1e-9;
   std::vector<Vector3> below;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0 && (points[i].z() < floor) != (points[i - 1].z() < floor)) {
@@ -60,7 +61,7 @@ void add_line(Scene& scene, const Arm& arm, const std::vector<Vector3>& points, 
     if (points[i].z() < floor) below.push_back(points[i]);
     const bool ends = i + 1 == points.size() || points[i].z() >= floor;
     if (!ends || below.empty()) continue;
-    scene.add(Layer::trail, Polyline{below, below_ground, 1.4}, appears);
+    drawing.add(Layer::trail, Polyline{below, below_ground, 1.4}, appears);
     below.clear();
   }
 }
@@ -97,7 +98,7 @@ Vector3 tool_after(const Arm& arm, const Trajectory& trajectory, double since) {
 }
 
 /// Adds the trail in parts that appear when the tool has passed them.
-void add_growing_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
+void add_growing_trail(Drawing& drawing, const Arm& arm, const Trajectory& trajectory,
                        const ToolTrail& trail, std::size_t gaps) {
   // The line follows the tool more closely than the dots do.
   const std::size_t parts = std::max<std::size_t>(1, 300 / gaps);
@@ -109,9 +110,9 @@ void add_growing_trail(Scene& scene, const Arm& arm, const Trajectory& trajector
       line.push_back(trail.points[next++]);
     }
     line.push_back(at);
-    if (part > 0 && extent(line) > 0) add_line(scene, arm, line, since);
+    if (part > 0 && extent(line) > 0) add_line(drawing, arm, line, since);
     line = {at};
-    if (part % parts == 0) scene.add(Layer::trail, Dots{{at}, amber, 3}, since);
+    if (part % parts == 0) drawing.add(Layer::trail, Dots{{at}, amber, 3}, since);
   }
 }
 
@@ -148,28 +149,28 @@ ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
 
 bool stands_upright(const Arm& arm) { return !arm.planar() && arm.base().linear()(2, 2) > 0.5; }
 
-void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
+void add_trail(Drawing& drawing, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style) {
   const ToolTrail trail = visible_part(tool_trail(arm, trajectory));
   const std::size_t gaps = std::max<std::size_t>(style.dots, 2) - 1;
-  if (style.growing) return add_growing_trail(scene, arm, trajectory, trail, gaps);
-  add_line(scene, arm, trail.points, 0);
+  if (style.growing) return add_growing_trail(drawing, arm, trajectory, trail, gaps);
+  add_line(drawing, arm, trail.points, 0);
   Dots dots{{}, amber, 3};
   for (std::size_t i = 0; i <= gaps; ++i) {
     dots.points.push_back(tool_after(arm, trajectory, share_of(trail, i, gaps)));
   }
-  scene.add(Layer::trail, dots);
+  drawing.add(Layer::trail, dots);
 }
 
-void add_poses(Scene& scene, const std::vector<Pose>& poses,
+void add_poses(Drawing& drawing, const std::vector<Pose>& poses,
                const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Vector3 at = poses[i].translation();
-    scene.add(Layer::mark, Dots{{at}, amber, 9});
-    scene.add(Layer::mark, Dots{{at}, paper_white, 6});
-    scene.add(Layer::mark, FrameTriad{poses[i], 20});
+    drawing.add(Layer::mark, Dots{{at}, amber, 9});
+    drawing.add(Layer::mark, Dots{{at}, paper_white, 6});
+    drawing.add(Layer::mark, FrameTriad{poses[i], 20});
     if (i >= names.size() || names[i].empty()) continue;
-    scene.add(Layer::note, Label{at, names[i], amber});
+    drawing.add(Layer::note, Label{at, names[i], amber});
   }
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 #include <beeline/model/arm.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -26,9 +26,9 @@ struct TrailStyle {
 };
 
 /// Adds the trail of the tool: a thin line through its points, less those that do not matter to the
-/// eye, and dots. Where the scene has a floor and the arm stands upright on it, the parts below it
-/// are drawn in their own colour.
-void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
+/// eye, and dots. Where the drawing has a floor and the arm stands upright on it, the parts below
+/// it are drawn in their own colour.
+void add_trail(Drawing& drawing, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style = {});
 
 /// Returns whether a spatial arm stands upright: the z axis of its base is within 60 degrees of the
@@ -38,7 +38,7 @@ bool stands_upright(const Arm& arm);
 constexpr Colour below_ground{0.45, 0.10, 0.55};  ///< of parts of a trail below the floor
 
 /// Adds a ring and a small frame at each pose, with its label from `names` where there is one.
-void add_poses(Scene& scene, const std::vector<Pose>& poses,
+void add_poses(Drawing& drawing, const std::vector<Pose>& poses,
                const std::vector<std::string>& names = {});
 
 /// Returns the times that divide the trail into `count` parts of equal length: the start first,

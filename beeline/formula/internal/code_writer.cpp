@@ -43,9 +43,9 @@ std::string bracketed(const std::string& text) { return is_sum(text) ? '(' + tex
 
 }  // namespace
 
-CodeWriter::CodeWriter(const SymbolicArm& arm, const ProgramChain& chain, CodeLanguage language)
+CodeWriter::CodeWriter(const SymbolicArm& arm, const ChainGraph& chain, CodeLanguage language)
     : arm_(arm),
-      program_(chain.program()),
+      graph_(chain.graph()),
       constants_(chain.constants()),
       language_(language),
       prefix_(identifier(arm.name)) {
@@ -73,8 +73,8 @@ std::string CodeWriter::assignment(const std::string& left, const std::string& r
 
 std::string CodeWriter::operand(int id) const { return text_[static_cast<std::size_t>(id)]; }
 
-std::string CodeWriter::text_of(const Program::Node& node) const {
-  using Operation = Program::Operation;
+std::string CodeWriter::text_of(const ComputationGraph::Node& node) const {
+  using Operation = ComputationGraph::Operation;
   const std::string space = language_ == CodeLanguage::cpp ? "std::" : "";
   switch (node.operation) {
     case Operation::number:
@@ -102,8 +102,8 @@ std::string CodeWriter::head(const std::vector<int>& uses, bool rates) const {
   std::string text;
   bool uses_q = false, uses_dq = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {
-    const Program::Node& node = program_.nodes()[i];
-    if (uses[i] == 0 || node.operation != Program::Operation::variable) continue;
+    const ComputationGraph::Node& node = graph_.nodes()[i];
+    if (uses[i] == 0 || node.operation != ComputationGraph::Operation::variable) continue;
     uses_q = uses_q || node.name[0] == 'q';
     uses_dq = uses_dq || node.name.rfind("dq", 0) == 0;
     const auto constant = constants_.find(node.name);
@@ -140,25 +140,25 @@ std::string CodeWriter::store(const CodeOutput& output) const {
 }
 
 std::string CodeWriter::body(const std::vector<CodeOutput>& outputs, bool rates) {
-  std::vector<Program::Id> all;
+  std::vector<ComputationGraph::Id> all;
   for (const CodeOutput& output : outputs) {
     all.insert(all.end(), output.entries.begin(), output.entries.end());
   }
-  const std::vector<int> uses = program_.uses(all);
+  const std::vector<int> uses = graph_.uses(all);
   std::string text = head(uses, rates);
   text_.assign(uses.size(), "");
   std::vector<bool> is_output(uses.size(), false);
-  for (const Program::Id output : all) is_output[static_cast<std::size_t>(output)] = true;
+  for (const ComputationGraph::Id output : all) is_output[static_cast<std::size_t>(output)] = true;
   int number = 0;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     if (uses[i] == 0) continue;
-    const Program::Node& node = program_.nodes()[i];
+    const ComputationGraph::Node& node = graph_.nodes()[i];
     text_[i] = text_of(node);
-    const bool trig =
-        node.operation == Program::Operation::cosine || node.operation == Program::Operation::sine;
-    const bool leaf = node.operation == Program::Operation::number ||
-                      node.operation == Program::Operation::variable;
-    const bool sign = node.operation == Program::Operation::negate;
+    const bool trig = node.operation == ComputationGraph::Operation::cosine ||
+                      node.operation == ComputationGraph::Operation::sine;
+    const bool leaf = node.operation == ComputationGraph::Operation::number ||
+                      node.operation == ComputationGraph::Operation::variable;
+    const bool sign = node.operation == ComputationGraph::Operation::negate;
     const bool stored = uses[i] == 1 && is_output[i];
     const bool named = trig || (!leaf && !sign && uses[i] > 1) ||
                        (!leaf && !stored && text_[i].size() > longest_inline);
@@ -174,11 +174,11 @@ std::string CodeWriter::body(const std::vector<CodeOutput>& outputs, bool rates)
 void CodeWriter::function(const std::string& suffix, const std::string& purpose, bool rates,
                           const std::vector<CodeOutput>& outputs) {
   const std::string name = prefix_ + '_' + suffix;
-  std::vector<Program::Id> all;
+  std::vector<ComputationGraph::Id> all;
   for (const CodeOutput& output : outputs) {
     all.insert(all.end(), output.entries.begin(), output.entries.end());
   }
-  const ProgramCount count = count_operations(program_, all);
+  const OperationCount count = count_operations(graph_, all);
   code_.functions.push_back(
       {name, purpose, count.multiplications, count.additions, count.trigonometric});
   const std::string operations = std::to_string(count.multiplications) + " multiplications, " +

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <beeline/formula/document.h>
-#include <beeline/formula/internal/program_chain.h>
+#include <beeline/formula/internal/chain_graph.h>
 
 namespace beeline::internal {
 
@@ -12,13 +12,13 @@ namespace beeline::internal {
 struct CodeOutput {
   std::string name;
   int columns = 0;
-  std::vector<Program::Id> entries = {};
+  std::vector<ComputationGraph::Id> entries = {};
 };
 
-/// Writes functions that compute nodes of a program in a language.
+/// Writes functions that compute nodes of a graph in a language.
 class CodeWriter {
  public:
-  CodeWriter(const SymbolicArm& arm, const ProgramChain& chain, CodeLanguage language);
+  CodeWriter(const SymbolicArm& arm, const ChainGraph& chain, CodeLanguage language);
 
   /// Adds the function NAME_suffix(q, outputs), with `rates` NAME_suffix(q, dq, outputs).
   void function(const std::string& suffix, const std::string& purpose, bool rates,
@@ -30,13 +30,13 @@ class CodeWriter {
   std::string body(const std::vector<CodeOutput>& outputs, bool rates);
   std::string head(const std::vector<int>& uses, bool rates) const;
   std::string operand(int id) const;
-  std::string text_of(const Program::Node& node) const;
+  std::string text_of(const ComputationGraph::Node& node) const;
   std::string assignment(const std::string& left, const std::string& right, bool declares) const;
   std::string store(const CodeOutput& output) const;
   std::string comment(const std::string& text) const;
 
   const SymbolicArm& arm_;
-  const Program& program_;
+  const ComputationGraph& graph_;
   const std::map<std::string, double>& constants_;
   CodeLanguage language_;
   std::string prefix_;             ///< of the functions' names

@@ -97,7 +97,7 @@ std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Re
   Configuration start = Configuration::Zero(n + static_cast<Eigen::Index>(components.size()));
   start.head(n) = request.seed;
   InverseResult result =
-      solve(state.tolerant.front(), request.goal, start, Diagnosis::skipped, request.budget);
+      solve(state.tolerant.front(), request.goal, start, ReasonSearch::skipped, request.budget);
   if (result.solutions.empty()) return {};
   const Configuration found = result.solutions.front();
   result.solutions = {found.head(n)};

@@ -20,7 +20,8 @@ namespace {
 /// Solves for the arm with the locked coordinate fixed. Its solver is kept while the value stays
 /// the same.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
-                              const Configuration& seed, Diagnosis diagnosis, BudgetMeter& budget) {
+                              const Configuration& seed, ReasonSearch diagnosis,
+                              BudgetMeter& budget) {
   check_configuration(state.arm, seed);
   check_lock(state, seed);
   const int k = *state.options.lock;
@@ -111,7 +112,7 @@ void set_ended(const Request& request, bool optimised, InverseResult& result) {
 }  // namespace
 
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    Diagnosis diagnosis, BudgetMeter& budget) {
+                    ReasonSearch diagnosis, BudgetMeter& budget) {
   if (state.options.lock) return solve_with_lock(state, world_T_tool, seed, diagnosis, budget);
   check_configuration(state.arm, seed);
   Configuration wrapped = seed;
@@ -127,7 +128,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   if (tolerant && !searched && result.solutions.empty()) {
     if (auto near = solve_within_tolerance(state, request)) return *near;
   }
-  if (result.solutions.empty() && (diagnosis == Diagnosis::wanted || nearly_solved(state))) {
+  if (result.solutions.empty() && (diagnosis == ReasonSearch::wanted || nearly_solved(state))) {
     diagnose(state, request, unconstrained, result);
   }
   if (result.solutions.empty()) {

@@ -177,19 +177,19 @@ class ProgramVerifier {
   }
 
   /// What a further candidate for the end of a move begins with.
-  struct Progress {
+  struct Checkpoint {
     Verification result;
     std::size_t part = 0, begin = 0;
     double dwelled_until = 0;
   };
 
-  Progress progress() const { return {result_, part_, begin_, dwelled_until_}; }
+  Checkpoint checkpoint() const { return {result_, part_, begin_, dwelled_until_}; }
 
-  void set_progress(Progress progress) {
-    result_ = std::move(progress.result);
-    part_ = progress.part;
-    begin_ = progress.begin;
-    dwelled_until_ = progress.dwelled_until;
+  void return_to(Checkpoint saved) {
+    result_ = std::move(saved.result);
+    part_ = saved.part;
+    begin_ = saved.begin;
+    dwelled_until_ = saved.dwelled_until;
     for (std::size_t i = begin_; i < bounds_end_; ++i) interval_bounds_[i] = {};
     bounds_end_ = begin_;
   }
@@ -198,15 +198,16 @@ class ProgramVerifier {
   /// what failed is the attempt that passed most moves, the first of them.
   template <class Check>
   bool check_candidates(std::span<const std::size_t> rests, const Check& check) {
-    const Progress before = progress();
-    std::optional<Progress> failed;
+    const Checkpoint before = checkpoint();
+    std::optional<Checkpoint> failed;
     for (const std::size_t end : rests.first(std::min(rests.size(), max_rests))) {
-      set_progress(before);
+      return_to(before);
       if (check(end)) return true;
       if (result_.ending != Ending::complete) return false;
-      if (!failed || result_.arrivals.size() > failed->result.arrivals.size()) failed = progress();
+      if (!failed || result_.arrivals.size() > failed->result.arrivals.size())
+        failed = checkpoint();
     }
-    set_progress(*failed);
+    return_to(*failed);
     return false;
   }
 

@@ -137,7 +137,7 @@ TimedPlan PlanTiming::sample() {
     append(plan.trajectory, sampled.trajectory);
     section.sampled.clear();
     for (std::size_t k = 0; k < sampled.progress.size(); ++k) {
-      const Progress& now = sampled.progress[k];
+      const ParameterState& now = sampled.progress[k];
       section.sampled.push_back(now.s);
       if (k == 0) continue;
       const bool last = k + 1 == sampled.progress.size();

@@ -42,23 +42,23 @@ std::size_t AveragedScaling::step_at(double t) const {
   return static_cast<std::size_t>(next - times.begin()) - 1;
 }
 
-Progress AveragedScaling::given(double t) const {
+ParameterState AveragedScaling::given(double t) const {
   if (t <= 0) return {scaling_.s.front(), 0, 0};
   if (t >= scaling_.duration()) return {scaling_.s.back(), 0, 0};
   const std::size_t k = step_at(t);
-  Progress now = after(k, t - scaling_.t[k]).change;
+  ParameterState now = after(k, t - scaling_.t[k]).change;
   now.s += scaling_.s[k];
   return now;
 }
 
-Progress AveragedScaling::at(double t) const {
+ParameterState AveragedScaling::at(double t) const {
   if (!(width_ > 0)) {
     if (t <= 0) return {scaling_.s.front(), 0, scaling_.acceleration.front()};
     if (t >= scaling_.duration()) return {scaling_.s.back(), 0, scaling_.acceleration.back()};
     return given(t);
   }
   const double begin = t - width_, end = t;
-  const Progress a = given(begin), b = given(end);
+  const ParameterState a = given(begin), b = given(end);
   // The integral of s(x) - a.s over the window; s is constant before 0 and after the end.
   double integral = 0;
   const double last = scaling_.duration();

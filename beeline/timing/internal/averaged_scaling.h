@@ -9,7 +9,7 @@
 namespace beeline::internal {
 
 /// s and its time derivatives at one time.
-struct Progress {
+struct ParameterState {
   double s = 0, speed = 0, acceleration = 0;
 };
 
@@ -24,7 +24,7 @@ class AveragedScaling {
   double duration() const { return scaling_.duration() + width_; }
 
   /// At times from 0 to the duration.
-  Progress at(double t) const;
+  ParameterState at(double t) const;
 
   /// The time at which s is reached, by bisection; coarse where the budget ends it.
   double time_of(double s, BudgetMeter* budget = nullptr) const;
@@ -38,13 +38,13 @@ class AveragedScaling {
   /// s and its derivatives `x` seconds after point k of the given scaling, relative to s there, and
   /// the integral of that change from 0 to x.
   struct Change {
-    Progress change;
+    ParameterState change;
     double integral = 0;
   };
   Change after(std::size_t k, double x) const;
   double highest(std::size_t k, double x) const;    ///< see kinks()
   Quintic<double> polynomial(std::size_t k) const;  ///< where TimeScaling::smooth
-  Progress given(double t) const;
+  ParameterState given(double t) const;
   std::size_t step_at(double t) const;
 
   const TimeScaling& scaling_;

@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-JointMotion::State JointMotion::at(const Progress& now) const {
+JointMotion::State JointMotion::at(const ParameterState& now) const {
   const auto next = std::upper_bound(path_.s.begin() + 1, path_.s.end() - 1, now.s);
   const auto step = static_cast<std::size_t>(next - path_.s.begin()) - 1;
   PathPoint point = point_at(step, now.s);

@@ -18,11 +18,11 @@ class JointMotion {
 
   struct State {
     Configuration q, v, a;
-    Progress progress;
+    ParameterState progress;
   };
 
   State at(double t) const { return at(scaling_.at(t)); }
-  State at(const Progress& now) const;
+  State at(const ParameterState& now) const;
 
  private:
   PathPoint point_at(std::size_t step, double s) const;

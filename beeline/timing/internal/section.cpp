@@ -94,8 +94,8 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   const AveragedScaling& scaling = motion.scaling();
   const double duration = scaling.duration();
   // Exactly at rest at both ends, whatever the rounding of the time scaling.
-  std::vector<std::pair<double, Progress>> points{{0, {scaling.at(0).s, 0, 0}},
-                                                  {duration, {scaling.at(duration).s, 0, 0}}};
+  std::vector<std::pair<double, ParameterState>> points{{0, {scaling.at(0).s, 0, 0}},
+                                                        {duration, {scaling.at(duration).s, 0, 0}}};
   const auto add = [&](double t) { points.emplace_back(t, scaling.at(t)); };
   const bool linear = options.interpolation == Interpolation::linear;
   const double gaps = linear ? 1 : first_intervals;
@@ -110,7 +110,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
     if (!(s > given.s.front() && s < given.s.back())) continue;
     if (ended(options.budget)) return {};
     const double t = scaling.time_of(s, options.budget);
-    Progress now = scaling.at(t);
+    ParameterState now = scaling.at(t);
     now.s = s;
     points.emplace_back(t, now);
   }

@@ -13,8 +13,8 @@ namespace beeline::internal {
 /// Samples of a section: times from 0, and the path parameter of each with its time derivatives.
 struct SampledSection {
   Trajectory trajectory = {};
-  std::vector<Progress> progress = {};  ///< along the joint path
-  Reason reason = {};                   ///< why there are none at the rate
+  std::vector<ParameterState> progress = {};  ///< along the joint path
+  Reason reason = {};                         ///< why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
   /// Whether there are none because there would be more than max_samples.

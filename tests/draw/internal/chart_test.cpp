@@ -106,10 +106,10 @@ TEST(Sheet, ClipsNothingAtAnySize) {
     Chart& chart = sheet.columns[0].charts[0];
     chart.reference_lines = {{"limit", 2 * size}, {"far", 100 * size}, {"right", 1 / size, true}};
     chart.markers = {{0, "1"}, {20 * size, "a very long name"}, {39 * size, "3"}};
-    const Drawing drawing = compose(sheet);
-    expect_within_page(drawing, std::to_string(std::log10(size)));
-    EXPECT_LT(drawing.width, 600);
-    EXPECT_LT(drawing.height, 200);
+    const Picture picture = compose(sheet);
+    expect_within_page(picture, std::to_string(std::log10(size)));
+    EXPECT_LT(picture.width, 600);
+    EXPECT_LT(picture.height, 200);
   }
 }
 
@@ -117,9 +117,9 @@ TEST(Sheet, LeavesLevelsFarAwayOffTheScaleAndSaysSo) {
   for (const double level : {3.0, -3.0, 50.0, -50.0}) {
     Sheet sheet = sheet_of({{.x = {0, 1}, .y = {0, 1}}});
     sheet.columns[0].charts[0].reference_lines = {{"limit", level}};
-    const Drawing drawing = compose(sheet);
+    const Picture picture = compose(sheet);
     bool told = false, drawn = false;
-    for (const PaperMark& mark : drawing.marks) {
+    for (const PaperMark& mark : picture.marks) {
       if (const auto* text = std::get_if<PaperText>(&mark)) {
         told = told || text->text == "limit (off scale)";
       } else {

@@ -87,7 +87,7 @@ TEST(PathTrace, IsSeenFromWhereItIsWide) {
   const auto [arm, motion, path] = panda_lines();
   const PathTrace trace = trace_path(arm, motion.trajectory, path);
   const Panel panel = exaggerated_figure(arm, trace, path, exaggeration(trace)).columns[0][0];
-  const auto& trail = std::get<Polyline>(panel.scene.items[1].shape).points;
+  const auto& trail = std::get<Polyline>(panel.drawing.items[1].shape).points;
   const auto length = [&](const View& view) {
     double sum = 0;
     for (std::size_t i = 1; i < trail.size(); ++i) {
@@ -105,7 +105,7 @@ TEST(PathTrace, PassesThroughEveryStop) {
     const auto [arm, motion, path] = panda_lines(rate);
     const PathTrace trace = trace_path(arm, motion.trajectory, path);
     const Figure figure = exaggerated_figure(arm, trace, path, exaggeration(trace));
-    const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
+    const auto& trail = std::get<Polyline>(figure.columns[0][0].drawing.items[1].shape);
     for (const Segment& segment : path.path.segments) {
       double nearest = 1;
       for (const Vector3& p : trail.points) {
@@ -116,9 +116,9 @@ TEST(PathTrace, PassesThroughEveryStop) {
   }
 }
 
-std::vector<std::string> numbers_above(const Drawing& drawing) {
+std::vector<std::string> numbers_above(const Picture& picture) {
   std::vector<std::string> numbers;
-  for (const PaperMark& mark : drawing.marks) {
+  for (const PaperMark& mark : picture.marks) {
     const auto* text = std::get_if<PaperText>(&mark);
     if (text != nullptr && text->colour == amber && !text->halo) numbers.push_back(text->text);
   }
@@ -156,12 +156,12 @@ TEST(PathTrace, NumbersTheGivenWaypoints) {
         const Vector3 at = forward_kinematics(arm, q).translation();
         EXPECT_LT((at - waypoints[w].translation()).norm(), 0.1);
       }
-      const Drawing drawing = timing_figure(arm, motion.trajectory, {.path = path});
+      const Picture picture = timing_figure(arm, motion.trajectory, {.path = path});
       std::vector<std::string> numbers;
       for (int column = 0; column < 2; ++column) {
         for (std::size_t w = 0; w < waypoints.size(); ++w) numbers.push_back(std::to_string(w + 1));
       }
-      EXPECT_EQ(numbers_above(drawing), numbers);
+      EXPECT_EQ(numbers_above(picture), numbers);
     }
   }
 }
@@ -174,7 +174,7 @@ TEST(PathTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
   for (const PathTrace::Point& point : trace.points)
     most = std::max(most, point.deviation_vector.norm());
   const Figure figure = exaggerated_figure(arm, trace, path, 1e9);
-  const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
+  const auto& trail = std::get<Polyline>(figure.columns[0][0].drawing.items[1].shape);
   EXPECT_LT(trail.points.size(), 3000u);
   double farthest = 0;
   for (const Vector3& p : trail.points) {

@@ -28,10 +28,10 @@ TEST(Svg, WritesNumbersToHundredths) {
 TEST(Svg, RefusesCoordinatesThatAreNoNumbers) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1e10}) {
     EXPECT_REFUSED(svg_number(bad), "finite");
-    Drawing drawing{10, 10, {line_stroke({0, 0}, {bad, 1}, ink, 1)}};
-    EXPECT_REFUSED(svg_of(drawing), "finite");
-    drawing.marks = {PaperText{"a", {0, bad}}};
-    EXPECT_REFUSED(svg_of(drawing), "finite");
+    Picture picture{10, 10, {line_stroke({0, 0}, {bad, 1}, ink, 1)}};
+    EXPECT_REFUSED(svg_of(picture), "finite");
+    picture.marks = {PaperText{"a", {0, bad}}};
+    EXPECT_REFUSED(svg_of(picture), "finite");
   }
 }
 

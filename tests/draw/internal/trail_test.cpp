@@ -23,9 +23,9 @@ Trajectory random_motion(testing::Random& random, const Arm& arm, int samples) {
   return motion;
 }
 
-std::vector<Polyline> lines_of(const Scene& scene) {
+std::vector<Polyline> lines_of(const Drawing& drawing) {
   std::vector<Polyline> lines;
-  for (const Item& item : scene.items) {
+  for (const Item& item : drawing.items) {
     if (const auto* line = std::get_if<Polyline>(&item.shape)) lines.push_back(*line);
   }
   return lines;
@@ -47,9 +47,9 @@ TEST(Trail, FollowsTheTrajectorysOwnPolynomials) {
   for (int trial = 0; trial < 20; ++trial) {
     const Arm arm = built_in(trial % 2 == 0 ? "ur5" : "rrr");
     const Trajectory motion = random_motion(random, arm, random.integer(1, 12));
-    Scene scene;
-    add_trail(scene, arm, motion);
-    const std::vector<Vector3> line = lines_of(scene).front().points;
+    Drawing drawing;
+    add_trail(drawing, arm, motion);
+    const std::vector<Vector3> line = lines_of(drawing).front().points;
     for (int k = 0; k < 200; ++k) {
       const Configuration q = sample(motion, random.uniform(0, motion.times.back())).position;
       EXPECT_LT(distance_to(line, forward_kinematics(arm, q).translation()),
@@ -62,7 +62,7 @@ TEST(Trail, GrowsPieceByPieceToTheSameLine) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   const Trajectory motion = random_motion(random, arm, 6);
-  Scene still, growing;
+  Drawing still, growing;
   add_trail(still, arm, motion);
   add_trail(growing, arm, motion, {.growing = true});
   double before = 0;
@@ -92,9 +92,9 @@ TEST(Trail, OfAMillionSamplesIsShortButKeepsASpike) {
                                   s * (corners[k / side + 1] - corners[k / side]));
   }
   motion.positions[123'456].y() = -0.5;  // one sample wide
-  Scene scene;
-  add_trail(scene, arm, motion);
-  const std::vector<Vector3> line = lines_of(scene).front().points;
+  Drawing drawing;
+  add_trail(drawing, arm, motion);
+  const std::vector<Vector3> line = lines_of(drawing).front().points;
   EXPECT_LT(line.size(), 100u);
   for (const Configuration& q : {motion.positions[123'456], motion.positions[side]}) {
     EXPECT_LT(distance_to(line, forward_kinematics(arm, q).translation()), 1e-3);
@@ -106,22 +106,22 @@ TEST(Trail, MarksWhatIsBelowTheFloor) {
   const Arm arm = built_in("ur5");
   for (int trial = 0; trial < 20; ++trial) {
     const Trajectory motion = random_motion(random, arm, 5);
-    Scene scene;
-    scene.floor = random.uniform(-0.5, 0.5);
-    add_trail(scene, arm, motion);
-    const std::vector<Polyline> lines = lines_of(scene);
+    Drawing drawing;
+    drawing.floor = random.uniform(-0.5, 0.5);
+    add_trail(drawing, arm, motion);
+    const std::vector<Polyline> lines = lines_of(drawing);
     double below = 0, marked = 0;
     for (std::size_t i = 1; i < lines[0].points.size(); ++i) {
       const Vector3 &a = lines[0].points[i - 1], &b = lines[0].points[i];
       const double low = std::min(a.z(), b.z()), high = std::max(a.z(), b.z());
-      const double part = high > low ? std::clamp((*scene.floor - low) / (high - low), 0.0, 1.0)
-                                     : (low < *scene.floor ? 1 : 0);
+      const double part = high > low ? std::clamp((*drawing.floor - low) / (high - low), 0.0, 1.0)
+                                     : (low < *drawing.floor ? 1 : 0);
       below += part * (b - a).norm();
     }
     for (std::size_t n = 1; n < lines.size(); ++n) {
       EXPECT_EQ(lines[n].colour, below_ground);
       for (std::size_t i = 0; i < lines[n].points.size(); ++i) {
-        EXPECT_LT(lines[n].points[i].z(), *scene.floor + 1e-8);
+        EXPECT_LT(lines[n].points[i].z(), *drawing.floor + 1e-8);
         if (i > 0) marked += (lines[n].points[i] - lines[n].points[i - 1]).norm();
       }
     }

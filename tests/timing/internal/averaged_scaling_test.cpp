@@ -127,7 +127,8 @@ TEST(AveragedScaling, SpeedAndAccelerationAreTheDerivativesOfS) {
         return std::abs(t - point) <= 2 * d || std::abs(t - point - width) <= 2 * d;
       });
       if (near_point) continue;
-      const Progress before = scaling.at(t - d), now = scaling.at(t), after = scaling.at(t + d);
+      const ParameterState before = scaling.at(t - d), now = scaling.at(t),
+                           after = scaling.at(t + d);
       const double rounding =
           1e-15 * (1 + scaling.duration()) / (d * std::min(1.0, std::max(width, d)));
       ASSERT_NEAR((after.s - before.s) / (2 * d), now.speed, 1e-6 + rounding);
@@ -143,7 +144,7 @@ TEST(AveragedScaling, IsFromRestToRest) {
     const TimeScaling given = random_scaling(random, i % 2 == 0);
     const double width = random_width(random, given);
     const AveragedScaling scaling(given, width);
-    const Progress begin = scaling.at(0), end = scaling.at(scaling.duration());
+    const ParameterState begin = scaling.at(0), end = scaling.at(scaling.duration());
     EXPECT_DOUBLE_EQ(begin.s, given.s.front());
     EXPECT_NEAR(end.s, given.s.back(), 1e-14 * (1 + std::abs(end.s)));
     EXPECT_EQ(begin.speed, 0);
@@ -161,7 +162,7 @@ TEST(AveragedScaling, TimeOfIsTheInverse) {
     const AveragedScaling scaling(given, random_width(random, given));
     for (int j = 0; j < 20; ++j) {
       const double t = random.uniform(0, scaling.duration());
-      const Progress now = scaling.at(t);
+      const ParameterState now = scaling.at(t);
       const double found = scaling.time_of(now.s);
       ASSERT_NEAR(scaling.at(found).s, now.s, 1e-13);
       if (now.speed > 1e-2) {

@@ -113,7 +113,7 @@ TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
     const double dt = scaling.duration() / count;
     Configuration before;
     for (int k = 0; k <= count; ++k) {
-      const Progress now = motion.at(k * dt);
+      const ParameterState now = motion.at(k * dt);
       const auto next = std::upper_bound(path.s.begin() + 1, path.s.end() - 1, now.s);
       const auto step = static_cast<std::size_t>(next - path.s.begin()) - 1;
       const PathPoint point =

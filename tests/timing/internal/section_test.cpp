@@ -197,7 +197,7 @@ TEST(SampleSection, HasEveryRequiredSample) {
     const SampledSection found = sample_section(made.arm, made.timed, made.options);
     for (const double s : made.options.required) {
       const auto nearest = std::min_element(found.progress.begin(), found.progress.end(),
-                                            [&](const Progress& a, const Progress& b) {
+                                            [&](const ParameterState& a, const ParameterState& b) {
                                               return std::abs(a.s - s) < std::abs(b.s - s);
                                             });
       // Moved by the rounding of times to nanoseconds only.

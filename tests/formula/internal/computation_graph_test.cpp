@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include <beeline/formula/internal/program_chain.h>
+#include <beeline/formula/internal/chain_graph.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
@@ -14,34 +14,34 @@ namespace beeline::internal {
 namespace {
 
 /// The values of all nodes, for values of the variables.
-std::vector<double> values_of(const Program& program,
+std::vector<double> values_of(const ComputationGraph& graph,
                               const std::map<std::string, double>& variables) {
   std::vector<double> values;
   const auto of = [&values](int id) { return values[static_cast<std::size_t>(id)]; };
-  for (const Program::Node& node : program.nodes()) {
+  for (const ComputationGraph::Node& node : graph.nodes()) {
     double value = node.number;
     switch (node.operation) {
-      case Program::Operation::number:
+      case ComputationGraph::Operation::number:
         break;
-      case Program::Operation::variable:
+      case ComputationGraph::Operation::variable:
         value = variables.at(node.name);
         break;
-      case Program::Operation::cosine:
+      case ComputationGraph::Operation::cosine:
         value = std::cos(of(node.a));
         break;
-      case Program::Operation::sine:
+      case ComputationGraph::Operation::sine:
         value = std::sin(of(node.a));
         break;
-      case Program::Operation::negate:
+      case ComputationGraph::Operation::negate:
         value = -of(node.a);
         break;
-      case Program::Operation::add:
+      case ComputationGraph::Operation::add:
         value = of(node.a) + of(node.b);
         break;
-      case Program::Operation::subtract:
+      case ComputationGraph::Operation::subtract:
         value = of(node.a) - of(node.b);
         break;
-      case Program::Operation::multiply:
+      case ComputationGraph::Operation::multiply:
         value = of(node.a) * of(node.b);
         break;
     }
@@ -50,19 +50,20 @@ std::vector<double> values_of(const Program& program,
   return values;
 }
 
-/// Evaluates entries of a chain's program at q and dq.
+/// Evaluates entries of a chain's graph at q and dq.
 class Evaluation {
  public:
-  Evaluation(ProgramChain& chain, const Configuration& q, const Configuration& dq) {
+  Evaluation(ChainGraph& chain, const Configuration& q, const Configuration& dq) {
     std::map<std::string, double> variables = chain.constants();
     for (Eigen::Index k = 0; k < q.size(); ++k) {
       variables["q[" + std::to_string(k) + "]"] = q[k];
       variables["dq[" + std::to_string(k) + "]"] = dq[k];
     }
-    values_ = values_of(chain.program(), variables);
+    values_ = values_of(chain.graph(), variables);
   }
 
-  Eigen::MatrixXd matrix(const std::vector<Program::Id>& entries, Eigen::Index columns) const {
+  Eigen::MatrixXd matrix(const std::vector<ComputationGraph::Id>& entries,
+                         Eigen::Index columns) const {
     Eigen::MatrixXd result(static_cast<Eigen::Index>(entries.size()) / columns, columns);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const auto index = static_cast<Eigen::Index>(i);
@@ -83,15 +84,15 @@ Configuration random_rates(testing::Random& random, int dof) {
 
 double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
 
-/// Pose and Jacobians of the program equal the arm's.
+/// Pose and Jacobians of the graph equal the arm's.
 void expect_arms_kinematics(const Arm& arm, testing::Random& random, int configurations,
                             double tolerance) {
   const SymbolicArm symbolic = symbolic_arm(arm);
   for (const bool numbers : {false, true}) {
-    ProgramChain chain(symbolic, numbers);
-    const std::vector<Program::Id> pose = chain.pose();
+    ChainGraph chain(symbolic, numbers);
+    const std::vector<ComputationGraph::Id> pose = chain.pose();
     for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
-      const std::vector<Program::Id> columns = chain.jacobian(frame);
+      const std::vector<ComputationGraph::Id> columns = chain.jacobian(frame);
       for (int k = 0; k < configurations; ++k) {
         const Configuration q = random.configuration(arm);
         const Evaluation at(chain, q, Configuration::Zero(arm.dof()));
@@ -102,14 +103,14 @@ void expect_arms_kinematics(const Arm& arm, testing::Random& random, int configu
   }
 }
 
-TEST(Program, HasThePosesAndJacobiansOfBuiltInArms) {
+TEST(ComputationGraph, HasThePosesAndJacobiansOfBuiltInArms) {
   testing::Random random;
   for (const std::string& name : testing::typical_arms) {
     expect_arms_kinematics(built_in(name), random, testing::cases(100), 1e-12);
   }
 }
 
-TEST(Program, HasThePosesAndJacobiansOfAnyArm) {
+TEST(ComputationGraph, HasThePosesAndJacobiansOfAnyArm) {
   testing::Random random;
   for (int k = 0; k < testing::cases(200); ++k) {
     expect_arms_kinematics(testing::random_arm(random, random.integer(1, 9), 4), random, 3, 1e-10);
@@ -119,9 +120,9 @@ TEST(Program, HasThePosesAndJacobiansOfAnyArm) {
 void expect_arms_derivatives(const Arm& arm, testing::Random& random, int configurations,
                              double tolerance) {
   const SymbolicArm symbolic = symbolic_arm(arm);
-  ProgramChain chain(symbolic, false);
+  ChainGraph chain(symbolic, false);
   for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
-    const std::vector<Program::Id> entries = chain.derivative(frame);
+    const std::vector<ComputationGraph::Id> entries = chain.derivative(frame);
     for (int k = 0; k < configurations; ++k) {
       const Configuration q = random.configuration(arm), rates = random_rates(random, arm.dof());
       const Eigen::MatrixXd found = Evaluation(chain, q, rates).matrix(entries, arm.dof());
@@ -131,31 +132,31 @@ void expect_arms_derivatives(const Arm& arm, testing::Random& random, int config
   }
 }
 
-TEST(Program, HasTheTimeDerivativesOfBuiltInArms) {
+TEST(ComputationGraph, HasTheTimeDerivativesOfBuiltInArms) {
   testing::Random random;
   for (const std::string& name : testing::typical_arms) {
     expect_arms_derivatives(built_in(name), random, testing::cases(1000), 1e-12);
   }
 }
 
-TEST(Program, HasTheTimeDerivativesOfAnyArm) {
+TEST(ComputationGraph, HasTheTimeDerivativesOfAnyArm) {
   testing::Random random;
   for (int k = 0; k < testing::cases(200); ++k) {
     expect_arms_derivatives(testing::random_arm(random, random.integer(1, 9), 4), random, 3, 1e-10);
   }
 }
 
-TEST(Program, ComputesEachValueOnce) {
-  Program program;
-  const Program::Id x = program.variable("x"), y = program.variable("y");
-  EXPECT_EQ(program.add(x, y), program.add(y, x));
-  EXPECT_EQ(program.subtract(x, y), program.negate(program.subtract(y, x)));
-  EXPECT_EQ(program.multiply(program.negate(x), y), program.negate(program.multiply(y, x)));
-  EXPECT_EQ(program.subtract(program.add(x, y), y), x);
-  EXPECT_EQ(program.subtract(x, program.add(x, y)), program.negate(y));
-  EXPECT_EQ(program.multiply(x, program.number(0)), program.number(0));
-  EXPECT_EQ(program.add(x, program.negate(x)), program.number(0));
-  EXPECT_EQ(program.sine(program.negate(x), "s"), program.negate(program.sine(x, "s")));
+TEST(ComputationGraph, ComputesEachValueOnce) {
+  ComputationGraph graph;
+  const ComputationGraph::Id x = graph.variable("x"), y = graph.variable("y");
+  EXPECT_EQ(graph.add(x, y), graph.add(y, x));
+  EXPECT_EQ(graph.subtract(x, y), graph.negate(graph.subtract(y, x)));
+  EXPECT_EQ(graph.multiply(graph.negate(x), y), graph.negate(graph.multiply(y, x)));
+  EXPECT_EQ(graph.subtract(graph.add(x, y), y), x);
+  EXPECT_EQ(graph.subtract(x, graph.add(x, y)), graph.negate(y));
+  EXPECT_EQ(graph.multiply(x, graph.number(0)), graph.number(0));
+  EXPECT_EQ(graph.add(x, graph.negate(x)), graph.number(0));
+  EXPECT_EQ(graph.sine(graph.negate(x), "s"), graph.negate(graph.sine(x, "s")));
 }
 
 }  // namespace

@@ -5,58 +5,58 @@
 #include <vector>
 
 #include <beeline/formula/formula.h>
-#include <beeline/formula/internal/program.h>
+#include <beeline/formula/internal/computation_graph.h>
 #include <beeline/formula/internal/symbolic_vector.h>
 #include <beeline/formula/internal/tree.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline::internal {
 
-/// The kinematics of an arm as a program. Its variables are the symbols' names; those of the
+/// The kinematics of an arm as a graph. Its variables are the symbols' names; those of the
 /// coordinates are q[0], q[1], ..., of the rates dq[0], ...
-class ProgramChain {
+class ChainGraph {
  public:
   /// `numbers`: constants are numbers, not variables.
-  ProgramChain(const SymbolicArm& arm, bool numbers);
+  ChainGraph(const SymbolicArm& arm, bool numbers);
 
-  Program& program() { return program_; }
-  const Program& program() const { return program_; }
+  ComputationGraph& graph() { return graph_; }
+  const ComputationGraph& graph() const { return graph_; }
 
   /// The values of the constants that are variables, by name.
   const std::map<std::string, double>& constants() const { return constants_; }
 
   /// The 16 entries of the tool's pose in the world, row by row.
-  std::vector<Program::Id> pose();
+  std::vector<ComputationGraph::Id> pose();
 
   /// The entries of the Jacobian, 6 x dof, row by row; and of its time derivative.
-  std::vector<Program::Id> jacobian(Frame frame);
-  std::vector<Program::Id> derivative(Frame frame);
+  std::vector<ComputationGraph::Id> jacobian(Frame frame);
+  std::vector<ComputationGraph::Id> derivative(Frame frame);
 
-  Program::Id expression(const Expression& expression);  ///< as factored() writes it
+  ComputationGraph::Id expression(const Expression& expression);  ///< as factored() writes it
 
  private:
   /// The motion of a joint: its axis and a point of it in the world.
   struct Motion {
     int coordinate = 0;
     bool rotates = true;
-    Program::Id rate = 0;  ///< of the motion for unit rate of the coordinate
-    ProgramVector axis = {}, point = {};
+    ComputationGraph::Id rate = 0;  ///< of the motion for unit rate of the coordinate
+    GraphVector axis = {}, point = {};
   };
   struct Twist {
-    ProgramVector linear = {}, angular = {};
+    GraphVector linear = {}, angular = {};
   };
 
-  Program::Id constant(const std::string& name, double value);
-  Program::Id symbol(int number);
-  Program::Id tree(const Tree& tree);
-  Program::Id sum(const Angle& angle);
-  std::string trig_name(const Trig& trig, Program::Id sum) const;
-  Program::Id trig(const Trig& trig);
-  Program::Id rate(const Motion& motion);
-  ProgramRotation axis_rotation(int axis, const Angle& angle);
-  ProgramVector constant_column(int axis);
-  ProgramRotation turned();
-  ProgramVector current_position();
+  ComputationGraph::Id constant(const std::string& name, double value);
+  ComputationGraph::Id symbol(int number);
+  ComputationGraph::Id tree(const Tree& tree);
+  ComputationGraph::Id sum(const Angle& angle);
+  std::string trig_name(const Trig& trig, ComputationGraph::Id sum) const;
+  ComputationGraph::Id trig(const Trig& trig);
+  ComputationGraph::Id rate(const Motion& motion);
+  GraphRotation axis_rotation(int axis, const Angle& angle);
+  GraphVector constant_column(int axis);
+  GraphRotation turned();
+  GraphVector current_position();
   void close();
   void move_end();
   void append_rotation(const ElementaryTransform& transform);
@@ -64,23 +64,23 @@ class ProgramChain {
   void add_motions(const ElementaryTransform& transform);
   Twist twist(const Motion& motion, Frame frame);
   std::vector<Twist> rates_of_twists(Frame frame);
-  std::vector<Program::Id> matrix(const std::vector<Twist>& twists);
+  std::vector<ComputationGraph::Id> matrix(const std::vector<Twist>& twists);
   Twist in_axes(const Twist& twist, Frame frame);
 
   const SymbolicArm& arm_;
   bool numbers_;
-  Program program_;
+  ComputationGraph graph_;
   std::map<std::string, double> constants_;
   // As in SymbolicPose; the position of a sum of rotations is added up in its own frame.
-  ProgramRotation closed_{};
-  ProgramVector position_{}, open_position_{}, end_position_{};
+  GraphRotation closed_{};
+  GraphVector position_{}, open_position_{}, end_position_{};
   ExpressionRotation constant_ = identity_rotation();
   int axis_ = -1;
   Angle angle_ = {};
   Angle last_angle_ = {};  ///< the sum that was formed last
-  Program::Id last_sum_ = 0;
+  ComputationGraph::Id last_sum_ = 0;
   std::vector<Motion> motions_;
-  ProgramRotation rotation_{};  ///< of the tool
+  GraphRotation rotation_{};  ///< of the tool
 };
 
 }  // namespace beeline::internal

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/skeleton.h>
 #include <beeline/kinematics/forward.h>
 
@@ -43,8 +43,8 @@ std::vector<double> symbol_shifts(const Skeleton& bones) {
 
 class ArmPainter {
  public:
-  ArmPainter(Scene& scene, const Skeleton& bones, bool planar, bool is_faded)
-      : scene_(scene),
+  ArmPainter(Drawing& drawing, const Skeleton& bones, bool planar, bool is_faded)
+      : drawing_(drawing),
         bones_(bones),
         planar_(planar),
         size_(size_for(bones.joints.size())),
@@ -59,8 +59,8 @@ class ArmPainter {
     links();
     for (std::size_t i = 0; i < bones_.joints.size(); ++i) {
       const SkeletonJoint& joint = bones_.joints[i];
-      scene_.add(layer_, JointSymbol{joint.kind, joint.centre, joint.direction, size_ * shifts[i],
-                                     size_ * 6.5, paper_white, ink_});
+      drawing_.add(layer_, JointSymbol{joint.kind, joint.centre, joint.direction, size_ * shifts[i],
+                                       size_ * 6.5, paper_white, ink_});
     }
   }
 
@@ -69,7 +69,7 @@ class ArmPainter {
     const Vector3& first = bones_.joints.front().centre;
     const bool below = !planar_ && (first - bones_.base).norm() <= 1e-6 * bones_.size();
     const double shift = below ? size_ * (std::min(first_shift, 0.0) - 6) : 0;
-    scene_.add(Layer::base, BaseSymbol{bones_.base, up, planar_, shift, size_, ink_});
+    drawing_.add(Layer::base, BaseSymbol{bones_.base, up, planar_, shift, size_, ink_});
   }
 
   bool has_length(const std::vector<Vector3>& points) const {
@@ -79,7 +79,7 @@ class ArmPainter {
   }
 
   void bar(std::vector<Vector3> points, double width) {
-    scene_.add(layer_, Polyline{std::move(points), steel_, size_ * width, {}, size_ * 1.1, ink_});
+    drawing_.add(layer_, Polyline{std::move(points), steel_, size_ * width, {}, size_ * 1.1, ink_});
   }
 
   void links() {
@@ -100,13 +100,13 @@ class ArmPainter {
   }
 
   void shadow() {
-    if (!scene_.floor) return;
+    if (!drawing_.floor) return;
     Polyline line{bones_.line(), {0.90, 0.91, 0.92}, size_ * link_width};
-    for (Vector3& p : line.points) p.z() = *scene_.floor;
-    scene_.add(Layer::ground, line);
+    for (Vector3& p : line.points) p.z() = *drawing_.floor;
+    drawing_.add(Layer::ground, line);
   }
 
-  Scene& scene_;
+  Drawing& drawing_;
   const Skeleton& bones_;
   bool planar_;
   double size_;
@@ -116,7 +116,7 @@ class ArmPainter {
 
 /// Adds the triad of each frame. Of frames at one place each is drawn over the one before it,
 /// shorter and thicker, and they have one label.
-void add_frames(Scene& scene, const std::vector<Pose>& links, bool planar, double size) {
+void add_frames(Drawing& drawing, const std::vector<Pose>& links, bool planar, double size) {
   constexpr std::size_t max_labels = 40;  // more labels cannot be read
   const double length = size_for(links.size()) * (planar ? 30 : 22), same = 1e-6 * size + 1e-300;
   std::vector<bool> drawn(links.size(), false);
@@ -133,28 +133,28 @@ void add_frames(Scene& scene, const std::vector<Pose>& links, bool planar, doubl
       const double part = 1 - static_cast<double>(rank) / static_cast<double>(here.size());
       FrameTriad triad{links[here[rank]], length * (here.size() == 1 ? 1 : 0.35 + 0.95 * part)};
       triad.width *= 2 - part;
-      scene.add(Layer::mark, triad);
+      drawing.add(Layer::mark, triad);
       text += (rank == 0 ? "{" : " {") + std::to_string(here[rank]) + "}";
     }
     if (links.size() > max_labels) continue;
     Label label{links[first].translation(), text};
     label.right = 0.3;
     label.up = -1;
-    scene.add(Layer::note, label);
+    drawing.add(Layer::note, label);
   }
 }
 
 }  // namespace
 
-void add_arm(Scene& scene, const Arm& arm, const ConfigurationRef& q, const ArmStyle& style) {
+void add_arm(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, const ArmStyle& style) {
   const Skeleton bones = skeleton(arm, q);
   const std::vector<Pose> links = link_poses(arm, q);
-  if (!arm.planar() && !scene.floor) scene.floor = bones.base.z();
-  ArmPainter(scene, bones, arm.planar(), style.faded).draw(arm.base().linear().col(2));
-  if (style.frames) add_frames(scene, links, arm.planar(), bones.size());
+  if (!arm.planar() && !drawing.floor) drawing.floor = bones.base.z();
+  ArmPainter(drawing, bones, arm.planar(), style.faded).draw(arm.base().linear().col(2));
+  if (style.frames) add_frames(drawing, links, arm.planar(), bones.size());
   const bool named = style.frames && arm.tool().isApprox(Pose::Identity());
   if (style.tool && !style.faded && !named)
-    scene.add(Layer::mark, FrameTriad{links.back() * arm.tool()});
+    drawing.add(Layer::mark, FrameTriad{links.back() * arm.tool()});
 }
 
 }  // namespace beeline::internal

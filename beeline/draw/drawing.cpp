@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 #include <beeline/error.h>
 
 namespace beeline {
@@ -62,9 +62,9 @@ Colour faded(const Colour& colour) {
           colour.blue + whiteness * (1 - colour.blue), colour.alpha};
 }
 
-void check_scene(const Scene& scene) {
-  for (const Item& item : scene.items) std::visit(Check{}, item.shape);
-  if (scene.floor) check_point({0, 0, *scene.floor}, "floor");
+void check_drawing(const Drawing& drawing) {
+  for (const Item& item : drawing.items) std::visit(Check{}, item.shape);
+  if (drawing.floor) check_point({0, 0, *drawing.floor}, "floor");
 }
 
 }  // namespace beeline

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/draw/scene.h>
+#include <beeline/draw/drawing.h>
 #include <beeline/model/arm.h>
 
 namespace beeline::internal {
@@ -11,7 +11,8 @@ struct ArmStyle {
   bool tool = true;     ///< draw the tool frame
 };
 
-/// Adds the arm at configuration q to the scene. Throws Error when q does not fit the arm.
-void add_arm(Scene& scene, const Arm& arm, const ConfigurationRef& q, const ArmStyle& style = {});
+/// Adds the arm at configuration q to the drawing. Throws Error when q does not fit the arm.
+void add_arm(Drawing& drawing, const Arm& arm, const ConfigurationRef& q,
+             const ArmStyle& style = {});
 
 }  // namespace beeline::internal

@@ -111,7 +111,7 @@ struct Item {
 };
 
 /// Primitives in world coordinates, metres; plain data, independent of view and paper.
-struct Scene {
+struct Drawing {
   std::vector<Item> items;
   std::optional<double> floor;  ///< height of the ground plane, metres; none: not drawn
 
@@ -121,6 +121,6 @@ struct Scene {
 };
 
 /// Throws Error when a coordinate is not finite or above 1e12 m in size.
-void check_scene(const Scene& scene);
+void check_drawing(const Drawing& drawing);
 
 }  // namespace beeline

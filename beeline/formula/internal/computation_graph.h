@@ -14,7 +14,7 @@ namespace beeline::internal {
 /// A computation without branches as a graph, in which each value is computed once. Sums and
 /// products with 0, 1 and -1 are not formed; signs move outwards, so that a - b and b - a share a
 /// node.
-class Program {
+class ComputationGraph {
  public:
   enum class Operation { number, variable, cosine, sine, negate, add, subtract, multiply };
   struct Node {
@@ -58,19 +58,20 @@ class Program {
 };
 
 /// The number of operations; a sign is none.
-struct ProgramCount {
+struct OperationCount {
   int multiplications = 0, additions = 0, trigonometric = 0;
 };
-ProgramCount count_operations(const Program& program, const std::vector<Program::Id>& outputs);
+OperationCount count_operations(const ComputationGraph& graph,
+                                const std::vector<ComputationGraph::Id>& outputs);
 
-using ProgramVector = std::array<Program::Id, 3>;
-using ProgramRotation = std::array<ProgramVector, 3>;  ///< its columns
+using GraphVector = std::array<ComputationGraph::Id, 3>;
+using GraphRotation = std::array<GraphVector, 3>;  ///< its columns
 
-ProgramVector add(Program& program, const ProgramVector& a, const ProgramVector& b);
-ProgramVector subtract(Program& program, const ProgramVector& a, const ProgramVector& b);
-ProgramVector scale(Program& program, Program::Id factor, const ProgramVector& v);
-ProgramVector cross(Program& program, const ProgramVector& a, const ProgramVector& b);
-ProgramVector rotate(Program& program, const ProgramRotation& r, const ProgramVector& v);
-ProgramVector rotate_back(Program& program, const ProgramRotation& r, const ProgramVector& v);
+GraphVector add(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
+GraphVector subtract(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
+GraphVector scale(ComputationGraph& graph, ComputationGraph::Id factor, const GraphVector& v);
+GraphVector cross(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
+GraphVector rotate(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v);
+GraphVector rotate_back(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v);
 
 }  // namespace beeline::internal
