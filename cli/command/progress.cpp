@@ -6,6 +6,17 @@
 
 #include <unistd.h>
 
+namespace {
+
+ProgressListener& listener() {
+  static ProgressListener none = nullptr;
+  return none;
+}
+
+}  // namespace
+
+void listen_to_progress(ProgressListener receiver) { listener() = receiver; }
+
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
@@ -13,6 +24,7 @@ Progress::~Progress() {
 }
 
 void Progress::show(double fraction) {
+  if (listener() != nullptr) return listener()(fraction);
   const int percent = static_cast<int>(100 * fraction);
   const std::lock_guard lock(showing_);
   if (!terminal_ || percent == percent_) return;

@@ -2,7 +2,14 @@
 
 #include <mutex>
 
-/// Shows the progress of a long computation in percent on stderr, if that is a terminal.
+/// Receives the fraction that is computed, from any thread.
+using ProgressListener = void (*)(double fraction);
+
+/// From now on every Progress goes to the listener instead of the terminal.
+void listen_to_progress(ProgressListener listener);
+
+/// Shows the progress of a long computation in percent on stderr, if that is a terminal, or gives
+/// it to the listener.
 class Progress {
  public:
   Progress();

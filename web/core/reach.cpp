@@ -10,15 +10,7 @@
 
 #include "fault.h"
 #include "handles.h"
-
-#ifdef __EMSCRIPTEN__
-#include <emscripten.h>
-
-// Runs in the worker while the core computes.
-EM_JS(void, report_progress, (double fraction), { Module["progress"](fraction); });
-#else  // clang-tidy, which has no header of Emscripten
-static void report_progress(double) {}
-#endif
+#include "progress.h"
 
 using namespace beeline;
 using web::guarded;

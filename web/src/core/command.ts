@@ -5,16 +5,10 @@ import { CoreError, type CommandResult, type Files } from "./types.js";
 /** Collects a stream's bytes. */
 class Collected {
   private readonly bytes: number[] = [];
-  constructor(private readonly watch: (text: string) => void = () => undefined) {}
 
   readonly put = (byte: number): void => {
     this.bytes.push(byte & 255);
-    if (byte === 37) this.watch(this.tail()); // %, which ends what the command prints as progress
   };
-
-  private tail(): string {
-    return String.fromCharCode(...this.bytes.slice(-8));
-  }
 
   text(): string {
     return new TextDecoder().decode(new Uint8Array(this.bytes));
@@ -59,18 +53,12 @@ export async function command(
   progress: (fraction: number) => void = () => undefined,
 ): Promise<CommandResult> {
   const stdout = new Collected();
-  const stderr = new Collected((tail) => {
-    const percent = /\r *(\d+) %$/.exec(tail);
-    if (percent?.[1] !== undefined) progress(Number(percent[1]) / 100);
-  });
+  const stderr = new Collected();
   const module = await instantiateCommand(factory, wasm, stdout.put, stderr.put);
+  module.progress = progress;
   prepare(module, files);
   const code = call(module, args);
-  const reasons = stderr
-    .text()
-    .replace(/\r *\d+ %/g, "")
-    .replace(/\r\u001b\[K/g, "");
-  return { code, stdout: stdout.text(), stderr: reasons, files: written(module, files) };
+  return { code, stdout: stdout.text(), stderr: stderr.text(), files: written(module, files) };
 }
 
 /** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused. */

@@ -57,8 +57,6 @@ export function instantiateCommand(
 ): Promise<CommandModule> {
   const connect = ({ FS }: CommandModule): void => {
     FS.init(() => null, stdout, stderr);
-    const stream = FS.streams[2]; // a terminal, on which the command shows its progress
-    if (stream) stream.tty = true;
   };
   return instantiate(factory, wasm, { preRun: [connect] });
 }

@@ -16,7 +16,7 @@ export interface Module {
 /** The command's module, web/core/command.h and reach.h. */
 export interface CommandModule extends Module {
   FS: FileSystem;
-  /** Called by _beeline_reach_compute() with the fraction computed. */
+  /** Called by _beeline_command() and _beeline_reach_compute() with the fraction computed. */
   progress(fraction: number): void;
   _beeline_command(argc: number, argv: number): number;
   _beeline_reach(arm: number, resolution: number, directions: number, rolls: number, orientation: number): number;
@@ -67,7 +67,6 @@ export interface CoreModule extends Module {
 }
 
 export interface FileSystem {
-  streams: ({ tty?: unknown } | null)[];
   init(stdin: () => number | null, stdout: (byte: number) => void, stderr: (byte: number) => void): void;
   mkdir(path: string): void;
   chdir(path: string): void;
