@@ -2,31 +2,26 @@
 Ten lines
 =========
 
-An arm, its tool pose, its Jacobian, inverse kinematics and a straight line.
+An arm, the pose of its tool, inverse kinematics and a straight line.
 """
 
 import numpy as np
 
 import beeline
 
-arm = beeline.Arm.load("panda")  # or "robot.urdf", or "RRR:3.5,3.5,2"
+arm = beeline.arms.panda()  # or beeline.Arm.load("robot.urdf"), or "RRR:3.5,3.5,2"
 q = arm.middle
-tool = beeline.forward_kinematics(arm, q)
-j = beeline.jacobian(arm, q)  # base frame, rows vx vy vz wx wy wz
-higher = tool.copy()
-higher[2, 3] += 0.1
-answer = beeline.inverse_kinematics(arm, higher, seed=q)
-motion = beeline.move_in_lines(arm, q, [higher, tool])
-
-print("tool\n", tool)
-print("Jacobian\n", j)
-print(answer)
+pose = beeline.forward_kinematics(arm, q)
+pose[2, 3] -= 0.1  # 0.1 m lower
+found = beeline.inverse_kinematics(arm, pose, seed=q)
+print(found)
+motion = beeline.move_in_lines(arm, q, [pose])
 print(motion)
 
 # %%
-# Results are true if they are solved. The inverse and the motion are confirmed here independently.
-assert answer and motion
-assert np.allclose(beeline.forward_kinematics(arm, answer.solutions[0]), higher)
-assert beeline.verify(arm, motion.trajectory, [higher, tool])
+# Results are true if they are solved. Both are confirmed here independently.
+assert found and motion
+assert np.allclose(beeline.forward_kinematics(arm, found.q), pose)
+assert beeline.verify(arm, motion.trajectory, [pose])
 
-beeline.draw(arm, motion, waypoints=[higher, tool]).save("00_ten_lines.svg")
+beeline.draw(arm, motion, waypoints=[pose]).save("00_ten_lines.svg")

@@ -65,18 +65,6 @@ def test_a_whole_pick_is_one_proved_trajectory(picked, beeline, tmp_path, matrix
     assert len(answer.json["arrivals"]) == 7
 
 
-def test_the_commands_of_the_readme(beeline, tmp_path):
-    root = PICK.parents[1]
-    text = (root / "README.md").read_text().split("## A whole pick in one file")[1].split("\n## ")[0]
-    lines = [line[4:] for line in text.splitlines() if line.startswith("    ")]
-    assert lines[:8] == [line for line in PICK.read_text().splitlines() if not line.startswith("#")]
-    commands = [line.split() for line in lines[8:]]
-    assert [command[:2] for command in commands] == [["build/beeline", "line"], ["build/beeline", "check"]]
-    for command in commands:
-        answer = beeline(*(word.replace("examples/", f"{root}/examples/") for word in command[1:]))
-        assert answer.code == 0, answer.err
-
-
 def test_other_verbs_take_the_trajectory_of_a_program(picked, beeline, tmp_path):
     picked("--plot", "p.svg", "--draw", "d.svg")
     assert (tmp_path / "p.svg").stat().st_size > 1000 and (tmp_path / "d.svg").stat().st_size > 1000

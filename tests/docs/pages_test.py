@@ -10,11 +10,13 @@ sys.path.insert(0, str(DOCS / "sphinx"))
 
 from sessions import blocks, difference, steps  # noqa: E402
 
-PAGES = sorted(DOCS.rglob("*.md"))
+ROOT = DOCS.parent
+PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
 def test_sessions_print_what_the_page_shows(page, build, tmp_path):
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
     for command, code, printed, shown in steps(page, tmp_path, build):
         assert code in (0, 1, 2, 3), (command, printed)
         assert difference(shown, printed) == "", (command, printed)

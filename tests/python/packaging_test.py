@@ -4,9 +4,13 @@ import platform
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import beeline
 import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "sphinx"))
+from sessions import difference  # noqa: E402
 
 
 def test_the_version_is_that_of_the_project(root):
@@ -36,9 +40,28 @@ def test_the_import_needs_numpy_alone():
     assert not {"socket", "ssl", "urllib", "http"} & set(loaded)
 
 
-def test_the_read_me_runs(root, tmp_path):
-    for path in (root / "README.md", root / "python" / "README.md"):
-        for number, code in enumerate(re.findall(r"```python\n(.*?)```", path.read_text(), re.DOTALL)):
-            script = tmp_path / f"{path.parent.name}_{number}.py"
-            script.write_text(code)
-            subprocess.run([sys.executable, script], check=True, cwd=tmp_path)
+BLOCK = re.compile(r"```(python|cpp)\n(.*?)```(?:\n```text\n(.*?)```)?", re.DOTALL)
+
+
+@pytest.mark.parametrize("name", ["README.md", "python/README.md"])
+def test_the_read_me_runs(root, tmp_path, name):
+    for language, code, shown in BLOCK.findall((root / name).read_text()):
+        if language == "cpp":
+            continue
+        (tmp_path / "code.py").write_text(code)
+        printed = subprocess.run([sys.executable, "code.py"], check=True, cwd=tmp_path, capture_output=True, text=True)
+        assert not shown or difference(shown.splitlines(), printed.stdout.splitlines()) == ""
+
+
+def test_the_read_me_shows_the_first_example(root, build):
+    code, shown = next((code, shown) for language, code, shown in BLOCK.findall((root / "README.md").read_text())
+                       if language == "cpp")
+    example = (root / "examples" / "00_ten_lines.cpp").read_text()
+    assert [line.strip() for line in code.splitlines()] == [
+        line.strip() for line in example.partition("int main() {\n")[2].rpartition("}")[0].splitlines()]
+    printed = subprocess.run([build / "examples" / "00_ten_lines"], check=True, capture_output=True, text=True)
+    assert difference(shown.splitlines(), printed.stdout.splitlines()) == ""
+
+
+def test_a_citation_names_this_version(root):
+    assert f"version: {beeline.__version__}\n" in (root / "CITATION.cff").read_text()
