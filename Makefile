@@ -104,7 +104,7 @@ test-peers:
 
 test-all: test test-reasons test-peers test-web wheel
 
-# Node's packages are those of package-lock.json; Node itself that of the system or of scripts/node_path.sh.
+# package-lock.json names Node's packages; Node itself is the system's or the one of scripts/node_path.sh.
 web:
 	@scripts/install_packages.sh build web
 	@scripts/web_sources.sh build-web-core/sources

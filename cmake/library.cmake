@@ -1,6 +1,6 @@
 # beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
 # it included; "." stands for the files beside the folders. Its public headers are installed with it
-# and must each compile alone. Not public: headers in a folder internal/, those of math/,
+# and must each compile alone. Not public: headers in a folder internal/, in math/,
 # inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
 # each instruction set.
 function(beeline_library name)

@@ -44,7 +44,7 @@ for name in http_proxy https_proxy no_proxy; do
 done
 
 # The process alone sees what is mounted here, and the mounts end with it. The system has devices of its own, so that no
-# command in it removes those of this machine.
+# command in it removes devices of this machine.
 # shellcheck disable=SC2016  # expands inside
 unshare --mount --pid --fork --kill-child bash -euo pipefail -c '
   root=$1

@@ -26,7 +26,7 @@ def blank(match):
 
 
 def functions(text):
-    """(first line, lines, signature) of each function, those of classes included."""
+    """(first line, lines, signature) of each function and member function."""
     code = re.sub(r"(?<=[0-9a-fA-F])'(?=[0-9a-fA-F])", " ", text)
     code = SILENT.sub(blank, code)
     begin, open_functions, stack = 0, 0, []

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Prints a PATH with Node.js that Vite runs on, and npm: the one that is there, or, where that is missing or too old as
-# Debian 12's, that of web/requirements.txt, which it installs into .venv-node.
+# Prints a PATH with Node.js that Vite runs on, and npm: the system's Node.js, or, where it is missing or too old (as on
+# Debian 12), the one of web/requirements.txt, which it installs into .venv-node.
 # Usage: PATH=$(scripts/node_path.sh)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Those of Vite: 20.19 or later, 22.12 or later.
+# Vite needs 20.19 or later, or 22.12 or later.
 new_enough='const [a, b] = process.versions.node.split(".").map(Number);
 process.exit((a === 20 && b >= 19) || (a === 22 && b >= 12) || a > 22 ? 0 : 1)'
 if node -e "$new_enough" 2>/dev/null && command -v npm >/dev/null; then

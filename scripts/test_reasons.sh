@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds and runs, with half of the cases, the tests whose results have reasons, but those of the sentences themselves.
+# Builds and runs, with half of the cases, the tests whose results have reasons, except the tests of the sentences themselves.
 # Usage: test_reasons.sh BUILD JOBS, a folder configured with BEELINE_SENTENCES=OFF
 set -euo pipefail
 build=$1 jobs=$2

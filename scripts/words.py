@@ -3,7 +3,7 @@
 
 Usage: words.py
 
-In CHANGELOG.md an old name may stand between backquotes."""
+In CHANGELOG.md an old name may stand between backquotes, and its older entries keep their sentences."""
 
 import re
 import sys
@@ -40,6 +40,18 @@ INSTEAD = {
     "against what stays": "violation of an invariant",
     "answer at once": "fast path",
     "clock barrier": "barrier method",
+    # Constructions that are read twice: name the noun, or begin a sentence with the subject.
+    "that of": "the noun again: the limit of joint 2",
+    "those of": "the noun again: the limits of joint 2",
+    "what of": "which part of",
+    "of a no": "of a negative answer",
+    "than which": "a sentence of its own: so that ... is never worse than",
+    "on which": "where, or a sentence of its own",
+    "but for": "except",
+    "is gone": "is removed",
+    "hands on": "passes on",
+    "is told": "is reported",
+    "the way of": "how",
 }
 # Words may be parted by a line's end (and the comment's slashes), by _ or by -.
 GAP = r"(?:[ \t]+|[_-]|[ \t]*\n[ \t]*(?://+|#|\*)?[ \t]*)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Time of forward kinematics with Jacobian: Beeline's generated code beside the library's jacobian(), the
-code of CasADi and that of SymPy's cse, all compiled alike, in one run.
+code of CasADi and the code of SymPy's cse, all compiled alike, in one run.
 
 Usage: timing.py BEELINE FOLDER [ARM...], where FOLDER has libbeeline_core.a of a release build. Needs
 SymPy and CasADi."""

@@ -6,7 +6,7 @@
 
 namespace beeline::bench {
 
-/// Kinds of poses on which solvers tend to report wrong results.
+/// Kinds of poses for which solvers tend to report wrong results.
 enum class Hardness {
   plain,     ///< of a random configuration within limits
   beyond,    ///< out of reach, some by less than 1e-6 m

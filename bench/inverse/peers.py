@@ -2,8 +2,8 @@
 
 Usage: peers.py FOLDER..., each as bench_inverse left it: gets peers.jsonl
 
-A peer that cannot be imported is left out, and the reason stands in its place. Times are those of
-the call from Python; the mean is CPU time, which other programs on the machine do not lengthen.
+A peer that cannot be imported is left out, and the reason stands in its place. Times are those that
+the call from Python takes; the mean is CPU time, which other programs on the machine do not lengthen.
 `wrapper_us` is what a call takes that does almost nothing beside handing its arguments over (the
 peer's forward kinematics, as a rule): what is left of the mean without it is about the time
 inside."""
@@ -59,7 +59,7 @@ def nothing(_):
 
 def timed(ask, count, passes):
     """Microseconds: of each call the shortest of all passes, less the clock's own cost; the mean call
-    of the median pass in CPU time, less that of a loop that calls nothing."""
+    of the median pass in CPU time, less the time of a loop that calls nothing."""
     cost = clock_cost()
     empty = min(one_pass(nothing, 1000)[1] for _ in range(5)) / 1000
     rows, means = [], []

@@ -31,7 +31,7 @@ HEAD = f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}"
 
 
 def load(folder):
-    """The records of all rounds, those of one arm, case and solver merged."""
+    """The records of all rounds, with the records of one arm, case and solver merged."""
     rounds, left_out = defaultdict(list), {}
     for arm in ARMS:
         for path in [*sorted((folder / arm).glob("native.*.jsonl")),

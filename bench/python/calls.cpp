@@ -21,7 +21,7 @@ double seconds(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The CPU time of call(i) for every i, without that of the first two calls.
+/// The CPU time of call(i) for every i, without the first two calls.
 template <class Call>
 double time_of(long count, Call call) {
   call(0);

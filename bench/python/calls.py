@@ -1,6 +1,6 @@
 """Microseconds a call from Python: Beeline, its C++ time, and other packages, interleaved in one run.
 
-Usage: calls.py FOLDER: that of libbench_calls.so. Prints tables in Markdown. CPU time of the thread, the
+Usage: calls.py FOLDER, the folder of libbench_calls.so. Prints tables in Markdown. CPU time of the thread, the
 median of rounds, so that a busy machine can be used."""
 
 import ctypes

@@ -3,7 +3,7 @@
 
 Usage: cpp_reference.py ROOT DOXYGEN_XML FOLDER
 
-The order of the folders is that of layers.txt; what they hold is the table in CONTRIBUTING.md."""
+The folders stand in the order of layers.txt; the table in CONTRIBUTING.md says what they hold."""
 
 import re
 import sys

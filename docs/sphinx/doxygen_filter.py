@@ -3,7 +3,7 @@
 
 Usage: doxygen_filter.py HEADER
 
-One namespace holds all declarations; without it each header's are those of the header. Indented lines of a
+One namespace holds all declarations; without it each header has its own declarations. Indented lines of a
 comment, which are formulas and tables, are printed as they are."""
 
 import re
@@ -18,7 +18,7 @@ def without_namespace(line):
 
 
 def with_code_blocks(lines):
-    """Makes code blocks of Markdown of the indented lines of comments, other than those of lists."""
+    """Makes code blocks of Markdown of the indented lines of comments, except lines of lists."""
     in_list = in_code = False
     for line in lines:
         comment = COMMENT.match(line)

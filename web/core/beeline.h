@@ -1,6 +1,6 @@
 #pragma once
 
-/// The C interface of core.wasm, with that of memory.h. Radians, metres, seconds.
+/// The C interface of core.wasm, together with memory.h. Radians, metres, seconds.
 
 extern "C" {
 

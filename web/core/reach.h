@@ -1,7 +1,7 @@
 #pragma once
 
-/// The C interface of maps of what an arm can do, in the module of the command, with that of
-/// memory.h. Radians and metres.
+/// The C interface of reachability and manipulability maps, in the module of the command, together
+/// with memory.h. Radians and metres.
 
 extern "C" {
 

@@ -15,7 +15,7 @@ test.each([
   { kp: 0.5, ki: 0.1, kd: 0.2 },
   { kp: 1.5, ki: 0, kd: 0 },
   { kp: 1.5, ki: 0.05, kd: 0.1 },
-])("the step response of $kp, $ki, $kd is that of beeline move", async (gains) => {
+])("the step response of $kp, $ki, $kd equals beeline move", async (gains) => {
   const arm = (await loadCore()).arm("rrr");
   const given = Object.entries(gains).map(([name, value]) => `--${name}=${value}`);
   const args = ["move", "rrr", `--from=${from.join(",")}`, `--to=${to.join(",")}`, ...given, "--out=run.csv"];

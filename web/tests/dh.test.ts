@@ -30,7 +30,7 @@ function fk(table: DhTable, q: string): number[] {
   return pose.matrix.flat();
 }
 
-test("a table's arm is that of the native command: puma560", () => {
+test("a table's arm equals the native command's: puma560", () => {
   const q = "0.1,0.2,-0.3,0.4,0.5,-0.6";
   const { pose } = json<{ pose: { matrix: number[][] } }>(["fk", "puma560", `--q=${q}`]);
   fk(puma, q).forEach((value, i) => expect(value).toBeCloseTo(pose.matrix.flat()[i] as number, 12));

@@ -4,7 +4,7 @@ import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
 
 const source = fileURLToPath(new URL("../src", import.meta.url));
-/** Folders of a layer import those of their own layer and of the layers before. */
+/** Folders of a layer import from their own layer and from the layers before. */
 const layers = [["core"], ["state", "address"], ["scene", "panels", "share", "live"], ["lessons", "page"]];
 
 function layerOf(path: string): number {

@@ -21,7 +21,7 @@ function numbers(text: string | null): number[] {
   );
 }
 
-test("the pose in the panel is that of the command line", async () => {
+test("the pose in the panel equals the command line's", async () => {
   const q = [0.3, -1.1, 1.4, -0.7, 0.9, 0.2];
   const page = await opened(`#arm=ur5&q=${q.join(",")}&unit=rad`);
   const { pose } = json<Fk>(["fk", "ur5", `--q=${q.join(",")}`]);
@@ -32,7 +32,7 @@ test("the pose in the panel is that of the command line", async () => {
   pose.translation.forEach((value, i) => expect(Math.abs(value - (shown[i] ?? NaN))).toBeLessThan(6e-5));
 });
 
-test("the Jacobian in the panel is that of the command line, in each frame", async () => {
+test("the Jacobian in the panel equals the command line's, in each frame", async () => {
   const q = [0.3, -1.1, 1.4, -0.7, 0.9, 0.2];
   const page = await opened(`#arm=ur5&q=${q.join(",")}`);
   for (const frame of ["base", "tool", "space"]) {

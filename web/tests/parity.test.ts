@@ -46,7 +46,7 @@ beforeAll(async () => {
   commands = await loadCommands();
 });
 
-/** The angles of q within half a turn of those of `near`: half a turn from the seed, rounding chooses the turn, and of
+/** The angles of q within half a turn of the angles of `near`: half a turn from the seed, rounding chooses the turn, and of
  * two solutions at one distance from it the order. */
 function sameTurn(q: number[], near: number[]): number[] {
   const turn = 2 * Math.PI;
@@ -188,7 +188,7 @@ test("a certified line has its bound", async () => {
   expect(checked.code).toBe(0);
 });
 
-test("formulas and drawings are those of the command line", async () => {
+test("formulas and drawings equal the command line's", async () => {
   for (const args of [
     ["formula", "rrr"],
     ["formula", "rp"],

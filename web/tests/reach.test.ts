@@ -47,7 +47,7 @@ test.each([
   ["panda", 0.5, ["--directions=90"]],
   ["scara", 0.2, ["--directions=90", "--rolls=60"]],
   ["rrr", 1, ["--directions=90"]],
-] as const)("a slice of %s is that of beeline reach slice", (name, resolution, orientations) => {
+] as const)("a slice of %s equals beeline reach slice", (name, resolution, orientations) => {
   const file = join(folder, `${name}.h5`);
   const made = run(["reach", "map", name, `--resolution=${resolution}`, ...orientations, "--degrees", `--out=${file}`]);
   expect(made.stderr).toBe("");

@@ -36,7 +36,7 @@ test.each([
   expect(await page.getByLabel("Pose of the tool").textContent()).not.toContain("NaN");
 });
 
-test("after a refusal the address and the buttons are those of the arm that is shown", async () => {
+test("after a refusal the address and the buttons belong to the arm that is shown", async () => {
   const page = await opened("#arm=rrr&q=0.1,0.2,0.3");
   await page.locator("#arm-text").fill("pnada");
   await page.getByRole("button", { name: "Show" }).click();

@@ -79,7 +79,7 @@ export async function stateOf(hash: string): Promise<PageState> {
   };
 }
 
-/** The words of an address and what of the state each is. */
+/** The words of an address and the part of the state that each sets. */
 const named: [string, keyof PageState][] = [
   ["arm", "arm"],
   ["json", "arm"],

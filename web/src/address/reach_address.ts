@@ -1,13 +1,13 @@
 import { measures, type Measure } from "../core/reach.js";
 import { cellChoices, directionChoices, initialState, type PageState } from "../state/page_state.js";
 
-/** What of the state the section Reach has. */
+/** The part of the state that the section Reach owns. */
 type ReachState = Pick<
   PageState,
   "reachCells" | "reachDirections" | "measure" | "level" | "sliceNormal" | "sliceAt" | "showSurface" | "showSlice"
 >;
 
-/** The words of an address and what of the state each is. */
+/** The words of an address and the part of the state that each sets. */
 export const reachWords: [string, keyof ReachState][] = [
   ["cells", "reachCells"],
   ["directions", "reachDirections"],

@@ -22,7 +22,7 @@ export class Commands {
     return command(this.factory, this.wasm, args, files, progress);
   }
 
-  /** What `beeline ARGS --json` prints, that of a no included. Throws CoreError for what is refused. */
+  /** Returns what `beeline ARGS --json` prints, also when the answer is no. Throws CoreError if the command is refused. */
   async json<T>(args: string[], files: Files = {}): Promise<T> {
     return answer<T>(await this.run([...args, "--json"], files));
   }

@@ -48,7 +48,7 @@ export function instantiate<M extends Module>(
   });
 }
 
-/** The command's module, its files apart from those of other instances. */
+/** The command's module, with files of its own. */
 export function instantiateCommand(
   factory: Factory<CommandModule>,
   wasm: WebAssembly.Module,

@@ -32,7 +32,7 @@ async function refusal(): Promise<string> {
 }
 
 /** Calls `moved` with the joint values that a program posts, and `says` with the state of the connection. After a lost
- * connection the browser connects again by itself; after an answer other than 200, such as that of a proxy during a
+ * connection the browser connects again by itself; after an answer other than 200, such as a proxy gives during a
  * restart, it gives up for ever, and this tries again after a delay. */
 export function follow(moved: (q: number[]) => void, says: (text: string) => void): () => void {
   let events: EventSource;

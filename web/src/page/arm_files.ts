@@ -53,7 +53,7 @@ export class ArmFiles {
     else if (large) this.chooser.refuse(tooLarge(large.file) ?? "");
   }
 
-  /** The page shows another arm: with its meshes, if it is that of the URDF. */
+  /** The page shows another arm: with its meshes, if it is the arm of the URDF. */
   take(shown: Shown): void {
     this.shown = shown;
     ++this.reading;

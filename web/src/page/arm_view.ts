@@ -21,7 +21,7 @@ export class ArmView {
   private moved: () => void = () => undefined;
   private dragged: (pose: number[]) => void = () => undefined;
 
-  /** `size`: the arm's reach, `height`: that of its middle, metres. */
+  /** `size`: the arm's reach; `height`: the height of its middle; metres. */
   constructor(
     holder: HTMLElement,
     private readonly arm: Arm,

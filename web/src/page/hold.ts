@@ -125,7 +125,7 @@ export class Hold implements SectionPanel {
     try {
       [found] = this.shown.arm.inverse(pose, q);
     } catch (error) {
-      return this.refuse((error as Error).message); // for numbers beyond those of any arm
+      return this.refuse((error as Error).message); // for numbers beyond the range of any arm
     }
     if (found) this.services.store.set({ q: Array.from(found) });
     else void this.ask(pose, q, ({ reason }) => this.refuse(reason));

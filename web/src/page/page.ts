@@ -47,7 +47,7 @@ export class Page {
   private readonly files: ArmFiles;
   private readonly saveSvg: HTMLButtonElement;
   private shown: Shown | null = null;
-  /** What of the state belongs to the arm that is shown. */
+  /** The part of the state that belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
   private writing = 0;
   private reading = 0;
@@ -234,7 +234,7 @@ export class Page {
       ? ""
       : "This is too long for a link: the address stays as it was. Use Save page.";
     if (!written) return;
-    // In full, as the frame of a notebook (about:srcdoc) takes other addresses for those of the notebook.
+    // In full, as the frame of a notebook (about:srcdoc) takes other addresses for addresses of the notebook.
     history.replaceState(
       null,
       "",

@@ -21,7 +21,7 @@ function orientationsOf(map: ReachMap, planar: boolean): Matrix3[] {
   });
 }
 
-/** Joint values that bring the tool to a point: in its orientation, or in that of a map that is nearest to it and has a
+/** Joint values that bring the tool to a point: in its orientation, or in the nearest orientation of the map that has a
  * solution. Null where none has. */
 export function toolAt(arm: Arm, map: ReachMap, point: number[], q: number[]): number[] | null {
   const now = new Matrix4().fromArray(Array.from(arm.forward(q).at(-1) as Float64Array));

@@ -4,7 +4,7 @@ import type { PageState } from "../state/page_state.js";
 import { element, shown } from "./element.js";
 import { measureText, shapeOf } from "./reach_measures.js";
 
-/** What of the state this panel has. */
+/** The part of the state that this panel owns. */
 type Choices = Pick<PageState, "measure" | "level" | "sliceNormal" | "sliceAt" | "showSurface" | "showSlice">;
 
 /** The index of the plane of a slice: the middle one where none is chosen, the nearest one for a coordinate outside. */
@@ -20,7 +20,7 @@ export function levelOf(map: ReachMap, measure: Measure, fraction: number): numb
   return measure === "branches" ? Math.max(1, Math.round(level)) : level;
 }
 
-/** What of a map is shown: the measure with its colours, the level of the surface, the plane of the slice. */
+/** How a map is shown: the measure with its colours, the level of the surface, the plane of the slice. */
 export class ReachDisplay {
   readonly root = element("section", { "aria-label": "What is shown of the map" });
   private readonly measure = element("select", { id: "reach-measure" });

@@ -9,7 +9,7 @@ export class WaypointsPanel {
   private poses: number[][] = [];
   private file: { name: string; text: string } | null = null;
 
-  /** `pose`: that of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
+  /** `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
   constructor(
     pose: () => number[] | null,
     private readonly changed: (poses: number[][]) => void,

@@ -10,7 +10,7 @@ const blank = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQ
 export interface PlacedMesh {
   file: string;
   link: string;
-  /** Its frame: that of the visual's origin. */
+  /** Its frame, at the visual's origin. */
   frame: Object3D;
 }
 
