@@ -75,7 +75,7 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
 
 
 def test_every_public_header_is_installed(prefix, root):
-    """Not those of folders internal/, nor -inl.h, which Highway compiles once for each instruction set."""
+    """Not headers in folders internal/, nor -inl.h, which Highway compiles once for each instruction set."""
     library = root / "beeline"
     headers = {path for path in library.rglob("*.h") if is_public(path.relative_to(library))}
     installed = {path.relative_to(prefix / "include") for path in prefix.rglob("*.h")}

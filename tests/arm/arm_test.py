@@ -1,4 +1,4 @@
-"""The command for ARM, under qemu, beside that of this machine: the same rows, statuses, solutions and numbers."""
+"""The command for ARM, under qemu, beside the one of this machine: the same rows, statuses, solutions and numbers."""
 
 import json
 import os

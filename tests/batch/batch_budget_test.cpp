@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-/// The number of columns without a NaN. Each of them is that of the whole batch; the others are NaN
+/// The number of columns without a NaN. Each of them equals the column of the whole batch; the others are NaN
 /// in all rows.
 Eigen::Index expect_part_of(const Eigen::MatrixXd& whole, const Eigen::MatrixXd& part) {
   Eigen::Index computed = 0;

@@ -228,7 +228,7 @@ def test_every_kind_of_path_is_checked_as_it_was_made(beeline, made, checked, ar
     if arm == "rrr" and rate:
         rate = ["--rate", "100"]
     through, rows = made(arm, "--from", STARTS[arm], "--profile", "quintic", *path, *rate)
-    # the first pose of the file is that of the arm, and counts once
+    # the first pose of the file is the pose of the arm, and counts once
     answer = beeline("check", arm, "move.csv", "--through", through, "--json", *path, "--plot", "check.svg")
     assert answer.code == 0, answer.err
     assert answer.json["deviation_bound"] <= 1e-4

@@ -355,7 +355,7 @@ def test_mimic_joints_are_formulas_of_the_joint_that_they_follow(beeline, writte
 
 
 def test_the_determinant_in_the_space_frame(beeline, refused):
-    """The rows of a task are those of the tool's velocity."""
+    """The rows of a task are rows of the tool's velocity."""
     for arm in ("rrr", "ur5"):
         refused(2, "formula", arm, "--frame", "space", "--of", "determinant", says=["--frame base or tool"])
         rest = beeline("formula", arm, "--frame", "space", "--of", "all", "--json").json

@@ -200,7 +200,7 @@ def test_poses_are_those_that_the_controller_shows(tables, arm, form, joints, sh
     np.testing.assert_allclose(tables[arm].flange(np.radians(joints)), shown, atol=1e-12)
 
 
-def test_the_frames_of_a_file_are_those_of_the_options(beeline, written, tmp_path):
+def test_a_file_has_the_frames_of_the_options(beeline, written, tmp_path):
     written("p.csv", HEAD + "joint,0.3,0.1,0.5,0,90,0\nline,0.35,0.1,0.5,0,90,0\n")
     options = ("--mount", "0.1,-0.2,0.3,0.2,0,1", "--tcp", "0.01,0.02,0.1,0,0.3,0", "--degrees")
     assert beeline("show", "irb120", "--out", "arm.json", *options).code == 0

@@ -30,7 +30,7 @@ def test_the_rates_give_the_velocity(beeline, arm, frame):
     assert degrees.json["units"]["rates"].startswith("deg/s")
 
 
-def test_the_rows_are_those_of_the_task(beeline, refused):
+def test_the_rows_belong_to_the_task(beeline, refused):
     planar = beeline("jacobian", "rrr", "--q", "0.1,0.8,-0.4", "--rates-of", "0.2,0.1,0.3", "--json")
     matrix = np.array(planar.json["jacobian"])
     assert matrix @ planar.json["rates"] == pytest.approx([0.2, 0.1, 0.3], abs=1e-12)
@@ -109,7 +109,7 @@ def test_joints_without_a_known_limit_are_named(beeline, written):
 
 
 @pytest.mark.parametrize("task", ["position:tool", "spatial:tool", "111110:tool"])
-def test_the_frame_is_that_of_the_task(beeline, refused, written, task):
+def test_the_frame_belongs_to_the_task(beeline, refused, written, task):
     ask = ("jacobian", "panda", "--q", Q["panda"], "--task", task)
     answer = beeline(*ask, "--json").json
     assert answer["frame"] == "tool" and answer == beeline(*ask, "--frame", "tool", "--json").json

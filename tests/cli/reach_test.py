@@ -30,7 +30,7 @@ def test_a_map_says_what_it_is_of(beeline, puma):
     assert 0.5 < totals["volume"] / (4 / 3 * math.pi * reach**3) < 1
 
 
-def test_the_answer_for_a_centre_is_that_of_ik(beeline, puma, tmp_path):
+def test_the_answer_for_a_centre_equals_ik(beeline, puma, tmp_path):
     # One orientation, so that a cell is a pose.
     path = tmp_path / "down.h5"
     options = ["--resolution", "0.1", "--orientation", "180,0,0", "--degrees"]

@@ -108,7 +108,7 @@ def test_a_reader_of_rows_that_leaves_ends_the_command_quietly(build, written, t
     written("q.csv", "joint1,joint2,joint3\n" + "1,2,0.123456789\n" * 20_000)
     code, errors = run_with_early_reader(build, tmp_path, "batch", "fk", "rrr", "--in", "q.csv", "--out", "-")
     assert code == 141 and errors == b"", (code, errors)
-    # A reader that is gone before the first byte.
+    # A reader that closes before the first byte.
     reader, writer = os.pipe()
     os.close(reader)
     ended = subprocess.run([build / "beeline", "arms", "--json"], stdout=writer, stderr=subprocess.PIPE)

@@ -32,7 +32,7 @@ TEST(StepResponse, OfAGainAbove1OvershootsAndBelow1DoesNot) {
   }
   const Picture picture = step_response_figure(motions, goal, "gains");
   testing::expect_within_page(picture, "gains");
-  // The highest curve on paper, whose y points down, is that of the gain that overshoots.
+  // The highest curve on paper, whose y points down, belongs to the gain that overshoots.
   double highest[3];
   for (int k = 0; k < 3; ++k) {
     highest[k] = 1e9;

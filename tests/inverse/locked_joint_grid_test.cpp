@@ -19,7 +19,7 @@ Arm seven_revolute(testing::Random& random) {
   return {"general", joints, random.pose(), random.pose()};
 }
 
-/// A shoulder-elbow-wrist arm whose axes miss each other by millimetres, as those of Kinova's gen3.
+/// A shoulder-elbow-wrist arm whose axes miss each other by millimetres, as in Kinova's gen3.
 Arm with_small_offsets(testing::Random& random) {
   const Arm arm = built_in("iiwa14");
   std::vector<Joint> joints = arm.joints();

@@ -189,7 +189,7 @@ TEST(JointRates, WithoutAKnownLimitAreNamed) {
                   .without_limit.empty());
 }
 
-/// Without a frame the velocity is in that of its task.
+/// Without a frame the velocity is in the frame of its task.
 TEST(JointRates, AreInTheFrameOfTheTask) {
   testing::Random random;
   const Arm panda = built_in("panda");

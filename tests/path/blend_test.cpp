@@ -209,7 +209,7 @@ TEST(BlendedLines, StopWhereTheToolTurnsBackAndNotWhereItGoesStraightOn) {
 TEST(BlendedLines, StopAtASharpCornerBehindABlend) {
   const std::vector poses{at(0, 0), at(1, 0), at(1, 0.1), at(1, -1)};
   const BlendedPath blended = blended_lines(poses, {0.1, pi});
-  EXPECT_NEAR(blended.blends[0].radius, 0.1 * 15 / 16, 1e-12) << "but for the straight sixteenth";
+  EXPECT_NEAR(blended.blends[0].radius, 0.1 * 15 / 16, 1e-12) << "except the straight sixteenth";
   EXPECT_TRUE(blended.blends[1].sharp);
   EXPECT_EQ(route_of(blended).stops, (std::vector<bool>{false, false, true, false}));
 }

@@ -1,4 +1,4 @@
-"""The built-in arms beside other descriptions of them: those of ssik's prebuilt arms, by forward kinematics."""
+"""The built-in arms beside ssik's descriptions of them, by forward kinematics."""
 
 import importlib
 import math
@@ -79,7 +79,7 @@ def tool_of(body, q):
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_arm_is_that_of_another_description(name, seed):
+def test_arm_equals_another_description(name, seed):
     module, frames, tolerance = ARMS[name]
     body = importlib.import_module(f"ssik.prebuilt.{module}_ik")._KB
     base, tool = (transform(*frames.get(key, ())) for key in ("base", "tool"))

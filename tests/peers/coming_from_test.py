@@ -24,7 +24,7 @@ def random(seed, request):
 
 
 def same(one, other, tolerance=1e-10):
-    """Equal but for rounding, which is some 1e-15 of metres and radians; a solution beside a singularity magnifies it."""
+    """Equal except for rounding, which is some 1e-15 of metres and radians; a solution beside a singularity magnifies it."""
     return np.shape(one) == np.shape(other) and np.abs(np.subtract(one, other)).max() < tolerance
 
 

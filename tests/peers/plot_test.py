@@ -50,7 +50,7 @@ def test_every_built_in_arm(name, tmp_path):
         draw(arm, motion(arm), waypoints=[beeline.forward_kinematics(arm, q)]).figure.savefig(tmp_path / "motion.png")
 
 
-def test_the_trail_is_that_of_the_motion_between_its_samples():
+def test_the_trail_shows_the_motion_between_its_samples():
     arm = beeline.arms.panda()
     trajectory = motion(arm)
     ax = plot.trail(arm, trajectory, samples=33)

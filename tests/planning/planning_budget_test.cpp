@@ -84,7 +84,7 @@ TEST(PlanningBudget, ProgressOfSearchesNeverFalls) {
   }
 }
 
-/// Whether a status is that of a budget's end.
+/// Whether a status reports the end of a budget.
 bool is_ended(MotionStatus status) { return status == MotionStatus::cancelled; }
 
 TEST(PlanningBudget, AMotionIsReachedOrEnded) {

@@ -1,4 +1,4 @@
-"""The numbered examples run, and mirror those of C++."""
+"""The numbered examples run, and mirror the examples in C++."""
 
 import os
 import subprocess

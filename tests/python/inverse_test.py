@@ -51,7 +51,7 @@ def test_all_solutions(arm, rng):
         assert result.solutions.shape[1] == arm.dof and not result.solutions.flags.writeable
 
 
-def test_options_are_those_of_the_library(rng):
+def test_options_have_the_names_of_the_library(rng):
     arm = beeline.arms.panda()
     q, poses = reachable(arm, rng, 1)
     locked = beeline.inverse_kinematics(arm, poses[0], seed=q[0], lock=6)

@@ -149,7 +149,7 @@ def test_bases_and_tools_of_each_row(arm, rng):
         beeline.forward_kinematics(arm, q, base=bases[:2])
 
 
-def test_derivatives_are_those_of_differences(arm, rng):
+def test_derivatives_equal_differences(arm, rng):
     step = 1e-6
     for q, dq, ddq in rng.uniform(-1, 1, (5, 3, arm.dof)):
         for frame in ("base", "tool", "space"):
@@ -185,7 +185,7 @@ def test_links_and_torques_and_analytical_jacobians(arm, rng):
                 beeline.planar_jacobian(arm, q)
 
 
-def test_measures_are_those_of_numpy(arm, rng):
+def test_measures_equal_numpys(arm, rng):
     q = rng.uniform(-1, 1, (20, arm.dof))
     jacobians = beeline.jacobian(arm, q)
     rows = beeline.task_jacobian(arm, q)  # x, y, theta of a planar arm

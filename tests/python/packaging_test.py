@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "sphinx"))
 from sessions import difference  # noqa: E402
 
 
-def test_the_version_is_that_of_the_project(root):
+def test_the_version_is_the_projects(root):
     text = (root / "CMakeLists.txt").read_text()
     assert beeline.__version__ == re.search(r"project\(beeline VERSION ([0-9.]+)", text)[1]
 

@@ -59,7 +59,7 @@ def test_motions_are_derivatives(path, rng):
         assert np.abs(at.acceleration - (after.velocity - before.velocity) / (2 * h)).max() < 1e-6
 
 
-def test_lengths_are_those_of_the_origin(path):
+def test_lengths_belong_to_the_origin(path):
     for segment in path.segments:
         origins = beeline.pose_at(segment, np.linspace(0, 1, 20001))[:, :3, 3]
         chords = np.linalg.norm(np.diff(origins, axis=0), axis=1).sum()

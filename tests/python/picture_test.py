@@ -38,7 +38,7 @@ def test_arms_and_motions_draw_themselves(name):
     assert animation.times[-1] == 1
 
 
-def test_options_are_those_of_the_command():
+def test_options_have_the_names_of_the_command():
     arm = beeline.arms.rrr()
     plain, titled = beeline.draw(arm), beeline.draw(arm, [0, 1.57, 0], title="mine", jacobian=True, frames=True)
     assert plain != titled and "mine" in texts(titled.svg)

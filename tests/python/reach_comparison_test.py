@@ -25,7 +25,7 @@ def moved():
 
 
 def covering_axes(first, second):
-    """(lower corner, edge, number) of cells along x, y and z that cover two grids: those of the finer one."""
+    """(lower corner, edge, number) of cells along x, y and z of the finer of two grids, that cover both."""
     axes = []
     for a, b in zip(first.axes, second.axes):
         finer, coarser = (a, b) if a.step <= b.step else (b, a)

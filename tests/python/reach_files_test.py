@@ -101,7 +101,7 @@ def test_threads_read_files_at_once(puma, tmp_path):
 
 @needs_hdf5
 def test_damaged_files_are_refused(puma, tmp_path, seed):
-    """In a process of its own, whose end would otherwise be that of the tests."""
+    """In a process of its own, as its end would end the tests."""
     path = tmp_path / "puma.h5"
     beeline.compute_reach_map(PUMA, puma.grid, path)
     program = f"""

@@ -28,7 +28,7 @@ def margin_of(arm, q):
     return np.min((1 - abs(q - middle) / half)[..., np.isfinite(half)], axis=-1)
 
 
-def test_cells_are_those_of_inverse_kinematics(rng):
+def test_cells_equal_inverse_kinematics(rng):
     map = beeline.reach_map(PUMA, rolls=math.radians(90), **COARSE)
     assert map.branches.shape == map.grid.shape and map.branches.size == map.grid.cells
     reached = np.flatnonzero(map.branches)

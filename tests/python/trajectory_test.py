@@ -73,7 +73,7 @@ def hermite(h, values):
     return Polynomial(np.linalg.solve(rows, right))
 
 
-def test_samples_are_those_of_the_polynomials(trajectory, rng):
+def test_samples_equal_the_polynomials(trajectory, rng):
     columns = columns_of(trajectory)
     for k in range(len(trajectory) - 1):
         h = trajectory.times[k + 1] - trajectory.times[k]

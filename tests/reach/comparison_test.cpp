@@ -67,7 +67,7 @@ TEST(ReachComparison, OfTwoMountsFindsWhatMoved) {
   EXPECT_FALSE(slices[0].values.cwiseEqual(slices[1].values).all());
 }
 
-// A box and a cylinder of the same arm agree but for the size of their cells.
+// A box and a cylinder of the same arm agree except for the size of their cells.
 TEST(ReachComparison, OfABoxAndACylinderOfAnArmFindsLittle) {
   Arm arm = built_in("puma560");
   arm = with_limits(arm, {{arm.joints()[0].name, {.lower = -0.5, .upper = 1.5}}});

@@ -127,7 +127,7 @@ TEST_F(ReachMapFile, CountsTheCellsOfManyRolls) {
   EXPECT_GT(totals.reached, 0);
 }
 
-// A file with singular cells: of infinitely many solutions it has those of the branches.
+// A file with singular cells: of infinitely many solutions it has one for each branch.
 TEST_F(ReachMapFile, ReadsBackSingularCells) {
   const Arm arm = with_limits(built_in("puma560"), {{"joint6", {.lower = -0.4, .upper = 0.3}}});
   const Pose straight = forward_kinematics(arm, {0, 40 * deg, -40 * deg, 0, 0, 0});

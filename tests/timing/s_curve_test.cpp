@@ -186,7 +186,7 @@ TEST(SCurve, BeginsAndEndsExactlyAtRestAndIsTheSameFromBothEnds) {
       ASSERT_EQ(at(curve, t).velocity, 0);
       ASSERT_EQ(at(curve, t).acceleration, 0);
     }
-    // A hair before the end it is there but for what the hair takes.
+    // A hair before the end it is there except for what the hair takes.
     const double eve = curve.duration * (1 - 1e-9);
     ASSERT_NEAR(at(curve, eve).position, d, 2e-9 * std::abs(curve.velocity) * curve.duration);
     ASSERT_EQ(back.duration, curve.duration);

@@ -125,7 +125,7 @@ TEST(Sample, MeetsTheColumnsAtEverySampleFromBothSidesAndIsStillOutside) {
 }
 
 // Each derivative is the finite difference of the one before; the highest one of the polynomial is
-// that of its degree, so the next is zero.
+// constant, so the next is zero.
 TEST(Sample, IsAPolynomialBetweenSamples) {
   testing::Random random;
   const Arm arm = built_in("ur5");

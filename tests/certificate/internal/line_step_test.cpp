@@ -94,7 +94,7 @@ TEST(LineStepBound, HoldsForScarasInEveryTask) {
   }
 }
 
-// On a line that is the step's own chord the bound is that of the chord, so that no more samples
+// On a line that is the step's own chord the bound equals the chord's, so that no more samples
 // are needed.
 TEST(LineStepBound, FallsWithTheSquareOfTheStep) {
   testing::Random random;

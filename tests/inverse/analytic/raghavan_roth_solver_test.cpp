@@ -50,7 +50,7 @@ const Rows ur5{{{0, pi / 2, 0.089159},
                 {0, -pi / 2, 0.09465},
                 {0, 0, 0.0823}}};
 
-/// A wrist like that of Kinova's Jaco: skew axes with 55 degrees between them.
+/// A wrist like the one of Kinova's Jaco: skew axes with 55 degrees between them.
 Rows slanted_wrist() {
   const double slant = 11 * pi / 36, half = 0.0741 * std::sin(slant / 2) / std::sin(slant);
   return {{{0, pi / 2, 0.2755},

@@ -15,7 +15,7 @@ Configuration random_rates(testing::Random& random, const Arm& arm) {
   return rates;
 }
 
-// The velocity is that of the Jacobian; the acceleration is its finite difference along the motion
+// The velocity equals J dq; the acceleration is its finite difference along the motion
 // q + t dq + t^2 / 2 ddq, whose velocity at t is dq + t ddq.
 TEST(ToolMotion, IsTheDerivativeOfThePose) {
   testing::Random random;

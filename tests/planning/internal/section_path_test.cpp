@@ -107,7 +107,7 @@ TEST(SectionPath, PathParameterIsThatOfTheNearestPoint) {
   EXPECT_LE(worst, path_tolerance.position);
 }
 
-// The tool's velocity and acceleration along the joint path are those of the tool path for some
+// The tool's velocity and acceleration along the joint path equal those along the tool path for some
 // rates of its parameter: first and second differences of forward kinematics, both sides.
 TEST(SectionPath, FollowsTangentAndCurvatureOfTheToolPathAtTheSamples) {
   double worst_tangent = 0, worst_curvature = 0;
@@ -142,7 +142,7 @@ TEST(SectionPath, FollowsTangentAndCurvatureOfTheToolPathAtTheSamples) {
 }
 
 /// The largest jump of the third derivative at grid points inside segments, relative to the largest
-/// third derivative. Where segments meet that of the tool path jumps too.
+/// third derivative. Where segments meet, the third derivative of the tool path jumps too.
 double largest_jump(const SectionPath& section) {
   const JointPath& path = section.joint_path();
   const std::vector<double> ends = section.segment_ends();

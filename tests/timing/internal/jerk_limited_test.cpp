@@ -171,7 +171,7 @@ TEST(JerkLimited, IsNoSlowerThanSimplerProfilesAndNearTheFastest) {
     ASSERT_LE(duration, scalar_profile(ScalarForm::s_curve, path, limits).duration() * (1 + 2e-3));
     ASSERT_LE(duration, scalar_profile(ScalarForm::quintic, path, limits).duration());
     const double least = fastest(path, limits).duration();
-    ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
+    ASSERT_GE(duration, least * (1 - 1e-2));  // except what a coarse grid costs the fastest
     sum += duration / least;
   }
   EXPECT_LT(sum / count, 1.1);

@@ -59,7 +59,7 @@ Arm with_weaker_joint(Random& random, const Arm& arm, double factor) {
   return {"weaker", joints};
 }
 
-/// Checks the lowered limits at each grid point: those of the worst interval at it or beside it,
+/// Checks the lowered limits at each grid point: the limits of the worst interval at it or beside it,
 /// and none where no interval near it exceeds a limit. Returns the number of such points.
 int expect_lowered_only_there(const Arm& arm, const SampledSection& samples,
                               const SectionOptions& options, const TimedPath& before,

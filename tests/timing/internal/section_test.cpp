@@ -25,7 +25,7 @@ void expect_times(const std::vector<double>& times, double rate) {
   }
 }
 
-/// At rest at both ends, which are those of the path.
+/// At rest at both ends, which equal the ends of the path.
 void expect_rest_at_ends(const Trajectory& motion, const JointPath& path) {
   EXPECT_EQ(motion.positions.front(), path.q.front());
   EXPECT_EQ(motion.positions.back(), path.q.back());
@@ -81,7 +81,7 @@ TEST(SampleSection, KeepsAllLimitsThatTheOptionsAskForFromRestToRest) {
 
 /// The durations of the samples of some paths.
 struct Durations {
-  std::vector<double> least;     ///< that of the time scaling
+  std::vector<double> least;     ///< the duration of the time scaling
   std::vector<double> expected;  ///< the same, or of one that keeps known limits of jerk
   std::vector<double> sampled;
 
