@@ -2,31 +2,36 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <new>
 #include <string_view>
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/file.h>
 
+#include <zlib.h>
+
 using namespace beeline;
 
 namespace {
 
-/// A stream of RFC 1951 whose blocks are stored: the page inflates what it holds.
-std::string stored(std::string_view content) {
-  constexpr std::size_t longest_block = 0xffff;
-  std::string stream;
-  do {
-    const std::string_view block = content.substr(0, longest_block);
-    content.remove_prefix(block.size());
-    stream += content.empty() ? '\1' : '\0';
-    for (const std::size_t size : {block.size(), ~block.size()}) {
-      stream += static_cast<char>(size & 0xff);
-      stream += static_cast<char>(size >> 8 & 0xff);
-    }
-    stream += block;
-  } while (!content.empty());
-  return stream;
+/// The stream of RFC 1951 that the page inflates.
+std::string deflated(std::string content) {
+  z_stream stream{};
+  constexpr int without_header = -MAX_WBITS, memory_level = 8;
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, without_header, memory_level,
+                   Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::bad_alloc();
+  }
+  std::string bytes(deflateBound(&stream, content.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(content.data());
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  deflateEnd(&stream);
+  return bytes;
 }
 
 /// base64 of RFC 4648 for addresses, - and _ for + and /, without padding.
@@ -70,12 +75,12 @@ std::string saved_page(const std::string& folder, const Arm& arm, const std::str
     if (!is_part) continue;  // the page's own code
     const std::string file = text.substr(name, quote - name);
     document += text.substr(from, at - from) + ">";
-    document += base64(stored(internal::read_file((saved.parent_path() / file).string())));
+    document += base64(deflated(internal::read_file((saved.parent_path() / file).string())));
     from = quote + 2;
   }
   document += text.substr(from);
   const std::string section = trajectory.empty() ? "" : "&section=motion";
-  fill(document, "state", "json=" + base64(stored(arm_to_json(arm))) + section);
-  if (!trajectory.empty()) fill(document, "trajectory", base64(stored(trajectory)));
+  fill(document, "state", "json=" + base64(deflated(arm_to_json(arm))) + section);
+  if (!trajectory.empty()) fill(document, "trajectory", base64(deflated(trajectory)));
   return document;
 }

@@ -126,6 +126,11 @@ if(BEELINE_VIEW)
   elseif(beeline_httplib_CFLAGS MATCHES OPENSSL_SUPPORT)  # then functions of its header call libcrypto
     target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LDFLAGS})
   endif()
+  find_package(ZLIB QUIET)  # for saved pages
+  if(NOT ZLIB_FOUND)
+    list(APPEND beeline_missing "zlib (or -DBEELINE_VIEW=OFF)")
+    list(APPEND beeline_debian zlib1g-dev)
+  endif()
 endif()
 
 if(beeline_missing)

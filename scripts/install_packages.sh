@@ -5,7 +5,7 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
-       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev libcpp-httplib-dev libhdf5-dev)
+       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev libcpp-httplib-dev zlib1g-dev libhdf5-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
