@@ -6,6 +6,8 @@
 
 #include <unistd.h>
 
+namespace beeline::command {
+
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
@@ -19,3 +21,10 @@ void Progress::show(double fraction) {
   percent_ = percent;
   write_stderr(fmt::format("\r{:3d} %", percent));
 }
+
+Budget Progress::of(Budget budget) {
+  budget.progress = [this](double fraction) { show(fraction); };
+  return budget;
+}
+
+}  // namespace beeline::command

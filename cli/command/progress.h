@@ -2,6 +2,10 @@
 
 #include <mutex>
 
+#include <beeline/budget.h>
+
+namespace beeline::command {
+
 /// Shows the progress of a long computation in percent on stderr, if that is a terminal.
 class Progress {
  public:
@@ -11,9 +15,13 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(double fraction);  ///< from any thread
+  /// Returns the budget of a computation that shows its progress here.
+  Budget of(Budget budget);
 
  private:
   std::mutex showing_;
   bool terminal_;
   int percent_ = -1;  ///< shown now; -1: none
 };
+
+}  // namespace beeline::command

@@ -3,4 +3,6 @@
 #include <cli/command/program.h>
 #include <cli/verbs.h>
 
-int beeline_command(int argc, char** argv) { return run_program(all_verbs(), argc, argv); }
+int beeline_command(int argc, char** argv) {
+  return beeline::command::run_program(beeline::command::all_verbs(), argc, argv);
+}
