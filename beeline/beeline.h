@@ -19,7 +19,6 @@
 #include <beeline/doctor/diagnosis.h>
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
 #include <beeline/draw/drawing.h>
 #include <beeline/draw/figure.h>
 #include <beeline/draw/paper.h>
@@ -32,7 +31,9 @@
 #include <beeline/io/number_rows.h>
 #include <beeline/io/program.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/json.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/io/trajectory_file.h>
@@ -42,7 +43,6 @@
 #include <beeline/kinematics/task.h>
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/chain.h>
 #include <beeline/model/joint.h>
 #include <beeline/path/blend.h>
 #include <beeline/path/joint_path.h>

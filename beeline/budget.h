@@ -9,10 +9,6 @@
 
 namespace beeline {
 
-namespace internal {
-class BudgetMeter;
-}
-
 /// Whether a computation came to its own end, and if not, which part of its budget ended it. Where
 /// a result has a status, the status has the same name.
 enum class Ending {
@@ -41,8 +37,9 @@ struct Budget {
   /// Called now and then with the fraction computed, from 0 to 1, which never falls: by motions
   /// along paths, their branches and nearby paths, batches and retiming.
   std::function<void(double)> progress = {};
-  /// Set by the library: the meter of the computation that this one is a part of.
-  internal::BudgetMeter* part_of = nullptr;
+  /// Set by the library for a part of a computation: adds to the work of the whole, and returns
+  /// what has ended that; `complete` if nothing has.
+  std::function<Ending(std::int64_t work)> whole = {};
 };
 
 }  // namespace beeline

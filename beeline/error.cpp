@@ -77,7 +77,7 @@ std::size_t position_of(std::string_view name, std::size_t position, std::string
 /// The first `bytes` bytes, fewer where they would end within a UTF-8 character.
 std::string_view front(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
-  while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
+  while (bytes > 0 && internal::continues_character(text[bytes])) --bytes;
   return text.substr(0, bytes);
 }
 
@@ -137,19 +137,13 @@ const std::string* internal::nearest_name(std::string_view name,
   return nearest;
 }
 
-std::string internal::unknown_text(std::string_view what, std::string_view name,
-                                   const std::vector<std::string>& choices) {
+Error unknown_name(std::string_view what, std::string_view name,
+                   const std::vector<std::string>& choices, bool lists_choices) {
   std::string text =
       "unknown " + std::string(what) + " \"" + std::string(front(name, longest_compared)) + "\"";
-  const std::string* const nearest = nearest_name(name, choices);
+  const std::string* const nearest = internal::nearest_name(name, choices);
   if (nearest != nullptr) text += "; did you mean \"" + *nearest + "\"?";
-  return text;
-}
-
-Error unknown_name(std::string_view what, std::string_view name,
-                   const std::vector<std::string>& choices) {
-  std::string text = internal::unknown_text(what, name, choices);
-  if (!choices.empty()) text += " (known: " + listed(choices) + ")";
+  if (lists_choices && !choices.empty()) text += " (known: " + listed(choices) + ")";
   return Error(text);
 }
 

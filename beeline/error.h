@@ -54,9 +54,9 @@ class FileError : public Error {
 };
 
 /// Returns the error for a name that is not among `choices`. Its message suggests the choice with
-/// the smallest edit distance and lists all of them.
+/// the smallest edit distance and, if `lists_choices`, lists all of them.
 Error unknown_name(std::string_view what, std::string_view name,
-                   const std::vector<std::string>& choices);
+                   const std::vector<std::string>& choices, bool lists_choices = true);
 
 /// Returns `choices` as one phrase, `a, b, c`; after 24 of them the number of the others.
 std::string listed(const std::vector<std::string>& choices);
@@ -67,6 +67,20 @@ std::string number(double value);
 
 /// Formats an angle for a message, in both units: `1.5708 rad (90 deg)`.
 std::string angle(double radians);
+
+/// Formats a fraction as a percentage for a message: one decimal, none from 1000 on, two
+/// significant digits below 1: `63.7 %`, `100 %`, `0.02 %`.
+std::string percent(double fraction);
+
+/// The same rounded up, for an upper bound. A fraction of up to 1 + 1e-6 is shown as `100 %`, a
+/// larger one never.
+std::string percent_at_most(double fraction);
+
+/// A number with six significant digits, rounded up: a bound that is accepted when it is typed.
+std::string number_at_least(double value);
+
+/// A number with six significant digits, and with more if number(reference) looks the same.
+std::string number_apart(double value, double reference);
 
 /// Prints an enumerator (a status, a method, a frame) by its name().
 template <class Enum>

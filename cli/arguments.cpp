@@ -7,13 +7,12 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/numbers.h>
-#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/kinematics/forward.h>
 
 #include "command/streams.h"
 
-using namespace beeline;
+namespace beeline::command {
 
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit) {
   if (unit.degrees || std::abs(angle) <= largest_angle) return;
@@ -38,22 +37,18 @@ std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
 }
 
 std::vector<Option> UnitArgument::options() {
-  return {{.name = "--degrees",
-           .help = "Read and print angles in degrees instead of radians.",
-           .target = &degrees},
-          {.name = "--millimetres",
-           .help = "Read and print positions of poses in millimetres instead of metres. Joint "
-                   "values, tolerances and all other lengths stay in metres.",
-           .target = &millimetres},
-          {.name = "--pose-form",
-           .value = "FORM",
-           .help = "How poses are typed and printed: rpy, x,y,z,roll,pitch,yaw; rotvec, "
-                   "x,y,z,rx,ry,rz, always in radians; abc, x,y,z,A,B,C of KUKA, always in "
-                   "degrees; quaternion, x,y,z,qw,qx,qy,qz; matrix, m11,m12,...,m44 row by row, "
-                   "16 numbers or the first 12. Default: by the number of numbers, six are rpy. "
-                   "The header of a file names its own form.",
-           .target = &pose_form,
-           .choices = pose_form_names()}};
+  return {Option("--degrees", "Read and print angles in degrees instead of radians.", &degrees),
+          Option("--millimetres",
+                 "Read and print positions of poses in millimetres instead of metres. Joint "
+                 "values, tolerances and all other lengths stay in metres.",
+                 &millimetres),
+          Option("--pose-form FORM",
+                 "How poses are typed and printed: rpy, x,y,z,roll,pitch,yaw; rotvec, "
+                 "x,y,z,rx,ry,rz, always in radians; abc, x,y,z,A,B,C of KUKA, always in degrees; "
+                 "quaternion, x,y,z,qw,qx,qy,qz; matrix, m11,m12,...,m44 row by row, 16 numbers or "
+                 "the first 12. Default: by the number of numbers, six are rpy. The header of a "
+                 "file names its own form.",
+                 &pose_form, {.choices = pose_form_names()})};
 }
 
 PoseFormat UnitArgument::pose_format(Triple triple, std::optional<PoseForm> form) const {
@@ -67,16 +62,10 @@ Vector3 UnitArgument::shown_position(const Pose& pose) const {
 
 Configuration UnitArgument::joint_rates(const Arm& arm, const std::string& text,
                                         const std::string& option) const {
-  const std::vector<double> values = internal::parse_numbers(text, option);
+  const std::vector<double> values = parse_numbers(text, option);
   Configuration q =
       Eigen::Map<const Configuration>(values.data(), static_cast<Eigen::Index>(values.size()));
-  if (q.size() != arm.dof()) {
-    try {
-      check_configuration(arm, q);
-    } catch (const Error& error) {
-      throw Error(option + ": " + error.what());
-    }
-  }
+  if (q.size() != arm.dof()) for_option(option, [&] { check_configuration(arm, q); });
   for (int k = 0; k < arm.dof(); ++k) q[k] = coordinate(arm, k, q[k]);
   return q;
 }
@@ -113,30 +102,24 @@ double UnitArgument::shown(const Arm& arm, int k, double value) const {
 }
 
 std::vector<Option> LimitsArgument::rate_options() {
-  const auto option = [](const char* name, const char* value, const char* quantity,
-                         std::string* target) -> Option {
-    return {.name = name,
-            .value = value,
-            .help = std::string("Limits of the joints' ") + quantity +
-                    ", in place of the arm's: one number for all joints, or one for each.",
-            .target = target};
+  const auto option = [](const char* heading, const char* quantity, std::string* target) -> Option {
+    return {heading,
+            std::string("Limits of the joints' ") + quantity +
+                ", in place of the arm's: one number for all joints, or one for each.",
+            target};
   };
-  return {option("--velocity", "V[,V...]", "velocities, rad/s (deg/s with --degrees) or m/s",
-                 &velocity),
-          option("--acceleration", "A[,A...]", "accelerations, rad/s^2 (deg/s^2) or m/s^2",
-                 &acceleration),
-          option("--jerk", "J[,J...]", "jerks, rad/s^3 (deg/s^3) or m/s^3", &jerk)};
+  return {
+      option("--velocity V[,V...]", "velocities, rad/s (deg/s with --degrees) or m/s", &velocity),
+      option("--acceleration A[,A...]", "accelerations, rad/s^2 (deg/s^2) or m/s^2", &acceleration),
+      option("--jerk J[,J...]", "jerks, rad/s^3 (deg/s^3) or m/s^3", &jerk)};
 }
 
 std::vector<Option> LimitsArgument::options() {
-  return joined({rate_options(),
-                 {{.name = "--speed",
-                   .value = "K",
-                   .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
-                           "jerk x k^3.",
-                   .target = &speed,
-                   .range = {1e-6, 1},
-                   .arguments = {"speed_scale"}}}});
+  return joined(
+      {rate_options(),
+       {Option("--speed K",
+               "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, jerk x k^3.",
+               &speed, {.range = {1e-6, 1}, .arguments = {"speed_scale"}})}});
 }
 
 Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
@@ -144,7 +127,7 @@ Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
   const auto add = [&](const std::string& option, const std::string& text,
                        std::optional<double> LimitOverrides::*limit) {
     if (text.empty()) return;
-    std::vector<double> values = internal::parse_numbers(text, option);
+    std::vector<double> values = parse_numbers(text, option);
     if (values.size() == 1) values.resize(static_cast<std::size_t>(arm.dof()), values.front());
     if (static_cast<int>(values.size()) != arm.dof()) {
       throw Error(fmt::format("{} takes one number, or {} ({}), not {}", option, arm.dof(),
@@ -163,46 +146,33 @@ Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
 }
 
 std::vector<Option> TaskArgument::options() {
-  return {{.name = "--task",
-           .value = "TASK",
-           .help = "The components of the tool's pose that count: planar (x, y, theta), position, "
-                   "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110, or three for "
-                   "x y theta of a planar arm, such as 110. A suffix :tool takes them along the "
-                   "tool's axes. Default: planar for planar arms, otherwise spatial.",
-           .target = &text,
-           .choices = {"planar", "position", "spatial"},
-           .other_values = true}};
+  return {Option("--task TASK",
+                 "The components of the tool's pose that count: planar (x, y, theta), position, "
+                 "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110, or three for x "
+                 "y theta of a planar arm, such as 110. A suffix :tool takes them along the tool's "
+                 "axes. Default: planar for planar arms, otherwise spatial.",
+                 &text, {.choices = {"planar", "position", "spatial"}, .other_values = true})};
 }
 
 Task TaskArgument::read(const Arm& arm) const {
-  try {
-    return text.empty() ? default_task(arm) : task_named(text);
-  } catch (const Error& error) {
-    throw Error(std::string("--task: ") + error.what());
-  }
+  return for_option("--task", [&] { return text.empty() ? default_task(arm) : task_named(text); });
 }
 
 std::vector<Option> JacobianArgument::options() {
-  return joined({{{.name = "--frame",
-                   .value = "FRAME",
-                   .help = "base: velocity of the tool origin in the world's axes; tool: the same "
-                           "in the tool's axes; space: spatial twist at the world's origin. "
-                           "Default: tool for a task in the tool's axes, otherwise base.",
-                   .target = &frame,
-                   .choices = {name(Frame::base), name(Frame::tool), name(Frame::space)},
-                   .other_values = true}},  // frame_named() says what the known ones mean
+  return joined({{Option("--frame FRAME",
+                         "base: velocity of the tool origin in the world's axes; tool: the same in "
+                         "the tool's axes; space: spatial twist at the world's origin. Default: "
+                         "tool for a task in the tool's axes, otherwise base.",
+                         &frame,
+                         {.choices = {name(Frame::base), name(Frame::tool), name(Frame::space)},
+                          .other_values = true})},  // frame_named() says what the known ones mean
                  task.options()});
 }
 
 Task JacobianArgument::read(const Arm& arm) const {
   Task rows = task.read(arm);
   if (frame.empty()) return rows;
-  Frame wanted = Frame::base;
-  try {
-    wanted = frame_named(frame);
-  } catch (const Error& error) {
-    throw Error(std::string("--frame: ") + error.what());
-  }
+  const Frame wanted = for_option("--frame", [&] { return frame_named(frame); });
   if (rows.frame == Frame::tool && wanted != Frame::tool) {
     throw Error("--task " + task.text +
                 " is in the tool's axes and cannot be combined with --frame " + frame +
@@ -212,15 +182,24 @@ Task JacobianArgument::read(const Arm& arm) const {
   return rows;
 }
 
-Option joint_values_option(std::string name, std::string help, std::string* target,
+Option joint_values_option(const std::string& name, std::string help, std::string* target,
                            std::vector<std::string> arguments) {
-  return {.name = std::move(name),
-          .value = "Q",
-          .help = std::move(help),
-          .target = target,
-          .arguments = std::move(arguments)};
+  return {name + " Q", std::move(help), target, {.arguments = std::move(arguments)}};
+}
+
+Positional file_argument(std::string name, std::string help, std::string* target, bool required) {
+  return {std::move(name), std::move(help), target, Completes::file, required};
+}
+
+Option configuration_option(std::string* target) {
+  return {"--q Q",
+          "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
+          target,
+          {.required = true}};
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {
   for (const Reason& outside : limit_violations(arm, q)) warn(sentence(outside));
 }
+
+}  // namespace beeline::command

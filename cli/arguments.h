@@ -10,6 +10,8 @@
 
 #include "command/option.h"
 
+namespace beeline::command {
+
 /// The arguments that several verbs share. Each is declared, and turned into the library's types,
 /// in one place.
 
@@ -24,28 +26,26 @@ struct UnitArgument {
   std::string pose_form = {};  ///< empty: by the number of numbers; printed as the verb chooses
 
   std::vector<Option> options();
-  beeline::AngleUnit angle_unit() const {
-    return degrees ? beeline::AngleUnit::degrees : beeline::AngleUnit::radians;
-  }
+  AngleUnit angle_unit() const { return degrees ? AngleUnit::degrees : AngleUnit::radians; }
   /// How poses are read and, with this form if there is no --pose-form, printed.
-  beeline::PoseFormat pose_format(beeline::Triple triple = beeline::Triple::planar,
-                                  std::optional<beeline::PoseForm> form = std::nullopt) const;
+  PoseFormat pose_format(Triple triple = Triple::planar,
+                         std::optional<PoseForm> form = std::nullopt) const;
   /// Joint values as typed, such as "112,-52,-60"; the value of a prismatic joint is in metres.
   /// Throws Error that begins with `option` if they do not fit the arm.
-  beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
-                                       const std::string& option) const;
+  Configuration configuration(const Arm& arm, const std::string& text,
+                              const std::string& option) const;
   /// Derivatives of joint values in time, as typed; the same without a warning of large angles.
-  beeline::Configuration joint_rates(const beeline::Arm& arm, const std::string& text,
-                                     const std::string& option) const;
+  Configuration joint_rates(const Arm& arm, const std::string& text,
+                            const std::string& option) const;
   /// The value of coordinate k in radians or metres.
-  double coordinate(const beeline::Arm& arm, int k, double value) const;
+  double coordinate(const Arm& arm, int k, double value) const;
   /// A configuration, a value of coordinate k, or an angle, in the unit of the output.
-  beeline::Configuration shown(const beeline::Arm& arm, const beeline::Configuration& q) const;
-  double shown(const beeline::Arm& arm, int k, double value) const;
+  Configuration shown(const Arm& arm, const Configuration& q) const;
+  double shown(const Arm& arm, int k, double value) const;
   double shown(double radians) const;
   const char* name() const { return degrees ? "deg" : "rad"; }
   /// The position of a pose, in the unit of the output.
-  beeline::Vector3 shown_position(const beeline::Pose& pose) const;
+  Vector3 shown_position(const Pose& pose) const;
   const char* position_name() const { return millimetres ? "mm" : "m"; }
 };
 
@@ -57,7 +57,7 @@ struct LimitsArgument {
   std::vector<Option> options();
   std::vector<Option> rate_options();  ///< those without --speed
   /// The arm with these limits. Throws Error naming the option.
-  beeline::Arm set_on(const beeline::Arm& arm, const UnitArgument& unit) const;
+  Arm set_on(const Arm& arm, const UnitArgument& unit) const;
 };
 
 /// --task: planar, position, spatial or a mask; default the arm's own.
@@ -66,7 +66,7 @@ struct TaskArgument {
   bool offered = true;  ///< whether the verb has --task
 
   std::vector<Option> options();
-  beeline::Task read(const beeline::Arm& arm) const;
+  Task read(const Arm& arm) const;
 };
 
 /// --frame with --task: which Jacobian.
@@ -76,11 +76,18 @@ struct JacobianArgument {
 
   std::vector<Option> options();
   /// The rows of the task, in the frame. Throws Error if the task's own frame is another one.
-  beeline::Task read(const beeline::Arm& arm) const;
+  Task read(const Arm& arm) const;
 };
 
+/// An argument that is a file.
+Positional file_argument(std::string name, std::string help, std::string* target,
+                         bool required = true);
+
+/// --q, which is required: the joint values of an answer.
+Option configuration_option(std::string* target);
+
 /// --q, or another option that takes joint values, with the Option::arguments.
-Option joint_values_option(std::string name, std::string help, std::string* target,
+Option joint_values_option(const std::string& name, std::string help, std::string* target,
                            std::vector<std::string> arguments = {});
 
 /// Angles beyond, in radians, may be meant in degrees: 2 pi, as typed with four digits.
@@ -89,8 +96,10 @@ constexpr double largest_angle = 6.2842;
 /// Warns on stderr of an angle, in radians, beyond a revolution: it may be meant in degrees.
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit);
 /// The same of the largest angle of poses in a form; a rotation vector is in radians always.
-void warn_of_angle(const std::string& option, double angle, std::optional<beeline::PoseForm> form,
+void warn_of_angle(const std::string& option, double angle, std::optional<PoseForm> form,
                    const UnitArgument& unit);
 
 /// Warns on stderr of each coordinate of q that is outside the arm's limits.
-void warn_outside_limits(const beeline::Arm& arm, const beeline::Configuration& q);
+void warn_outside_limits(const Arm& arm, const Configuration& q);
+
+}  // namespace beeline::command

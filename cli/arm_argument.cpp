@@ -6,16 +6,13 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/urdf.h>
 
 #include "command/streams.h"
 #include "pose_argument.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// Whether a text typed for joint values can be a name only: it begins with a letter and is not a
@@ -44,47 +41,40 @@ Positional ArmArgument::argument() {
           .completes = Completes::arm};
 }
 
+std::vector<std::string> ArmArgument::inputs(std::vector<std::string> others) const {
+  others.insert(others.end(), {text, srdf, limits});
+  return others;
+}
+
 std::vector<Option> ArmArgument::options() {
   return {
-      {.name = "--base",
-       .value = "LINK",
-       .help = "First link of the chain, any link of a URDF file. Default: its root link, or "
-               "the link below a floating or planar joint.",
-       .target = &base},
-      {.name = "--tip",
-       .value = "LINK",
-       .help = "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
-               "moves, of several tool0 or, if only fixed joints are between them, the first; "
-               "before the joints of a gripper.",
-       .target = &tip},
-      {.name = "--srdf",
-       .value = "FILE",
-       .help = "MoveIt's SRDF file of the arm: its groups for --group, and its named states "
-               "wherever joint values are typed, such as --from home.",
-       .target = &srdf,
-       .completes = Completes::file},
-      {.name = "--group",
-       .value = "NAME",
-       .help = "The group of --srdf that gives base and tip of the chain; --base and --tip "
-               "replace them.",
-       .target = &group,
-       .needs = "--srdf"},
-      {.name = "--tcp",
-       .value = "POSE",
-       .help = "The tool centre point: its pose in the arm's own tool frame, as --mount.",
-       .target = &tcp},
-      {.name = "--mount",
-       .value = "POSE",
-       .help = "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
-               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another "
-               "--pose-form.",
-       .target = &mount},
-      {.name = "--limits",
-       .value = "FILE",
-       .help = "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
-               "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
-       .target = &limits,
-       .completes = Completes::file}};
+      Option("--base LINK",
+             "First link of the chain, any link of a URDF file. Default: its root link, or the "
+             "link below a floating or planar joint.",
+             &base),
+      Option("--tip LINK",
+             "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
+             "moves, of several tool0 or, if only fixed joints are between them, the first; before "
+             "the joints of a gripper.",
+             &tip),
+      Option("--srdf FILE",
+             "MoveIt's SRDF file of the arm: its groups for --group, and its named states wherever "
+             "joint values are typed, such as --from home.",
+             &srdf),
+      Option("--group NAME",
+             "The group of --srdf that gives base and tip of the chain; --base and --tip replace "
+             "them.",
+             &group, {.needs = "--srdf"}),
+      Option("--tcp POSE",
+             "The tool centre point: its pose in the arm's own tool frame, as --mount.", &tcp),
+      Option("--mount POSE",
+             "Where the arm stands: the pose of its base in the world, as x,y,theta (planar arms), "
+             "x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another --pose-form.",
+             &mount),
+      Option("--limits FILE",
+             "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
+             "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
+             &limits)};
 }
 
 Arm ArmArgument::read(const UnitArgument& unit) const {
@@ -114,7 +104,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
 }
 
 bool ArmArgument::shown_in_plane(const Arm& arm) const {
-  const std::string ending = internal::extension(text);
+  const std::string ending = extension(text);
   return arm.planar() && ending != "urdf" && ending != "xml";
 }
 
@@ -122,8 +112,8 @@ Configuration ArmArgument::configuration(const Arm& arm, const std::string& valu
                                          const std::string& option,
                                          const UnitArgument& unit) const {
   if (srdf.empty() && is_name(values)) {
-    throw Error(option + ": " + internal::in_quotes(values) +
-                " is not a list of numbers; named states need --srdf FILE");
+    throw Error(option + ": " + "\"" + values +
+                "\" is not a list of numbers; named states need --srdf FILE");
   }
   if (srdf.empty()) return unit.configuration(arm, values, option);
   const Srdf semantics = read_srdf(srdf);
@@ -132,3 +122,5 @@ Configuration ArmArgument::configuration(const Arm& arm, const std::string& valu
   return known || is_name(values) ? named_state(semantics, arm, values, group)
                                   : unit.configuration(arm, values, option);
 }
+
+}  // namespace beeline::command

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 constexpr double Limits::*rates[] = {&Limits::velocity, &Limits::acceleration, &Limits::jerk};
@@ -57,3 +56,5 @@ Json arm_document(const Arm& arm, bool degrees) {
           {"reach",
            Json{{"centre", Eigen::VectorXd(arm.reach().centre)}, {"radius", arm.reach().radius}}}};
 }
+
+}  // namespace beeline::command

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <beeline/io/text/json.h>
 #include <beeline/model/arm.h>
 
-#include "command/json.h"
+namespace beeline::command {
 
 /// The document of `beeline show --json`: name, joints with their limits, dof, planar, reach.
 /// Angles are in rad or in degrees.
-Json arm_document(const beeline::Arm& arm, bool degrees);
+Json arm_document(const Arm& arm, bool degrees);
+
+}  // namespace beeline::command

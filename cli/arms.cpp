@@ -6,8 +6,7 @@
 
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 std::string joint_letters(const Arm& arm) {
@@ -48,16 +47,16 @@ Answer list_arms() {
 }  // namespace
 
 Verb arms_verb() {
-  static bool json = false;
   return {.name = "arms",
           .summary = "List the built-in arms",
           .description =
-              "Prints the name of each built-in arm, its maker and model, the kinds of its "
-              "joints (R revolute, P prismatic) from the base to the tool, the method of its "
-              "inverse kinematics, and the radius of a ball that the tool cannot leave. --json "
-              "adds the document that the numbers are from. `beeline show NAME` prints one arm.",
+              "Prints the name of each built-in arm, its maker and model, the kinds of its joints "
+              "(R revolute, P prismatic) from the base to the tool, the method of its inverse "
+              "kinematics, and the radius of a ball that the tool cannot leave. --json adds the "
+              "document that the numbers are from. `beeline show NAME` prints one arm.",
           .examples = {{"The list, and the first arm's joints as a table",
                         "beeline arms\nbeeline show rrr"}},
-          .json = &json,
           .run = list_arms};
 }
+
+}  // namespace beeline::command

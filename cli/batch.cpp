@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/number_rows.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include "batch_work.h"
 #include "command/progress.h"
@@ -14,8 +14,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct BatchReport {
@@ -63,7 +62,7 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   // A .npy file states that its array has no rows; a .csv file without rows was cut off.
   const bool complete = report.counts.ending == Ending::complete;
   const bool nothing = complete && report.rows == 0 && report.bad.count == 0;
-  if (nothing && internal::extension(arguments.in) != "npy") {
+  if (nothing && extension(arguments.in) != "npy") {
     throw FileError(reader.path(), 0, "has a header but no rows below it");
   }
   if (complete) writer.commit();
@@ -136,8 +135,7 @@ using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
 Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
   row_format(arguments.out);
-  refuse_overwriting(arguments.out,
-                     {arguments.in, arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
+  refuse_overwriting(arguments.out, arguments.arm.inputs({arguments.in}));
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
     throw Error("--json cannot be combined with --out -: both would write to stdout");
@@ -163,8 +161,8 @@ constexpr const char* configurations_help =
     "without a header; .npy of shape (N, joints), dtype '<f8' or '<f4'; or - for CSV on stdin.";
 constexpr const char* poses_help =
     "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
-    "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, "
-    "16 numbers or the first 12; or x,y,theta (planar arms). Without a header, as many numbers in "
+    "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, 16 "
+    "numbers or the first 12; or x,y,theta (planar arms). Without a header, as many numbers in "
     "this order; of six, those of --pose-form.";
 
 /// The arguments and options that all verbs `batch NAME` have.
@@ -174,70 +172,51 @@ Verb common(const std::shared_ptr<BatchArguments>& shared, const char* name, con
   Verb verb{.name = name, .summary = ""};
   verb.arguments = {arguments.arm.argument()};
   verb.options = joined(
-      {{{.name = "--in",
-         .value = "FILE",
-         .help = rows,
-         .target = &arguments.in,
-         .required = true,
-         .completes = Completes::file},
-        {.name = "--out",
-         .value = "FILE",
-         .help = "The results, a row for each: .csv with a header, .npy, or - for CSV on stdout.",
-         .target = &arguments.out,
-         .required = true,
-         .completes = Completes::file}},
+      {{Option("--in FILE", rows, &arguments.in, {.required = true}),
+        Option("--out FILE",
+               "The results, a row for each: .csv with a header, .npy, or - for CSV on stdout.",
+               &arguments.out, {.required = true})},
        arguments.unit.options(),
        own,
-       {{.name = "--threads",
-         .value = "N",
-         .help = "Number of threads; 0: as many as the machine has. The results do not depend on "
-                 "it.",
-         .target = &arguments.threads,
-         .range = {0, 1024}},
-        {.name = "--float",
-         .help = "Write 32-bit numbers to a .npy file.",
-         .target = &arguments.single},
-        {.name = "--skip-bad",
-         .help = "Leave bad rows out and count them. By default a bad row ends the run with an "
-                 "error and no file is written.",
-         .target = &arguments.skip_bad}},
+       {Option("--threads N",
+               "Number of threads; 0: as many as the machine has. The results do not depend on it.",
+               &arguments.threads, {.range = {0, 1024}}),
+        Option("--float", "Write 32-bit numbers to a .npy file.", &arguments.single),
+        Option("--skip-bad",
+               "Leave bad rows out and count them. By default a bad row ends the run with an error "
+               "and no file is written.",
+               &arguments.skip_bad)},
        {arguments.budget.time_limit_option()},
        arguments.arm.options()});
-  verb.json = &arguments.json;
+  verb.json = {shared, &arguments.json};
   verb.run = [shared, name, make_work] { return batch(*shared, name, make_work); };
   return verb;
 }
 
 Verb batch_fk() {
-  const auto shared = std::make_shared<BatchArguments>();
-  BatchArguments& arguments = *shared;
-  const Option layout{.name = "--layout",
-                      .value = "LAYOUT",
-                      .help =
-                          "matrix, the default without --pose-form: the 16 entries row by row; "
-                          "pose: x,y,z,qw,qx,qy,qz with qw >= 0; planar: x,y,theta of a planar "
-                          "arm.",
-                      .target = &arguments.layout,
-                      .choices = {"matrix", "pose", "planar"},
-                      .excludes = "--pose-form"};
-  Verb verb = common(shared, "fk", configurations_help, {layout}, forward_work);
+  const auto arguments = std::make_shared<BatchArguments>();
+  const Option layout("--layout LAYOUT",
+                      "matrix, the default without --pose-form: the 16 entries row by row; pose: "
+                      "x,y,z,qw,qx,qy,qz with qw >= 0; planar: x,y,theta of a planar arm.",
+                      &arguments->layout,
+                      {.choices = {"matrix", "pose", "planar"}, .excludes = "--pose-form"});
+  Verb verb = common(arguments, "fk", configurations_help, {layout}, forward_work);
   verb.summary = "Forward kinematics: the pose of the tool at each configuration";
-  verb.examples = {{"Two configurations of the planar arm, in degrees",
-                    "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
-                    "beeline batch fk rrr --in q.csv --degrees --out poses.csv --layout pose"},
-                   {"Positions in millimetres and KUKA's A, B, C",
-                    "beeline batch fk rrr --in q.csv --degrees --out - --pose-form abc "
-                    "--millimetres"},
-                   {"The same as an array for numpy, from a pipe",
-                    "beeline batch fk rrr --in - --degrees --out poses.npy < q.csv"}};
+  verb.examples = {
+      {"Two configurations of the planar arm, in degrees",
+       "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
+       "beeline batch fk rrr --in q.csv --degrees --out poses.csv --layout pose"},
+      {"Positions in millimetres and KUKA's A, B, C",
+       "beeline batch fk rrr --in q.csv --degrees --out - --pose-form abc --millimetres"},
+      {"The same as an array for numpy, from a pipe",
+       "beeline batch fk rrr --in - --degrees --out poses.npy < q.csv"}};
   return verb;
 }
 
 Verb batch_jacobian() {
-  const auto shared = std::make_shared<BatchArguments>();
-  BatchArguments& arguments = *shared;
-  Verb verb =
-      common(shared, "jacobian", configurations_help, arguments.jacobian.options(), jacobian_work);
+  const auto arguments = std::make_shared<BatchArguments>();
+  Verb verb = common(arguments, "jacobian", configurations_help, arguments->jacobian.options(),
+                     jacobian_work);
   verb.summary = "The Jacobian at each configuration";
   verb.description =
       "Writes one Jacobian in each row of the output, row by row: reshape it to (N, 6, joints). "
@@ -249,18 +228,15 @@ Verb batch_jacobian() {
 }
 
 Verb batch_ik() {
-  const auto shared = std::make_shared<BatchArguments>();
-  BatchArguments& arguments = *shared;
-  const Option status{.name = "--status",
-                      .help =
-                          "Add the columns status (0 solved, 1 unreachable, "
-                          "2 orientation_unreachable, 3 outside_limits, 4 not_found, "
-                          "5 time_limit) and residual, m or rad, as in ik --json. Poses "
-                          "without a solution then take longer.",
-                      .target = &arguments.status};
+  const auto arguments = std::make_shared<BatchArguments>();
+  const Option status("--status",
+                      "Add the columns status (0 solved, 1 unreachable, 2 orientation_unreachable, "
+                      "3 outside_limits, 4 not_found, 5 time_limit) and residual, m or rad, as in "
+                      "ik --json. Poses without a solution then take longer.",
+                      &arguments->status);
   Verb verb = common(
-      shared, "ik", poses_help,
-      joined({arguments.inverse.choice_options(), arguments.inverse.search_options(), {status}}),
+      arguments, "ik", poses_help,
+      joined({arguments->inverse.choice_options(), arguments->inverse.search_options(), {status}}),
       inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";
   verb.description =
@@ -288,3 +264,5 @@ Verb batch_verb() {
   verb.verbs = {batch_fk(), batch_jacobian(), batch_ik()};
   return verb;
 }
+
+}  // namespace beeline::command

@@ -5,13 +5,10 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/pose_form.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
-#include <beeline/trajectory/internal/joint_columns.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// Keeps the rows for which `good` is true; it reports the others.
@@ -85,28 +82,27 @@ class Configurations {
 };
 
 /// The columns of poses that `arm` can have, first those of rows without a header.
-std::vector<internal::PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
-  std::vector<internal::PoseColumns> all;
-  for (const internal::PoseColumns& columns : internal::all_pose_columns()) {
+std::vector<PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
+  std::vector<PoseColumns> all;
+  for (const PoseColumns& columns : all_pose_columns()) {
     if (!columns.planar || arm.planar()) all.push_back(columns);
   }
-  std::stable_partition(all.begin(), all.end(), [&](const internal::PoseColumns& columns) {
-    return internal::reads_without_names(columns, format);
+  std::stable_partition(all.begin(), all.end(), [&](const PoseColumns& columns) {
+    return reads_without_names(columns, format);
   });
   return all;
 }
 
 /// The poses of a block as columns of 16 numbers; rows that are not poses are reported and removed.
 void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPose& world_T_work,
-                const internal::PoseColumns& columns, RowBlock& block, Eigen::MatrixXd& goals,
+                const PoseColumns& columns, RowBlock& block, Eigen::MatrixXd& goals,
                 BatchCounts& counts, BadRows& bad) {
   const PoseFormat format = arguments.unit.pose_format();
   const std::size_t size = columns.names.size();
   goals.resize(16, block.count());
   keep_rows(block, goals, [&](Eigen::Index i, const RowPosition& position) {
     try {
-      WrittenPose given =
-          internal::written_pose({block.numbers.col(i).data(), size}, columns, format);
+      WrittenPose given = written_pose({block.numbers.col(i).data(), size}, columns, format);
       given.pose = checked_pose(given.pose);
       const WrittenPose pose = in_world(arm, world_T_work, given);
       if (arm.planar() || !columns.oriented) check_pose_form(arm, pose, arguments.inverse.task);
@@ -170,7 +166,7 @@ void PoseOutput::convert(const UnitArgument& unit, Eigen::MatrixXd& poses) const
 PoseOutput pose_output(const BatchArguments& arguments, const Arm& arm) {
   if (arguments.layout == "planar") {
     if (!arm.planar()) throw Error("--layout planar is for planar arms; " + arm.name() + " is not");
-    return {.columns = internal::all_pose_columns().front().names, .planar = true};
+    return {.columns = all_pose_columns().front().names, .planar = true};
   }
   const PoseForm form = arguments.layout == "pose" ? PoseForm::quaternion : PoseForm::matrix;
   const PoseFormat format = arguments.unit.pose_format(Triple::planar, form);
@@ -195,7 +191,7 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
     output.convert(arguments.unit, results);
     rows.check(block, results, bad);
   };
-  return {.forms = internal::joint_namings(arm),
+  return {.forms = joint_namings(arm),
           .columns = output.columns,
           .forms_without_header = 1,
           .step = step};
@@ -203,8 +199,7 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
 
 BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
   const Task task = arguments.jacobian.read(arm);
-  BatchWork work{
-      .forms = internal::joint_namings(arm), .columns = {}, .forms_without_header = 1, .step = {}};
+  BatchWork work{.forms = joint_namings(arm), .columns = {}, .forms_without_header = 1, .step = {}};
   std::vector<Eigen::Index> source;  // of each number of the output, the matrix row by row
   for (const std::string& row : row_names({task.rows, Frame::base})) {
     for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);
@@ -241,11 +236,11 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   if (arguments.status) work.columns.insert(work.columns.end(), {"status", "residual"});
   const PoseFormat format = arguments.unit.pose_format(triple_of(arm));
-  const std::vector<internal::PoseColumns> goals_by_form = goal_columns(arm, format);
-  for (const internal::PoseColumns& columns : goals_by_form) work.forms.push_back(columns.names);
-  work.forms_without_header = static_cast<std::size_t>(std::count_if(
-      goals_by_form.begin(), goals_by_form.end(),
-      [&](const auto& columns) { return internal::reads_without_names(columns, format); }));
+  const std::vector<PoseColumns> goals_by_form = goal_columns(arm, format);
+  for (const PoseColumns& columns : goals_by_form) work.forms.push_back(columns.names);
+  work.forms_without_header = static_cast<std::size_t>(
+      std::count_if(goals_by_form.begin(), goals_by_form.end(),
+                    [&](const auto& columns) { return reads_without_names(columns, format); }));
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
   work.step = [&arguments, &arm, options, seed, world_T_work, goals_by_form,
                width = work.columns.size(), goals = Eigen::MatrixXd(),
@@ -278,3 +273,5 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   };
   return work;
 }
+
+}  // namespace beeline::command

@@ -10,6 +10,8 @@
 
 #include "inverse_argument.h"
 
+namespace beeline::command {
+
 /// The arguments of all kinds of `beeline batch`.
 struct BatchArguments {
   ArmArgument arm;
@@ -33,15 +35,15 @@ struct BatchCounts {
   std::int64_t solved = 0;          ///< poses
   double large_angle = 0;           ///< the first beyond a revolution
   std::int64_t large_angle_row = 0;
-  std::optional<beeline::PoseForm> large_angle_form = {};
+  std::optional<PoseForm> large_angle_form = {};
   double far_distance = 0;  ///< of the first pose that is rather in millimetres, m; 0: none is
   std::int64_t far_row = 0;
-  beeline::Ending ending = beeline::Ending::complete;  ///< of the last block
+  Ending ending = Ending::complete;  ///< of the last block
 
   /// Notes the first row with an angle of more than 2 pi.
   template <class Angles>
   void note_angle(const Angles& angles, std::int64_t row,
-                  std::optional<beeline::PoseForm> form = std::nullopt) {
+                  std::optional<PoseForm> form = std::nullopt) {
     if (large_angle_row > 0 || angles.size() == 0) return;
     const double angle = angles.array().abs().maxCoeff();
     if (angle <= largest_angle) return;
@@ -55,17 +57,19 @@ struct BatchCounts {
 /// turns a block of one into a block of the other, one column of `results` for each row. The step
 /// reports bad rows to `bad` and removes them from the block.
 struct BatchWork {
-  beeline::RowForms forms;
+  RowForms forms;
   std::vector<std::string> columns;
   /// Only the first of the forms may be those of rows without a header.
   std::size_t forms_without_header = std::numeric_limits<std::size_t>::max();
   Eigen::Index max_rows = 65536;  ///< in one step
-  std::function<void(std::size_t form, beeline::RowBlock& block, Eigen::MatrixXd& results,
-                     BatchCounts& counts, beeline::BadRows& bad)>
+  std::function<void(std::size_t form, RowBlock& block, Eigen::MatrixXd& results,
+                     BatchCounts& counts, BadRows& bad)>
       step;
 };
 
 /// `arguments` and `arm` must outlive the result.
-BatchWork forward_work(const BatchArguments& arguments, const beeline::Arm& arm);
-BatchWork jacobian_work(const BatchArguments& arguments, const beeline::Arm& arm);
-BatchWork inverse_work(const BatchArguments& arguments, const beeline::Arm& arm);
+BatchWork forward_work(const BatchArguments& arguments, const Arm& arm);
+BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm);
+BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm);
+
+}  // namespace beeline::command

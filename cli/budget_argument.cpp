@@ -4,36 +4,36 @@
 
 #include "command/interrupt.h"
 
+namespace beeline::command {
+
 Option BudgetArgument::time_limit_option() {
-  return {.name = "--time-limit",
-          .value = "SECONDS",
-          .help =
-              "End after this time, as Ctrl-C does, with exit code 1, the status time_limit and "
-              "what has been found so far. Default: no limit.",
-          .target = &time_limit_,
-          .range = zero_or_more};
+  return Option("--time-limit SECONDS",
+                "End after this time, as Ctrl-C does, with exit code 1, the status time_limit and "
+                "what has been found so far. Default: no limit.",
+                &time_limit_, {.range = zero_or_more});
 }
 
 std::vector<Option> BudgetArgument::options() {
   return {time_limit_option(),
-          {.name = "--max-work",
-           .value = "N",
-           .help = "End a computation after N iterations, configurations and samples, with the "
-                   "status work_limit; the answer is the same on every machine. `line --branches` "
-                   "is two computations, each with N. Default: no limit.",
-           .target = &max_work_}};
+          Option("--max-work N",
+                 "End a computation after N iterations, configurations and samples, with the "
+                 "status work_limit; the answer is the same on every machine. `line --branches` is "
+                 "two computations, each with N. Default: no limit.",
+                 &max_work_)};
 }
 
-beeline::Budget BudgetArgument::next() const {
+Budget BudgetArgument::next() const {
   using Clock = std::chrono::steady_clock;
   if (!begin_) {
     begin_ = Clock::now();
     catch_interrupt();
   }
-  beeline::Budget budget{.max_work = max_work_, .cancelled = interrupted};
+  Budget budget{.max_work = max_work_, .cancelled = interrupted};
   if (time_limit_) {
     const double spent = std::chrono::duration<double>(Clock::now() - *begin_).count();
     budget.time_limit = std::max(0.0, *time_limit_ - spent);
   }
   return budget;
 }
+
+}  // namespace beeline::command

@@ -2,10 +2,10 @@
 #include <memory>
 
 #include <beeline/certificate/verify.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -22,8 +22,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct CheckArguments {
@@ -37,7 +36,6 @@ struct CheckArguments {
   PathArgument path;
   VerifyOptions verify;
   BudgetArgument budget;
-  bool json = false;
 };
 
 /// Plots the motion with its limits, and its deviation from the path up to the last sample on it.
@@ -63,7 +61,7 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
                              tolerance, checked.waypoints};
   }
   const Picture picture = timing_figure(arm, trajectory, plot);
-  internal::write_file(arguments.plot, render(picture, format_of(arguments.plot)));
+  write_file(arguments.plot, render(picture, format_of(arguments.plot)));
 }
 
 std::string status_of(const Verification& verification) {
@@ -114,7 +112,7 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
 
 CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options) {
-  const std::string text = internal::read_file(arguments.through);
+  const std::string text = read_file(arguments.through);
   if (is_program(text)) {
     const Program program =
         program_from(text, arguments.through, arm,
@@ -144,8 +142,7 @@ void warn_of_wraps(const std::string& path, const Arm& arm, const Trajectory& tr
 Answer check_file(const CheckArguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
-    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.arm.srdf,
-                                        arguments.arm.limits, arguments.file, arguments.through});
+    refuse_overwriting(arguments.plot, arguments.arm.inputs({arguments.file, arguments.through}));
   }
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Trajectory trajectory =
@@ -171,30 +168,24 @@ Answer check_file(const CheckArguments& arguments) {
 }
 
 std::vector<Option> proof_options(VerifyOptions& options) {
-  return {{.name = "--tolerance",
-           .value = "METRES",
-           .help = "Largest distance of the tool origin from the path.",
-           .target = &options.tolerance,
-           .range = above_zero},
-          {.name = "--orientation-tolerance",
-           .value = "RAD",
-           .help = "Largest angle from the path's orientation, radians.",
-           .target = &options.orientation_tolerance,
-           .range = above_zero},
-          limit_tolerance_option(&options.limit_tolerance),
-          {.name = "--moving-start",
-           .help = "The joints may move at the first sample; by default they start from rest.",
-           .target = &options.moving.start},
-          {.name = "--moving-end",
-           .help = "The joints may move at the last sample; by default they come to rest.",
-           .target = &options.moving.end}};
+  return {
+      Option("--tolerance METRES", "Largest distance of the tool origin from the path.",
+             &options.tolerance, {.range = above_zero}),
+      Option("--orientation-tolerance RAD", "Largest angle from the path's orientation, radians.",
+             &options.orientation_tolerance, {.range = above_zero}),
+      limit_tolerance_option(&options.limit_tolerance),
+      Option("--moving-start",
+             "The joints may move at the first sample; by default they start from rest.",
+             &options.moving.start),
+      Option("--moving-end",
+             "The joints may move at the last sample; by default they come to rest.",
+             &options.moving.end)};
 }
 
 }  // namespace
 
 Verb check_verb() {
-  const auto shared = std::make_shared<CheckArguments>();
-  CheckArguments& arguments = *shared;
+  const auto arguments = std::make_shared<CheckArguments>();
   return {
       .name = "check",
       .summary = "Prove that a trajectory follows its path and respects the joint limits",
@@ -206,27 +197,25 @@ Verb check_verb() {
           "accelerations too. Limits of velocity and acceleration that are not known are assumed "
           "and reported as assumed; --limits, --velocity and --acceleration give them. Prints "
           "passed with the measured and the proved deviation in metres and radians, or failed with "
-          "the first fault, its sample and time; then the exit code is 1. "
-          "A program (see `beeline help line`) is proved move by move: its waypoints in order, "
-          "lines, arcs, splines and blends as paths, speeds, dwells at rest; joint moves within "
-          "the "
-          "limits. " +
+          "the first fault, its sample and time; then the exit code is 1. A program (see `beeline "
+          "help line`) is proved move by move: its waypoints in order, lines, arcs, splines and "
+          "blends as paths, speeds, dwells at rest; joint moves within the limits. " +
           std::string(recording_units),
-      .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE", "The trajectory to check, .csv, .json or .yaml.",
-                                        &arguments.file)},
+      .arguments = {arguments->arm.argument(),
+                    file_argument("FILE", "The trajectory to check, .csv, .json or .yaml.",
+                                  &arguments->file)},
       .options = joined({{through_option("The poses that the tool must pass after its first one.",
-                                         &arguments.through),
-                          arguments.work.option()},
-                         arguments.recording.reading_options(),
-                         arguments.unit.options(),
-                         arguments.task.options(),
-                         arguments.path.options(),
-                         proof_options(arguments.verify),
-                         {plot_option(&arguments.plot)},
-                         arguments.arm.options(),
-                         arguments.limits.options(),
-                         {arguments.budget.time_limit_option()}}),
+                                         &arguments->through),
+                          arguments->work.option()},
+                         arguments->recording.reading_options(),
+                         arguments->unit.options(),
+                         arguments->task.options(),
+                         arguments->path.options(),
+                         proof_options(arguments->verify),
+                         {plot_option(&arguments->plot)},
+                         arguments->arm.options(),
+                         arguments->limits.options(),
+                         {arguments->budget.time_limit_option()}}),
       .examples = {{"Plan a motion, then check the file that was written",
                     "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n' > planar.csv\n"
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv\n"
@@ -234,6 +223,7 @@ Verb check_verb() {
                    {"A smaller tolerance, a plot of the deviation, and JSON",
                     "beeline check rrr move.csv --degrees --through planar.csv --tolerance 2e-4 "
                     "--plot check.svg --json"}},
-      .json = &arguments.json,
-      .run = [shared] { return check_file(*shared); }};
+      .run = [arguments] { return check_file(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -9,8 +9,7 @@
 #include "recording_argument.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct DiffArguments {
@@ -19,7 +18,6 @@ struct DiffArguments {
   RecordingArgument recording;
   UnitArgument unit;
   std::optional<double> tolerance;
-  bool json = false;
 };
 
 int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& difference) {
@@ -54,38 +52,35 @@ Answer diff_files(const DiffArguments& arguments) {
 }  // namespace
 
 Verb diff_verb() {
-  const auto shared = std::make_shared<DiffArguments>();
-  DiffArguments& arguments = *shared;
-  return {
-      .name = "diff",
-      .summary = "Compare two recordings of an arm, such as commanded and measured",
-      .description =
-          "Prints, for each joint, the largest difference, the time at which it occurs and the "
-          "root mean square; the same for the tool's position and orientation; and how much longer "
-          "the second recording lasts. The first sample of each recording is at time 0; joints "
-          "move linearly between samples; of continuous joints whole revolutions do not count. "
-          "The comparison ends with the shorter recording. --joint-map is for the recordings that "
-          "have its names, --time-unit for tables. " +
-          std::string(recording_units),
-      .arguments = {arguments.arm.argument(),
-                    trajectory_argument("A", "A recorded trajectory, .csv, .json or .yaml.",
-                                        &arguments.a),
-                    trajectory_argument("B", "Another one, of the same arm.", &arguments.b)},
-      .options = joined({arguments.unit.options(),
-                         arguments.recording.options(),
-                         {{.name = "--tolerance",
-                           .value = "E",
-                           .help = "Exit with code 1 if a joint differs by more than this, radians "
-                                   "or metres.",
-                           .target = &arguments.tolerance,
-                           .range = zero_or_more}},
-                         arguments.arm.options()}),
-      .examples = {{"Two gains of joint control, compared",
-                    "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.1 --out slow.csv\n"
-                    "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.2 --out fast.csv\n"
-                    "beeline diff rrr slow.csv fast.csv --degrees"},
-                   {"Equal within 1e-3 rad? (exit code 0)",
-                    "beeline diff rrr slow.csv slow.csv --tolerance 1e-3 --json"}},
-      .json = &arguments.json,
-      .run = [shared] { return diff_files(*shared); }};
+  const auto arguments = std::make_shared<DiffArguments>();
+  return {.name = "diff",
+          .summary = "Compare two recordings of an arm, such as commanded and measured",
+          .description =
+              "Prints, for each joint, the largest difference, the time at which it occurs and the "
+              "root mean square; the same for the tool's position and orientation; and how much "
+              "longer the second recording lasts. The first sample of each recording is at time 0; "
+              "joints move linearly between samples; of continuous joints whole revolutions do not "
+              "count. The comparison ends with the shorter recording. --joint-map is for the "
+              "recordings that have its names, --time-unit for tables. " +
+              std::string(recording_units),
+          .arguments = {arguments->arm.argument(),
+                        file_argument("A", "A recorded trajectory, .csv, .json or .yaml.",
+                                      &arguments->a),
+                        file_argument("B", "Another one, of the same arm.", &arguments->b)},
+          .options = joined(
+              {arguments->unit.options(),
+               arguments->recording.options(),
+               {Option("--tolerance E",
+                       "Exit with code 1 if a joint differs by more than this, radians or metres.",
+                       &arguments->tolerance, {.range = zero_or_more})},
+               arguments->arm.options()}),
+          .examples = {{"Two gains of joint control, compared",
+                        "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.1 --out slow.csv\n"
+                        "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.2 --out fast.csv\n"
+                        "beeline diff rrr slow.csv fast.csv --degrees"},
+                       {"Equal within 1e-3 rad? (exit code 0)",
+                        "beeline diff rrr slow.csv slow.csv --tolerance 1e-3 --json"}},
+          .run = [arguments] { return diff_files(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -13,8 +13,7 @@
 #include "format.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct DoctorArguments {
@@ -22,7 +21,6 @@ struct DoctorArguments {
   std::string other, other_base, other_tip;
   ComparisonOptions comparison;
   UnitArgument unit;
-  bool json = false;
 };
 
 /// One line of a report: where, what, and what to do about it.
@@ -226,54 +224,44 @@ Positional first_model(DoctorArguments& arguments) {
 }  // namespace
 
 Verb doctor_verb() {
-  const auto shared = std::make_shared<DoctorArguments>();
-  DoctorArguments& arguments = *shared;
+  const auto arguments = std::make_shared<DoctorArguments>();
   return {
       .name = "doctor",
       .summary = "Diagnose a model: suspicious numbers, or what two descriptions have different",
       .description =
-          "With one model, looks for numbers that are likely mistakes: millimetres, degrees, "
-          "right angles written with few digits and axes that nearly have a closed form of "
-          "inverse kinematics (with the method that is lost), joints that move alike, a missing "
-          "<axis>, limits without a range; and for faults of a URDF file beside the chain, such as "
-          "an unknown parent link, type or leader, an axis of zeros, reversed limits. If the chain "
+          "With one model, looks for numbers that are likely mistakes: millimetres, degrees, right "
+          "angles written with few digits and axes that nearly have a closed form of inverse "
+          "kinematics (with the method that is lost), joints that move alike, a missing <axis>, "
+          "limits without a range; and for faults of a URDF file beside the chain, such as an "
+          "unknown parent link, type or leader, an axis of zeros, reversed limits. If the chain "
           "has a fault (exit code 3), stderr lists all. What may be meant is not reported.\n\n"
           "With two, compares two descriptions of an arm: are they the same, and if not, what is "
-          "different? The sequence of the joints' axes in space determines an arm up to its "
-          "base, its tool, and the zeros and signs of its joints; so a difference is named as "
-          "what it is: the DH convention, the mount, the tool, the offset or the sign of a "
-          "joint, a unit, one dimension of a link, a missing joint, a limit. The explanation "
-          "with the fewest differences is printed, with what to write; nothing is claimed that "
-          "forward kinematics at random configurations does not confirm. Exit code 0: nothing is "
-          "suspicious, or the two move alike as they are and have equal limits; 1 otherwise.",
-      .arguments = {first_model(arguments),
-                    {.name = "B",
-                     .help = "The other description of the arm: a built-in arm, a joint string "
-                             "or a file.",
-                     .target = &arguments.other,
-                     .completes = Completes::arm,
-                     .required = false}},
+          "different? The sequence of the joints' axes in space determines an arm up to its base, "
+          "its tool, and the zeros and signs of its joints; so a difference is named as what it "
+          "is: the DH convention, the mount, the tool, the offset or the sign of a joint, a unit, "
+          "one dimension of a link, a missing joint, a limit. The explanation with the fewest "
+          "differences is printed, with what to write; nothing is claimed that forward kinematics "
+          "at random configurations does not confirm. Exit code 0: nothing is suspicious, or the "
+          "two move alike as they are and have equal limits; 1 otherwise.",
+      .arguments =
+          {first_model(*arguments),
+           {.name = "B",
+            .help = "The other description of the arm: a built-in arm, a joint string or a file.",
+            .target = &arguments->other,
+            .completes = Completes::arm,
+            .required = false}},
       .options = joined(
-          {arguments.unit.options(),
-           {{.name = "--tolerance",
-             .value = "E",
-             .help = "Smaller differences are rounding, metres and radians.",
-             .target = &arguments.comparison.tolerance,
-             .range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}},
-            {.name = "--configurations",
-             .value = "N",
-             .help = "Number of random configurations at which the tool's poses are compared.",
-             .target = &arguments.comparison.configurations,
-             .range = {.lowest = 1, .highest = 1e6}},
-            {.name = "--other-base",
-             .value = "LINK",
-             .help = "--base of B; the other options of arms apply to A.",
-             .target = &arguments.other_base},
-            {.name = "--other-tip",
-             .value = "LINK",
-             .help = "--tip of B.",
-             .target = &arguments.other_tip}},
-           arguments.arm.options()}),
+          {arguments->unit.options(),
+           {Option("--tolerance E", "Smaller differences are rounding, metres and radians.",
+                   &arguments->comparison.tolerance,
+                   {.range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}}),
+            Option("--configurations N",
+                   "Number of random configurations at which the tool's poses are compared.",
+                   &arguments->comparison.configurations, {.range = {.lowest = 1, .highest = 1e6}}),
+            Option("--other-base LINK", "--base of B; the other options of arms apply to A.",
+                   &arguments->other_base),
+            Option("--other-tip LINK", "--tip of B.", &arguments->other_tip)},
+           arguments->arm.options()}),
       .examples = {{"Is anything suspicious in a model? (exit code 0: nothing)",
                     "beeline doctor panda"},
                    {"Two arms that are easily confused: which numbers differ?",
@@ -281,6 +269,7 @@ Verb doctor_verb() {
                    {"A file that was changed by hand, compared with what it was",
                     "beeline show ur5 --out mine.json\n"
                     "beeline doctor ur5 mine.json --mount 0,0,0.5 || true"}},
-      .json = &arguments.json,
-      .run = [shared] { return compare(*shared); }};
+      .run = [arguments] { return compare(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include "animation_argument.h"
 #include "arm_argument.h"
@@ -15,8 +15,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct DrawArguments {
@@ -29,7 +28,6 @@ struct DrawArguments {
   double azimuth = 0, elevation = 0;  ///< degrees
   ArmFigureOptions figure;
   AnimationArgument animation;
-  bool json = false;
 };
 
 ArmFigureOptions figure_options(const DrawArguments& arguments) {
@@ -42,7 +40,7 @@ ArmFigureOptions figure_options(const DrawArguments& arguments) {
 /// The poses of --through, in the world.
 std::vector<Pose> waypoints(const DrawArguments& arguments, const Arm& arm) {
   if (arguments.through.empty()) return {};
-  const std::string text = internal::read_file(arguments.through);
+  const std::string text = read_file(arguments.through);
   if (is_program(text)) {
     throw FileError(arguments.through, 0, "is a program; --through of draw takes a file of poses");
   }
@@ -60,7 +58,7 @@ void draw_motion(const DrawArguments& arguments, const Arm& arm) {
   const std::vector<Pose> poses = waypoints(arguments, arm);
   if (!arguments.out.empty()) {
     const Figure figure = motion_figure(arm, trajectory, poses, options);
-    internal::write_file(arguments.out, render(figure, format_of(arguments.out)));
+    write_file(arguments.out, render(figure, format_of(arguments.out)));
   }
   if (!arguments.animation.wanted()) return;
   options.small_views = false;
@@ -78,12 +76,12 @@ void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
     warn_outside_limits(arm, q);
   }
   const Figure figure = arm_figure(arm, q, figure_options(arguments));
-  internal::write_file(arguments.out, render(figure, format_of(arguments.out)));
+  write_file(arguments.out, render(figure, format_of(arguments.out)));
 }
 
 Answer draw_arm(const DrawArguments& arguments) {
-  const std::vector<std::string> inputs{arguments.arm.text, arguments.arm.srdf,
-                                        arguments.arm.limits, arguments.motion, arguments.through};
+  const std::vector<std::string> inputs =
+      arguments.arm.inputs({arguments.motion, arguments.through});
   if (arguments.out.empty() && !arguments.animation.wanted()) {
     throw Error("draw needs --out PICTURE or, for a motion, --animate FILE");
   }
@@ -106,73 +104,61 @@ Answer draw_arm(const DrawArguments& arguments) {
 
 std::vector<Option> draw_options(DrawArguments& arguments) {
   ArmFigureOptions& figure = arguments.figure;
-  return {{.name = "--out",
-           .value = "FILE",
-           .help = "The picture: .svg, .png or .pdf.",
-           .target = &arguments.out,
-           .completes = Completes::file},
-          joint_values_option(
-              "--q",
-              "Joint values. Default: the middle of the position limits or, where that is "
-              "singular, values far from singularities.",
-              &arguments.q),
-          {.name = "--through",
-           .value = "FILE",
-           .help = "A .csv file of poses (see `beeline help line`) to mark and number in the "
-                   "picture of a motion.",
-           .target = &arguments.through,
-           .completes = Completes::file},
-          arguments.work.option(),
-          {.name = "--frames",
-           .help = "Draw the frame of every link: x red, y green, z blue. Of frames at one place "
-                   "the later is shorter and thicker.",
-           .target = &figure.frames},
-          {.name = "--jacobian",
-           .help = "Draw the columns of the Jacobian as arrows at the tool: joint 1 red, 2 green, "
-                   "3 blue.",
-           .target = &figure.jacobian},
-          {.name = "--title",
-           .value = "TEXT",
-           .help = "The title. Default: the arm's name.",
-           .target = &figure.title},
-          {.name = "--azimuth",
-           .value = "DEGREES",
-           .help = "Direction from x to the viewer of a spatial arm, always in degrees.",
-           .target = &arguments.azimuth},
-          {.name = "--elevation",
-           .value = "DEGREES",
-           .help = "Height of the viewer of a spatial arm above the ground, always in degrees.",
-           .target = &arguments.elevation}};
+  return {
+      Option("--out FILE", "The picture: .svg, .png or .pdf.", &arguments.out),
+      joint_values_option("--q",
+                          "Joint values. Default: the middle of the position limits or, where that "
+                          "is singular, values far from singularities.",
+                          &arguments.q),
+      Option("--through FILE",
+             "A .csv file of poses (see `beeline help line`) to mark and number in the picture of "
+             "a motion.",
+             &arguments.through),
+      arguments.work.option(),
+      Option("--frames",
+             "Draw the frame of every link: x red, y green, z blue. Of frames at one place the "
+             "later is shorter and thicker.",
+             &figure.frames),
+      Option(
+          "--jacobian",
+          "Draw the columns of the Jacobian as arrows at the tool: joint 1 red, 2 green, 3 blue.",
+          &figure.jacobian),
+      Option("--title TEXT", "The title. Default: the arm's name.", &figure.title),
+      Option("--azimuth DEGREES",
+             "Direction from x to the viewer of a spatial arm, always in degrees.",
+             &arguments.azimuth),
+      Option("--elevation DEGREES",
+             "Height of the viewer of a spatial arm above the ground, always in degrees.",
+             &arguments.elevation)};
 }
 
 }  // namespace
 
 Verb draw_verb() {
-  const auto shared = std::make_shared<DrawArguments>();
-  DrawArguments& arguments = *shared;
+  const auto arguments = std::make_shared<DrawArguments>();
   const UnitArgument degrees{true};
-  arguments.azimuth = std::round(degrees.shown(arguments.figure.azimuth));
-  arguments.elevation = std::round(degrees.shown(arguments.figure.elevation));
-  Positional motion = trajectory_argument("FILE", "A trajectory of the arm, .csv, .json or .yaml.",
-                                          &arguments.motion);
-  motion.required = false;
-  return {.name = "draw",
-          .summary = "Draw an arm or a motion: SVG, PNG, PDF, animations",
-          .description =
-              "Draws the arm at given joint values, or the arm along a trajectory with "
-              "the path of its tool. With --animate the arm moves, in real time. Prints the names "
-              "of the files.",
-          .arguments = {arguments.arm.argument(), motion},
-          .options = joined({draw_options(arguments), arguments.animation.options(),
-                             arguments.recording.options(), arguments.unit.options(),
-                             arguments.arm.options()}),
-          .examples = {{"The planar arm with the columns of its Jacobian",
-                        "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
-                       {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},
-                       {"A motion, as a picture and moving",
-                        "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
-                        "--out move.csv\n"
-                        "beeline draw panda move.csv --out move.png --animate move.svg"}},
-          .json = &arguments.json,
-          .run = [shared] { return draw_arm(*shared); }};
+  arguments->azimuth = std::round(degrees.shown(arguments->figure.azimuth));
+  arguments->elevation = std::round(degrees.shown(arguments->figure.elevation));
+  return {
+      .name = "draw",
+      .summary = "Draw an arm or a motion: SVG, PNG, PDF, animations",
+      .description =
+          "Draws the arm at given joint values, or the arm along a trajectory with the path of its "
+          "tool. With --animate the arm moves, in real time. Prints the names of the files.",
+      .arguments = {arguments->arm.argument(),
+                    file_argument("FILE", "A trajectory of the arm, .csv, .json or .yaml.",
+                                  &arguments->motion, false)},
+      .options = joined({draw_options(*arguments), arguments->animation.options(),
+                         arguments->recording.options(), arguments->unit.options(),
+                         arguments->arm.options()}),
+      .examples = {{"The planar arm with the columns of its Jacobian",
+                    "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
+                   {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},
+                   {"A motion, as a picture and moving",
+                    "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --out "
+                    "move.csv\n"
+                    "beeline draw panda move.csv --out move.png --animate move.svg"}},
+      .run = [arguments] { return draw_arm(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -5,10 +5,7 @@
 #include <memory>
 
 #include <beeline/error.h>
-#include <beeline/io/internal/time_column.h>
-#include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/kinematics/forward.h>
 
@@ -21,8 +18,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct ExportArguments {
@@ -35,21 +31,20 @@ struct ExportArguments {
   std::string file, form, out, from;
   std::optional<double> rate, tool_speed;
   BudgetArgument budget;
-  bool json = false;
 };
 
 /// Refuses a file name whose ending is not one of the form's.
 void check_ending(ControllerForm form, const std::string& out) {
   const std::vector<std::string> endings = controller_file_endings(form);
-  if (std::find(endings.begin(), endings.end(), internal::extension(out)) != endings.end()) return;
+  if (std::find(endings.begin(), endings.end(), extension(out)) != endings.end()) return;
   throw Error(fmt::format("--out: {} files end in .{}, not {}", name(form),
-                          fmt::format("{}", fmt::join(endings, ", .")), out));
+                          fmt::join(endings, ", ."), out));
 }
 
 ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& arm) {
   ControllerFileOptions options{.rate = arguments.rate};
   options.program_name = std::filesystem::path(arguments.out).stem().string();
-  options.comments = internal::extension(arguments.out) != "json";
+  options.comments = extension(arguments.out) != "json";
   if (!arguments.work.text.empty()) options.work = arguments.work.read(arm, arguments.unit).pose;
   return options;
 }
@@ -57,7 +52,7 @@ ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& 
 /// Whether the file, which is no pipe, is a program.
 bool holds_program(const std::string& path) {
   constexpr std::size_t begin = 65536;  // the header is there, after comments
-  internal::InputFile file(path);
+  InputFile file(path);
   return file.size() && is_program(file.peek(begin));
 }
 
@@ -72,25 +67,10 @@ void check_trajectory_options(const ExportArguments& arguments) {
   }
 }
 
-/// Whether the file, which is no pipe, is a table whose header names no times.
-bool is_without_times(const std::string& path) {
-  constexpr std::size_t begin = 4096, max_line = std::size_t{1} << 20;
-  internal::InputFile file(path);
-  if (!file.size()) return false;
-  if (trajectory_format(path, file.peek(begin)) != TrajectoryFormat::csv) return false;
-  try {
-    internal::CsvLines lines(file, max_line);
-    return !internal::names_times(
-        internal::CsvRows(lines, path, {{}, internal::names_times}).columns());
-  } catch (const Error&) {
-    return false;  // the reader of the recording names the mistake
-  }
-}
-
 ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
                                  ControllerForm form) {
   check_trajectory_options(arguments);
-  if (is_without_times(arguments.file)) {
+  if (lacks_times(arguments.file)) {
     throw FileError(arguments.file, 0,
                     "has neither a column of times, \"t\", nor, as a program, a column motion");
   }
@@ -113,7 +93,7 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
     start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   }
   const Program program =
-      program_from(internal::read_file(arguments.file), arguments.file, arm,
+      program_from(read_file(arguments.file), arguments.file, arm,
                    {arguments.arm, spatial, arguments.work, arguments.unit}, arguments.path,
                    start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
@@ -131,18 +111,17 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
 
 Answer failed_export(const ProgramMotion& motion) {
   Answer answer{.text = name(motion.status) + ": nothing is exported\n",
-                .document = {{"status", name(motion.status)}, {"reason", sentence(motion.reason)}},
+                .document = {{"status", name(motion.status)}},
                 .yes = false,
                 .reason = sentence(motion.reason)};
-  answer.document.add(reason_members(motion.reason));
+  answer.document.add(json_reason(motion.reason));
   return answer;
 }
 
 Answer export_file(const ExportArguments& arguments) {
   const ControllerForm form = controller_form_named(arguments.form);
   check_ending(form, arguments.out);
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
-                                     arguments.file});
+  refuse_overwriting(arguments.out, arguments.arm.inputs({arguments.file}));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   check_controller_form(arm, form);
   const bool program = holds_program(arguments.file);
@@ -154,7 +133,7 @@ Answer export_file(const ExportArguments& arguments) {
   } else {
     file = trajectory_export(arguments, arm, form);
   }
-  internal::write_file(arguments.out, file.text);
+  write_file(arguments.out, file.text);
   Answer answer{.text = fmt::format(
                     "exported      {} in {} s, as {}\nproof holds   for {}\n",
                     counted(static_cast<std::int64_t>(file.samples), program ? "move" : "sample"),
@@ -177,45 +156,33 @@ std::vector<Option> program_options(ExportArguments& arguments) {
   return {joint_values_option(
               "--from", "Joint values at the start of a program. Default: its first waypoint.",
               &arguments.from, {"start"}),
-          arguments.work.option(),
-          arguments.path.options()[1],
-          {.name = "--tool-speed",
-           .value = "V",
-           .help = "Largest speed of the tool origin in a program's moves without a speed, m/s.",
-           .target = &arguments.tool_speed,
-           .range = tool_speeds},
+          arguments.work.option(), arguments.path.options()[1],
+          Option("--tool-speed V",
+                 "Largest speed of the tool origin in a program's moves without a speed, m/s.",
+                 &arguments.tool_speed, {.range = tool_speeds}),
           arguments.budget.time_limit_option()};
 }
 
 std::vector<Option> export_options(ExportArguments& arguments) {
-  return {{.name = "--as",
-           .value = "FORM",
-           .help = "The form: a ROS 2 message, a program of Universal Robots, ABB or KUKA, or "
-                   "setpoints.",
-           .target = &arguments.form,
-           .required = true,
-           .choices = controller_form_names()},
-          {.name = "--out",
-           .value = "FILE",
-           .help = "The file: .yaml or .json (ros2), .script (urscript), .mod or .modx (rapid), "
-                   ".src (krl), .csv. Programs of rapid and krl have its name.",
-           .target = &arguments.out,
-           .required = true,
-           .completes = Completes::file},
-          {.name = "--rate",
-           .value = "HZ",
-           .help = "Samples per second, of the motion that the trajectory's columns mean. Default: "
-                   "the trajectory's own samples; for urscript 125, which CB3 and e-Series keep "
-                   "(e-Series up to 500). csv requires it.",
-           .target = &arguments.rate,
-           .range = sample_rates}};
+  return {
+      Option("--as FORM",
+             "The form: a ROS 2 message, a program of Universal Robots, ABB or KUKA, or setpoints.",
+             &arguments.form, {.required = true, .choices = controller_form_names()}),
+      Option("--out FILE",
+             "The file: .yaml or .json (ros2), .script (urscript), .mod or .modx (rapid), .src "
+             "(krl), .csv. Programs of rapid and krl have its name.",
+             &arguments.out, {.required = true}),
+      Option("--rate HZ",
+             "Samples per second, of the motion that the trajectory's columns mean. Default: the "
+             "trajectory's own samples; for urscript 125, which CB3 and e-Series keep (e-Series up "
+             "to 500). csv requires it.",
+             &arguments.rate, {.range = sample_rates})};
 }
 
 }  // namespace
 
 Verb export_verb() {
-  const auto shared = std::make_shared<ExportArguments>();
-  ExportArguments& arguments = *shared;
+  const auto arguments = std::make_shared<ExportArguments>();
   return {
       .name = "export",
       .summary = "Write a trajectory or a program in the form that a robot's controller takes",
@@ -233,25 +200,23 @@ Verb export_verb() {
           "MoveL, MoveC) or krl (PTP, LIN, CIRC, SPLINE): the order and the waypoints are exact, "
           "and the controller plans the motions between them again. Poses are in the controller's "
           "root frame (the base of Universal Robots, wobj0 of ABB, $ROBROOT of KUKA), which "
-          "--mount "
-          "moves with the arm; with --work they are in that frame, which the file states in the "
-          "root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its load. "
-          "Built-in arms of these makers know their root frame; of others the world of the arm's "
-          "description is assumed: a .json arm states another as controller_base, a URDF file as "
-          "its "
-          "link base.\n\n"
+          "--mount moves with the arm; with --work they are in that frame, which the file states "
+          "in the root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its "
+          "load. Built-in arms of these makers know their root frame; of others the world of the "
+          "arm's description is assumed: a .json arm states another as controller_base, a URDF "
+          "file as its link base.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
-          "in radians and metres, those of "
-          "rapid and krl in degrees; --degrees applies to --tcp and --mount, and to recordings "
-          "with an angle more than a revolution outside its limits in radians.",
-      .arguments = {arguments.arm.argument(),
-                    trajectory_argument(
+          "in radians and metres, those of rapid and krl in degrees; --degrees applies to --tcp "
+          "and --mount, and to recordings with an angle more than a revolution outside its limits "
+          "in radians.",
+      .arguments = {arguments->arm.argument(),
+                    file_argument(
                         "FILE",
                         "A trajectory of the arm, .csv, .json or .yaml, or a program, .csv.",
-                        &arguments.file)},
-      .options = joined({export_options(arguments), program_options(arguments),
-                         arguments.recording.options(), arguments.unit.options(),
-                         arguments.arm.options(), arguments.limits.options()}),
+                        &arguments->file)},
+      .options = joined({export_options(*arguments), program_options(*arguments),
+                         arguments->recording.options(), arguments->unit.options(),
+                         arguments->arm.options(), arguments->limits.options()}),
       .examples =
           {{"A motion of a UR5e for ROS 2, and as a program of its controller",
             "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "
@@ -266,6 +231,7 @@ Verb export_verb() {
             "line,,-0.4,-0.3,0.2,180,0,0,0.1,0.5\\nline,previous,0,0,-0.1,0,0,0,0.25,\\n' > "
             "pick.csv\n"
             "beeline export ur5e pick.csv --degrees --as urscript --out pick.script"}},
-      .json = &arguments.json,
-      .run = [shared] { return export_file(*shared); }};
+      .run = [arguments] { return export_file(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -3,22 +3,20 @@
 #include <memory>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include "animation_argument.h"
 #include "arguments.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct FigureArguments {
   std::string number, out;
   AnimationArgument animation;
-  bool json = false;
 };
 
 /// Draws every figure into the folder --out, and with --animate .svg those that move.
@@ -33,7 +31,7 @@ Answer draw_all(const FigureArguments& arguments) {
   }
   Answer answer{.document = {{"status", "drawn"}, {"figure", "all"}}};
   Json files = Json::list();
-  std::vector<internal::NewFile> pictures;
+  std::vector<NewFile> pictures;
   for (const std::string& number : chapter_figures()) {
     const std::string file =
         (std::filesystem::path(arguments.out) / ("figure_" + number + ".svg")).string();
@@ -41,7 +39,7 @@ Answer draw_all(const FigureArguments& arguments) {
     answer.text += fmt::format("figure {} drawn: {}\n", number, file);
     files.append(file);
   }
-  internal::write_files(pictures);
+  write_files(pictures);
   answer.document.add("files", files);
   return answer;
 }
@@ -59,11 +57,12 @@ Answer draw_figure(const FigureArguments& arguments) {
   };
   if (!arguments.out.empty()) {
     const Format format = format_of(arguments.out);
-    internal::write_file(arguments.out, render(chapter_figure(arguments.number), format));
+    write_file(arguments.out, render(chapter_figure(arguments.number), format));
     report("out", arguments.out);
   }
   if (arguments.animation.wanted()) {
-    arguments.animation.write(chapter_animation(arguments.number));
+    arguments.animation.write(
+        for_option("--animate", [&] { return chapter_animation(arguments.number); }));
     report("animation", arguments.animation.file);
   }
   return answer;
@@ -72,8 +71,7 @@ Answer draw_figure(const FigureArguments& arguments) {
 }  // namespace
 
 Verb figure_verb() {
-  const auto shared = std::make_shared<FigureArguments>();
-  FigureArguments& arguments = *shared;
+  const auto arguments = std::make_shared<FigureArguments>();
   std::vector<std::string> numbers = chapter_figures();
   numbers.emplace_back("all");
   return {
@@ -94,18 +92,17 @@ Verb figure_verb() {
           "figures as SVG into the folder --out, which is made if it is missing",
       .arguments = {{.name = "NUMBER",
                      .help = "One of " + listed(numbers) + ".",
-                     .target = &arguments.number,
+                     .target = &arguments->number,
                      .choices = numbers}},
-      .options = joined({{{.name = "--out",
-                           .value = "FILE",
-                           .help = "The picture: .svg, .png or .pdf; of figure all a folder.",
-                           .target = &arguments.out,
-                           .completes = Completes::file}},
-                         arguments.animation.options()}),
+      .options =
+          joined({{Option("--out FILE", "The picture: .svg, .png or .pdf; of figure all a folder.",
+                          &arguments->out)},
+                  arguments->animation.options()}),
       .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"},
                    {"All figures", "beeline figure all --out figures"},
                    {"Joint-space control in motion, for a browser",
                     "beeline figure 1.7 --animate control.svg"}},
-      .json = &arguments.json,
-      .run = [shared] { return draw_figure(*shared); }};
+      .run = [arguments] { return draw_figure(*arguments); }};
 }
+
+}  // namespace beeline::command

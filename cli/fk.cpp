@@ -9,15 +9,14 @@
 #include "format.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct FkArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string q;
-  bool all = false, json = false;
+  bool all = false;
 };
 
 std::string link_label(const Arm& arm, std::size_t i) {
@@ -88,12 +87,7 @@ Answer fk(const FkArguments& arguments) {
 }  // namespace
 
 Verb fk_verb() {
-  const auto shared = std::make_shared<FkArguments>();
-  FkArguments& arguments = *shared;
-  Option q = joint_values_option(
-      "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
-      &arguments.q);
-  q.required = true;
+  const auto arguments = std::make_shared<FkArguments>();
   return {
       .name = "fk",
       .summary = "Forward kinematics: the pose of the tool, or of every link",
@@ -103,28 +97,28 @@ Verb fk_verb() {
           "theta, with z unless that is 0; for others and for URDF files the position in metres, "
           "roll, pitch and yaw about the fixed axes X, Y, Z, and the unit quaternion; or the pose "
           "in --pose-form. Joint values outside the arm's limits give a warning.",
-      .arguments = {arguments.arm.argument()},
-      .options =
-          joined({{q},
-                  arguments.unit.options(),
-                  {{.name = "--all",
-                    .help = "Also print the homogeneous matrix of every link, from the base on: "
-                            "in the link before (T_1^0, T_2^1, ...) and in the world.",
-                    .target = &arguments.all}},
-                  arguments.arm.options()}),
-      .examples = {{"The planar arm with three revolute joints, in degrees",
-                    "beeline fk rrr --q 112,-52,-60 --degrees"},
-                   {"The matrices of the worked example, link by link",
-                    "beeline fk rrr --q 112,-52,-60 --degrees --all"},
-                   {"All links of a Franka Panda, as JSON",
-                    "beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --all --json"},
-                   {"A gripper on a UR5 that stands on a table of 0.7 m",
-                    "beeline fk ur5 --q 0,-90,90,0,90,0 --degrees --tcp 0,0,0.15 --mount 0,0,0.7"},
-                   {"The pose as a KUKA shows it, in millimetres and degrees",
-                    "beeline fk kr6_r900 --q 0,-90,90,0,0,0 --degrees --pose-form abc "
-                    "--millimetres"},
-                   {"An arm given by its joint letters and link lengths",
-                    "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
-      .json = &arguments.json,
-      .run = [shared] { return fk(*shared); }};
+      .arguments = {arguments->arm.argument()},
+      .options = joined({{configuration_option(&arguments->q)},
+                         arguments->unit.options(),
+                         {Option("--all",
+                                 "Also print the homogeneous matrix of every link, from the base "
+                                 "on: in the link before (T_1^0, T_2^1, ...) and in the world.",
+                                 &arguments->all)},
+                         arguments->arm.options()}),
+      .examples =
+          {{"The planar arm with three revolute joints, in degrees",
+            "beeline fk rrr --q 112,-52,-60 --degrees"},
+           {"The matrices of the worked example, link by link",
+            "beeline fk rrr --q 112,-52,-60 --degrees --all"},
+           {"All links of a Franka Panda, as JSON",
+            "beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --all --json"},
+           {"A gripper on a UR5 that stands on a table of 0.7 m",
+            "beeline fk ur5 --q 0,-90,90,0,90,0 --degrees --tcp 0,0,0.15 --mount 0,0,0.7"},
+           {"The pose as a KUKA shows it, in millimetres and degrees",
+            "beeline fk kr6_r900 --q 0,-90,90,0,0,0 --degrees --pose-form abc --millimetres"},
+           {"An arm given by its joint letters and link lengths",
+            "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
+      .run = [arguments] { return fk(*arguments); }};
 }
+
+}  // namespace beeline::command

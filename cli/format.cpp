@@ -8,8 +8,7 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 Eigen::VectorXd as_vector(const std::vector<double>& numbers) {
@@ -177,3 +176,5 @@ Json json_pose(const Pose& pose, bool planar, const UnitArgument& unit) {
   }
   return document;
 }
+
+}  // namespace beeline::command

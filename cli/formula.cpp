@@ -4,15 +4,14 @@
 
 #include <beeline/error.h>
 #include <beeline/formula/document.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include "arm_argument.h"
 #include "format.h"
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct FormulaArguments {
@@ -21,7 +20,7 @@ struct FormulaArguments {
   JacobianArgument jacobian;
   std::string of = "forward", as = "text", out;
   double angle_tolerance = SymbolicOptions{}.angle_tolerance;
-  bool all = false, numbers = false, standalone = false, json = false;
+  bool all = false, numbers = false, standalone = false;
 };
 
 /// What --of asks for by a name.
@@ -173,8 +172,8 @@ Answer formula(const FormulaArguments& arguments) {
   Answer answer = written ? written_formulas(arguments, symbolic, content)
                           : generated_code(arguments, symbolic, content);
   if (!arguments.out.empty()) {
-    refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf});
-    internal::write_file(arguments.out, answer.text);
+    refuse_overwriting(arguments.out, arguments.arm.inputs());
+    write_file(arguments.out, answer.text);
     answer.text = fmt::format("formulas of {} written: {}\n", arm.name(), arguments.out);
     answer.document.add("out", arguments.out);
   }
@@ -182,79 +181,61 @@ Answer formula(const FormulaArguments& arguments) {
 }
 
 std::vector<Option> formula_options(FormulaArguments& arguments) {
-  return {{.name = "--of",
-           .value = "LIST",
-           .help = "What is derived: forward (the transform of each link and the pose of the "
-                   "tool), links (the transforms alone), jacobian, derivative (of the Jacobian, by "
-                   "time), determinant (with the "
-                   "singularities that it shows), inverse (kinematics of a planar arm, in steps), "
-                   "or all; several with "
-                   "commas between.",
-           .target = &arguments.of,
-           .choices = known_names(),
-           .other_values = true},
-          {.name = "--all",
-           .help = "Also the pose of every link in the base.",
-           .target = &arguments.all},
-          {.name = "--as",
-           .value = "FORM",
-           .help = "How the formulas are written: text, latex, python, c++ or c.",
-           .target = &arguments.as,
-           .choices = {"text", "latex", "python", "c++", "c"}},
-          {.name = "--numbers",
-           .help = "Lengths and constant angles as numbers, not as symbols.",
-           .target = &arguments.numbers},
-          {.name = "--standalone",
-           .help = "With --as latex: a document that compiles by itself.",
-           .target = &arguments.standalone},
-          {.name = "--angle-tolerance",
-           .value = "RAD",
-           .help = "Constant angles within this distance of a multiple of 15 degrees are taken as "
-                   "exact; the answer says by how much they changed.",
-           .target = &arguments.angle_tolerance,
-           .range = {.lowest = 0, .highest = 0.01}},
-          {.name = "--out",
-           .value = "FILE",
-           .help = "Write the formulas to this file.",
-           .target = &arguments.out,
-           .completes = Completes::file}};
+  return {Option("--of LIST",
+                 "What is derived: forward (the transform of each link and the pose of the tool), "
+                 "links (the transforms alone), jacobian, derivative (of the Jacobian, by time), "
+                 "determinant (with the singularities that it shows), inverse (kinematics of a "
+                 "planar arm, in steps), or all; several with commas between.",
+                 &arguments.of, {.choices = known_names(), .other_values = true}),
+          Option("--all", "Also the pose of every link in the base.", &arguments.all),
+          Option("--as FORM", "How the formulas are written: text, latex, python, c++ or c.",
+                 &arguments.as, {.choices = {"text", "latex", "python", "c++", "c"}}),
+          Option("--numbers", "Lengths and constant angles as numbers, not as symbols.",
+                 &arguments.numbers),
+          Option("--standalone", "With --as latex: a document that compiles by itself.",
+                 &arguments.standalone),
+          Option("--angle-tolerance RAD",
+                 "Constant angles within this distance of a multiple of 15 degrees are taken as "
+                 "exact; the answer says by how much they changed.",
+                 &arguments.angle_tolerance, {.range = {.lowest = 0, .highest = 0.01}}),
+          Option("--out FILE", "Write the formulas to this file.", &arguments.out)};
 }
 
 }  // namespace
 
 Verb formula_verb() {
-  const auto shared = std::make_shared<FormulaArguments>();
-  FormulaArguments& arguments = *shared;
-  return {.name = "formula",
-          .summary = "Derive the formulas of an arm: kinematics in symbols",
-          .description =
-              "Derives formulas of an arm in symbols, as a textbook writes them: the transform of "
-              "each link and the pose of the tool, the Jacobian and its time derivative, the "
-              "determinant of a square Jacobian with the singularities that it shows, and the "
-              "inverse kinematics of a planar arm in steps. Joints with parallel axes turn by a "
-              "sum of angles: c12 is cos(q1 + q2). Dimensions have the names of Denavit-Hartenberg "
-              "parameters or of planar links where the arm fits them, otherwise those of the "
-              "joints' offsets; a list gives their values. Constant angles that are multiples of "
-              "15 degrees are exact. The formulas are compared with the arm's kinematics at random "
-              "configurations before they are printed.\n\n"
-              "With --as python, c++ or c the answer is code in one file that needs the language's "
-              "mathematics alone: without branches, each common subexpression computed once. In "
-              "C and C++ a macro, BEELINE_FORMULA_FUNCTION, precedes each function; for CUDA "
-              "define it as __host__ __device__.",
-          .arguments = {arguments.arm.argument()},
-          .options = joined({formula_options(arguments), arguments.unit.options(),
-                             arguments.jacobian.options(), arguments.arm.options()}),
-          .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
-                        "beeline formula rrr"},
-                       {"The RP arm of the chapter's exercise, with its numbers",
-                        "beeline formula rp --numbers"},
-                       {"The chapter's Jacobian, eq. 1.7, and the inverse kinematics in steps",
-                        "beeline formula rrr --of jacobian,inverse"},
-                       {"Where a UR5 is singular", "beeline formula ur5 --of determinant"},
-                       {"Everything about a Puma 560 as a LaTeX document",
-                        "beeline formula puma560 --of all --as latex --standalone --out puma.tex"},
-                       {"C++ code for the pose and the Jacobian of a Panda",
-                        "beeline formula panda --of forward,jacobian --as c++ --out panda.h"}},
-          .json = &arguments.json,
-          .run = [shared] { return formula(*shared); }};
+  const auto arguments = std::make_shared<FormulaArguments>();
+  return {
+      .name = "formula",
+      .summary = "Derive the formulas of an arm: kinematics in symbols",
+      .description =
+          "Derives formulas of an arm in symbols, as a textbook writes them: the transform of each "
+          "link and the pose of the tool, the Jacobian and its time derivative, the determinant of "
+          "a square Jacobian with the singularities that it shows, and the inverse kinematics of a "
+          "planar arm in steps. Joints with parallel axes turn by a sum of angles: c12 is cos(q1 + "
+          "q2). Dimensions have the names of Denavit-Hartenberg parameters or of planar links "
+          "where the arm fits them, otherwise those of the joints' offsets; a list gives their "
+          "values. Constant angles that are multiples of 15 degrees are exact. The formulas are "
+          "compared with the arm's kinematics at random configurations before they are printed.\n\n"
+          "With --as python, c++ or c the answer is code in one file that needs the language's "
+          "mathematics alone: without branches, each common subexpression computed once. In C and "
+          "C++ a macro, BEELINE_FORMULA_FUNCTION, precedes each function; for CUDA define it as "
+          "__host__ __device__.",
+      .arguments = {arguments->arm.argument()},
+      .options = joined({formula_options(*arguments), arguments->unit.options(),
+                         arguments->jacobian.options(), arguments->arm.options()}),
+      .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
+                    "beeline formula rrr"},
+                   {"The RP arm of the chapter's exercise, with its numbers",
+                    "beeline formula rp --numbers"},
+                   {"The chapter's Jacobian, eq. 1.7, and the inverse kinematics in steps",
+                    "beeline formula rrr --of jacobian,inverse"},
+                   {"Where a UR5 is singular", "beeline formula ur5 --of determinant"},
+                   {"Everything about a Puma 560 as a LaTeX document",
+                    "beeline formula puma560 --of all --as latex --standalone --out puma.tex"},
+                   {"C++ code for the pose and the Jacobian of a Panda",
+                    "beeline formula panda --of forward,jacobian --as c++ --out panda.h"}},
+      .run = [arguments] { return formula(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include "format.h"
 #include "json_reason.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 Json document_of(const GainMotion& run) {
@@ -23,9 +22,8 @@ Json document_of(const GainMotion& run) {
                 {"duration", motion.trajectory.times.back()},
                 {"overshoot", motion.overshoot},
                 {"error", motion.error},
-                {"slowed", motion.slowed},
-                {"reason", sentence(motion.reason)}};
-  document.add(reason_members(motion.reason));
+                {"slowed", motion.slowed}};
+  document.add(json_reason(motion.reason));
   return document;
 }
 
@@ -42,7 +40,7 @@ void draw(const std::vector<GainMotion>& runs, const Configuration& goal,
     motions.push_back({"K_p = " + shown(run.gain), run.motion.trajectory});
   }
   const Picture drawn = step_response_figure(motions, goal, "Proportional gain K_p");
-  internal::write_file(picture, render(drawn, format_of(picture)));
+  write_file(picture, render(drawn, format_of(picture)));
 }
 
 }  // namespace
@@ -74,3 +72,5 @@ Answer compared_gains(const std::vector<GainMotion>& runs, const Configuration& 
   answer.document.add("draw", picture);
   return answer;
 }
+
+}  // namespace beeline::command

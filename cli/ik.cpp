@@ -12,8 +12,7 @@
 #include "json_reason.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct IkArguments {
@@ -21,7 +20,6 @@ struct IkArguments {
   UnitArgument unit;
   std::string pose;
   InverseArgument inverse;
-  bool json = false;
 };
 
 /// The residual with the unit that follows from the status: metres, an angle, or the unit of the
@@ -188,11 +186,7 @@ Answer ik(const IkArguments& arguments) {
                parse_pose_option(arm, "--pose", arguments.pose, arguments.unit));
   InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   options.budget = arguments.inverse.budget.next();
-  try {
-    check_pose_form(arm, goal, arguments.inverse.task);
-  } catch (const Error& error) {
-    throw Error(std::string("--pose: ") + error.what());
-  }
+  for_option("--pose", [&] { check_pose_form(arm, goal, arguments.inverse.task); });
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), arguments.unit);
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
@@ -210,63 +204,58 @@ Answer ik(const IkArguments& arguments) {
 
 std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
-  return joined(
-      {{{.name = "--pose",
-         .value = "POSE",
-         .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                 "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
-                 "x,y,z or, for planar arms, x,y.",
-         .target = &arguments.pose,
-         .required = true}},
-       arguments.unit.options(),
-       {{.name = "--all",
-         .help = "Print every solution found, the nearest to the seed first; of infinitely "
-                 "many, the nearest ten, all samples with --json.",
-         .target = &inverse.values.all},
-        {.name = "--every-turn",
-         .help = "Print each solution with every multiple of 2 pi of its revolute joints "
-                 "within the position limits.",
-         .target = &inverse.values.every_turn,
-         .needs = "--all"}},
-       inverse.choice_options(),
-       inverse.search_options(),
-       inverse.budget.options(),
-       arguments.arm.options()});
+  return joined({{Option("--pose POSE",
+                         "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
+                         "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
+                         "x,y,z or, for planar arms, x,y.",
+                         &arguments.pose, {.required = true})},
+                 arguments.unit.options(),
+                 {Option("--all",
+                         "Print every solution found, the nearest to the seed first; of infinitely "
+                         "many, the nearest ten, all samples with --json.",
+                         &inverse.values.all),
+                  Option("--every-turn",
+                         "Print each solution with every multiple of 2 pi of its revolute joints "
+                         "within the position limits.",
+                         &inverse.values.every_turn, {.needs = "--all"})},
+                 inverse.choice_options(),
+                 inverse.search_options(),
+                 inverse.budget.options(),
+                 arguments.arm.options()});
 }
 
 }  // namespace
 
 Verb ik_verb() {
-  const auto shared = std::make_shared<IkArguments>();
-  IkArguments& arguments = *shared;
-  return {
-      .name = "ik",
-      .summary = "Inverse kinematics: the joint values that reach a pose",
-      .description =
-          "Prints a status, then the solutions, one line of joint values each. The status is "
-          "solved, unreachable (the position is out of reach), orientation_unreachable (the "
-          "position can be reached, but not with this orientation), outside_limits (all solutions "
-          "found violate position limits) or not_found (the search ended without a proof); or "
-          "time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found so far. "
-          "Without a solution, exit code 1, the nearest configuration and the reason are given. "
-          "The residual is the error of the solutions, or the distance, the angle or the joint "
-          "value by which the pose is missed.",
-      .arguments = {arguments.arm.argument()},
-      .options = ik_options(arguments),
-      .examples = {{"Both solutions of the planar arm",
-                    "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
-                   {"A redundant arm: the solution most centred between its limits",
-                    "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
-                   {"A pose in the frame of a pallet, turned by 30 degrees",
-                    "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
-                   {"A pose as a UR shows it: millimetres and a rotation vector",
-                    "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec "
-                    "--millimetres"},
-                   {"All solutions with joint 7 at 45 degrees",
-                    "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
-                   {"The numerical method for at most 10 ms, as JSON",
-                    "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical "
-                    "--time-limit 0.01 --json"}},
-      .json = &arguments.json,
-      .run = [shared] { return ik(*shared); }};
+  const auto arguments = std::make_shared<IkArguments>();
+  return {.name = "ik",
+          .summary = "Inverse kinematics: the joint values that reach a pose",
+          .description =
+              "Prints a status, then the solutions, one line of joint values each. The status is "
+              "solved, unreachable (the position is out of reach), orientation_unreachable (the "
+              "position can be reached, but not with this orientation), outside_limits (all "
+              "solutions found violate position limits) or not_found (the search ended without a "
+              "proof); or time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found "
+              "so far. Without a solution, exit code 1, the nearest configuration and the reason "
+              "are given. The residual is the error of the solutions, or the distance, the angle "
+              "or the joint value by which the pose is missed.",
+          .arguments = {arguments->arm.argument()},
+          .options = ik_options(*arguments),
+          .examples =
+              {{"Both solutions of the planar arm",
+                "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
+               {"A redundant arm: the solution most centred between its limits",
+                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
+               {"A pose in the frame of a pallet, turned by 30 degrees",
+                "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
+               {"A pose as a UR shows it: millimetres and a rotation vector",
+                "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
+               {"All solutions with joint 7 at 45 degrees",
+                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
+               {"The numerical method for at most 10 ms, as JSON",
+                "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01 "
+                "--json"}},
+          .run = [arguments] { return ik(*arguments); }};
 }
+
+}  // namespace beeline::command

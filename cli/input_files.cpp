@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/path/internal/checked_poses.h>
 
 #include "command/streams.h"
 
-using namespace beeline;
+namespace beeline::command {
 
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
                         const TaskArgument& task, const WorkArgument& work,
@@ -17,10 +16,10 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
   PoseList list = poses_from_csv(text, path, unit.pose_format(triple_of(arm)));
   if (!list.has_header)
     warn(path + " has no header; its columns are read as " + listed(list.columns));
-  if (list.poses.size() > internal::max_poses) {
-    throw FileError(path, list.lines[internal::max_poses],
+  if (list.poses.size() > max_poses) {
+    throw FileError(path, list.lines[max_poses],
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
-                                internal::max_poses));
+                                max_poses));
   }
   warn_of_angle(option + " " + path, list.max_angle, list.form, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
@@ -39,14 +38,14 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
 }
 
 Option through_option(std::string help, std::string* target) {
-  return {.name = "--through",
-          .value = "FILE",
-          .help = std::move(help) +
-                  " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw, "
-                  "x,y,z,qw,qx,qy,qz, x,y,z,rx,ry,rz, x,y,z,A,B,C or m11,m12,...,m44, or with "
-                  "--task position x,y,z or x,y, and a pose in each row; or a program, whose rows "
-                  "also have motion, relative, q, speed, blend or dwell (see `beeline help line`).",
-          .target = target,
-          .required = true,
-          .completes = Completes::file};
+  return Option(
+      "--through FILE",
+      std::move(help) +
+          " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw, "
+          "x,y,z,qw,qx,qy,qz, x,y,z,rx,ry,rz, x,y,z,A,B,C or m11,m12,...,m44, or with --task "
+          "position x,y,z or x,y, and a pose in each row; or a program, whose rows also have "
+          "motion, relative, q, speed, blend or dwell (see `beeline help line`).",
+      target, {.required = true});
 }
+
+}  // namespace beeline::command

@@ -4,10 +4,9 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// --lock NAME or NAME=VALUE; the value becomes the seed's.
@@ -26,7 +25,7 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
   options.lock = k;
   if (!has_value) return;
   if (!options.seed) options.seed = middle_configuration(arm);
-  const double value = internal::parse_number(lock.substr(equals + 1), "--lock " + locked);
+  const double value = parse_number(lock.substr(equals + 1), "--lock " + locked);
   (*options.seed)[k] = unit.coordinate(arm, k, value);
   if (kind(arm.joint_of(k)) != JointKind::prismatic)
     warn_of_angle("--lock", (*options.seed)[k], unit);
@@ -35,7 +34,7 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
 /// --pose-tolerance, with angles in radians.
 Eigen::VectorXd pose_tolerance_of(const std::string& text, const Arm& arm,
                                   const UnitArgument& unit) {
-  std::vector<double> values = internal::parse_numbers(text, "--pose-tolerance");
+  std::vector<double> values = parse_numbers(text, "--pose-tolerance");
   const std::size_t lengths = arm.planar() ? 2 : 3;
   for (std::size_t k = lengths; k < values.size() && unit.degrees; ++k) {
     values[k] *= std::numbers::pi / 180;
@@ -45,7 +44,7 @@ Eigen::VectorXd pose_tolerance_of(const std::string& text, const Arm& arm,
 
 /// --weights: one number for each coordinate.
 Eigen::VectorXd weights_of(const std::string& text) {
-  std::vector<double> values = internal::parse_numbers(text, "--weights");
+  std::vector<double> values = parse_numbers(text, "--weights");
   return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
@@ -53,68 +52,52 @@ Eigen::VectorXd weights_of(const std::string& text) {
 
 std::vector<Option> InverseArgument::choice_options() {
   return joined(
-      {{work.option(),
-        joint_values_option("--seed",
-                            "Joint values; solutions near them come first. Default: the middle "
-                            "of the position limits.",
-                            &seed)},
+      {{work.option(), joint_values_option("--seed",
+                                           "Joint values; solutions near them come first. Default: "
+                                           "the middle of the position limits.",
+                                           &seed)},
        task.options(),
-       {{.name = "--ignore-limits",
-         .help = "Accept solutions outside the position limits.",
-         .target = &values.ignore_limits},
-        {.name = "--lock",
-         .value = "JOINT[=VALUE]",
-         .help = "Keep this joint at the value given, or at the seed's.",
-         .target = &lock},
-        {.name = "--redundancy",
-         .value = "CHOICE",
-         .help = "Which of infinitely many solutions of a redundant arm: any; the one nearest to "
-                 "the seed; or the most centred between the position limits.",
-         .target = &redundancy,
-         .choices = {name(Redundancy::any), name(Redundancy::nearest), name(Redundancy::centred)}},
-        {.name = "--pose-tolerance",
-         .value = "X,Y,Z,ROLL,PITCH,YAW",
-         .help = "How far the tool may deviate, in the axes of the pose, where the pose itself has "
-                 "no solution; planar arms: X,Y,THETA.",
-         .target = &pose_tolerance},
-        {.name = "--weights",
-         .value = "W,W,...",
-         .help = "Weight of each joint in distances from the seed, 1e-6 to 1e6: a small one moves "
-                 "more readily.",
-         .target = &weights},
-        {.name = "--grid",
-         .value = "N",
-         .help = "Number of values of the redundant joint at which solutions are first sought.",
-         .target = &values.grid,
-         .range = {2, 10'000}}}});
+       {Option("--ignore-limits", "Accept solutions outside the position limits.",
+               &values.ignore_limits),
+        Option("--lock JOINT[=VALUE]", "Keep this joint at the value given, or at the seed's.",
+               &lock),
+        Option("--redundancy CHOICE",
+               "Which of infinitely many solutions of a redundant arm: any; the one nearest to the "
+               "seed; or the most centred between the position limits.",
+               &redundancy,
+               {.choices = {name(Redundancy::any), name(Redundancy::nearest),
+                            name(Redundancy::centred)}}),
+        Option("--pose-tolerance X,Y,Z,ROLL,PITCH,YAW",
+               "How far the tool may deviate, in the axes of the pose, where the pose itself has "
+               "no solution; planar arms: X,Y,THETA.",
+               &pose_tolerance),
+        Option("--weights W,W,...",
+               "Weight of each joint in distances from the seed, 1e-6 to 1e6: a small one moves "
+               "more readily.",
+               &weights),
+        Option("--grid N",
+               "Number of values of the redundant joint at which solutions are first sought.",
+               &values.grid, {.range = {2, 10'000}})}});
 }
 
 std::vector<Option> InverseArgument::search_options() {
-  return {{.name = "--method",
-           .value = "METHOD",
-           .help = "closed_form: all solutions by formulas, an error for an arm without; "
-                   "numerical: iterations from the seed and from random configurations; "
-                   "automatic: closed form where there is one.",
-           .target = &method,
-           .choices = {name(InverseMethod::automatic), name(InverseMethod::closed_form),
-                       name(InverseMethod::numerical)}},
-          {.name = "--tolerance",
-           .value = "E",
-           .help = "Largest error of a solution, in metres and in radians.",
-           .target = &values.tolerance,
-           .range = above_zero},
-          {.name = "--max-iterations",
-           .value = "N",
-           .help = "Largest number of iterations from one start of the numerical method.",
-           .target = &values.max_iterations},
-          {.name = "--max-restarts",
-           .value = "N",
-           .help = "Largest number of random starts of the numerical method.",
-           .target = &values.max_restarts},
-          {.name = "--random-seed",
-           .value = "N",
-           .help = "Seed of the random starts; the same seed gives the same answer.",
-           .target = &values.random_seed}};
+  return {
+      Option("--method METHOD",
+             "closed_form: all solutions by formulas, an error for an arm without; numerical: "
+             "iterations from the seed and from random configurations; automatic: closed form "
+             "where there is one.",
+             &method,
+             {.choices = {name(InverseMethod::automatic), name(InverseMethod::closed_form),
+                          name(InverseMethod::numerical)}}),
+      Option("--tolerance E", "Largest error of a solution, in metres and in radians.",
+             &values.tolerance, {.range = above_zero}),
+      Option("--max-iterations N",
+             "Largest number of iterations from one start of the numerical method.",
+             &values.max_iterations),
+      Option("--max-restarts N", "Largest number of random starts of the numerical method.",
+             &values.max_restarts),
+      Option("--random-seed N", "Seed of the random starts; the same seed gives the same answer.",
+             &values.random_seed)};
 }
 
 InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument,
@@ -131,3 +114,5 @@ InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument
   if (!lock.empty()) apply_lock(lock, arm, unit, options);
   return options;
 }
+
+}  // namespace beeline::command

@@ -6,14 +6,16 @@
 #include "budget_argument.h"
 #include "pose_argument.h"
 
+namespace beeline::command {
+
 /// The options of inverse kinematics that `ik` and `batch ik` share.
 struct InverseArgument {
   TaskArgument task = {};
   WorkArgument work = {};
   std::string seed = {}, lock = {}, pose_tolerance = {}, weights = {};
-  std::string method = name(beeline::InverseMethod::automatic);
-  std::string redundancy = name(beeline::Redundancy::any);
-  beeline::InverseOptions values = {};
+  std::string method = name(InverseMethod::automatic);
+  std::string redundancy = name(Redundancy::any);
+  InverseOptions values = {};
   BudgetArgument budget = {};
 
   /// The options that select solutions: --work, --seed, --task, --ignore-limits, --lock,
@@ -21,6 +23,7 @@ struct InverseArgument {
   std::vector<Option> choice_options();
   /// The options of the search: --method to --random-seed.
   std::vector<Option> search_options();
-  beeline::InverseOptions read(const beeline::Arm& arm, const ArmArgument& argument,
-                               const UnitArgument& unit) const;
+  InverseOptions read(const Arm& arm, const ArmArgument& argument, const UnitArgument& unit) const;
 };
+
+}  // namespace beeline::command

@@ -3,8 +3,7 @@
 #include <memory>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/numbers.h>
-#include <beeline/kinematics/internal/mask.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 
@@ -13,8 +12,7 @@
 #include "rates_argument.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct JacobianArguments {
@@ -24,7 +22,6 @@ struct JacobianArguments {
   std::string q, derivative, second_derivative, wrench, analytical;
   RatesArgument rates;
   bool hessian = false, gradient = false, ellipsoids = false;
-  bool json = false;
 };
 
 const char* frame_meaning(Frame frame) {
@@ -86,7 +83,7 @@ void add_derivative(const JacobianArguments& arguments, const ArmState& state, A
   }
   const Frame frame = state.task.frame;
   const Eigen::MatrixXd derivative =
-      internal::selected_rows(state.task, jacobian_derivative(state.arm, state.q, dq, frame));
+      selected_rows(state.task, jacobian_derivative(state.arm, state.q, dq, frame));
   const Eigen::VectorXd velocity = task_jacobian(state.arm, state.q, state.task) * dq;
   const Eigen::VectorXd acceleration =
       task_rows(state.task, tool_acceleration(state.arm, state.q, dq, ddq, frame));
@@ -110,8 +107,7 @@ void add_hessian(const ArmState& state, Answer& answer) {
   const int n = state.arm.dof();
   Json blocks;
   for (int k = 0; k < n; ++k) {
-    const Eigen::MatrixXd block =
-        internal::selected_rows(state.task, derivatives.middleCols(k * n, n));
+    const Eigen::MatrixXd block = selected_rows(state.task, derivatives.middleCols(k * n, n));
     blocks.append(json_matrix(block));
     answer.text += fmt::format("derivative with respect to {}\n", state.arm.joint_of(k).name) +
                    matrix_text(block, state.rows);
@@ -151,12 +147,9 @@ void add_ellipsoids(const ArmState& state, Answer& answer) {
 void add_analytical(const JacobianArguments& arguments, const ArmState& state, Answer& answer) {
   if (arguments.analytical.empty()) return;
   const auto coordinates = orientation_coordinates_named(arguments.analytical);
-  Eigen::MatrixXd matrix;
-  try {
-    matrix = analytical_jacobian(state.arm, state.q, coordinates);
-  } catch (const Error& error) {
-    throw Error("--analytical " + arguments.analytical + ": " + error.what());
-  }
+  const Eigen::MatrixXd matrix = for_option("--analytical " + arguments.analytical, [&] {
+    return analytical_jacobian(state.arm, state.q, coordinates);
+  });
   finite(matrix, "analytical Jacobian");
   const std::vector<std::string> names = row_names(coordinates);
   answer.document.add("analytical", {{"rows", names}, {"jacobian", json_matrix(matrix)}});
@@ -168,7 +161,7 @@ void add_analytical(const JacobianArguments& arguments, const ArmState& state, A
 /// The torques for a wrench of three numbers, fx, fy and mz of a planar arm, or of six.
 void add_torques(const JacobianArguments& arguments, const ArmState& state, Answer& answer) {
   if (arguments.wrench.empty()) return;
-  const std::vector<double> given = internal::parse_numbers(arguments.wrench, "--wrench");
+  const std::vector<double> given = parse_numbers(arguments.wrench, "--wrench");
   Twist wrench = Twist::Zero();
   if (given.size() == 3 && state.arm.planar()) {
     wrench << given[0], given[1], 0, 0, 0, given[2];
@@ -228,12 +221,12 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
 }
 
 std::vector<Option> derivative_options(JacobianArguments& arguments) {
-  Option derivative = joint_values_option(
-      "--derivative",
-      "Joint velocities dq, rad/s, or deg/s with --degrees, or m/s: prints the time derivative J' "
-      "of the Jacobian, the velocity "
-      "J dq and its derivative J' dq: in the base frame the acceleration of the tool.",
-      &arguments.derivative);
+  Option derivative =
+      joint_values_option("--derivative",
+                          "Joint velocities dq, rad/s, or deg/s with --degrees, or m/s: prints the "
+                          "time derivative J' of the Jacobian, the velocity J dq and its "
+                          "derivative J' dq: in the base frame the acceleration of the tool.",
+                          &arguments.derivative);
   Option second = joint_values_option("--second-derivative",
                                       "Joint accelerations ddq, in the same units per s: the "
                                       "derivative of the velocity is J ddq + J' dq.",
@@ -242,68 +235,58 @@ std::vector<Option> derivative_options(JacobianArguments& arguments) {
   return {
       derivative,
       second,
-      {.name = "--hessian",
-       .help = "Prints the derivative of the Jacobian with respect to each coordinate.",
-       .target = &arguments.hessian},
-      {.name = "--gradient",
-       .help = "Prints the gradient of the manipulability of all rows.",
-       .target = &arguments.gradient},
-      {.name = "--ellipsoids",
-       .help = "Prints the principal axes and semi-axes of the ellipsoids of velocity and of force "
-               "of the linear rows, or of the angular rows if there are no others.",
-       .target = &arguments.ellipsoids},
-      {.name = "--analytical",
-       .value = "COORDINATES",
-       .help = "Prints the analytical Jacobian: the derivatives of the position and of these "
-               "coordinates of the orientation, in the world.",
-       .target = &arguments.analytical,
-       .choices = orientation_coordinates_names()},
-      {.name = "--wrench",
-       .value = "F",
-       .help = "Force and moment, N and N m, by which the tool acts on its surroundings, in the "
-               "axes of --frame, the moment about the tool's origin or, in the space frame, the "
-               "world's: FX,FY,FZ,MX,MY,MZ, or FX,FY,MZ of a planar arm. Prints the joint torques "
-               "J^T F that balance it, without gravity.",
-       .target = &arguments.wrench}};
+      Option("--hessian", "Prints the derivative of the Jacobian with respect to each coordinate.",
+             &arguments.hessian),
+      Option("--gradient", "Prints the gradient of the manipulability of all rows.",
+             &arguments.gradient),
+      Option("--ellipsoids",
+             "Prints the principal axes and semi-axes of the ellipsoids of velocity and of force "
+             "of the linear rows, or of the angular rows if there are no others.",
+             &arguments.ellipsoids),
+      Option("--analytical COORDINATES",
+             "Prints the analytical Jacobian: the derivatives of the position and of these "
+             "coordinates of the orientation, in the world.",
+             &arguments.analytical, {.choices = orientation_coordinates_names()}),
+      Option("--wrench F",
+             "Force and moment, N and N m, by which the tool acts on its surroundings, in the axes "
+             "of --frame, the moment about the tool's origin or, in the space frame, the world's: "
+             "FX,FY,FZ,MX,MY,MZ, or FX,FY,MZ of a planar arm. Prints the joint torques J^T F that "
+             "balance it, without gravity.",
+             &arguments.wrench)};
 }
 
 }  // namespace
 
 Verb jacobian_verb() {
-  const auto shared = std::make_shared<JacobianArguments>();
-  JacobianArguments& arguments = *shared;
-  Option q = joint_values_option(
-      "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
-      &arguments.q);
-  q.required = true;
-  return {
-      .name = "jacobian",
-      .summary = "The Jacobian, its singular values and manipulability",
-      .description =
-          "Computes the Jacobian that maps joint velocities to the velocity of the tool: rows "
-          "vx vy vz wx wy wz in m/s and rad/s, or x y theta for a planar arm; one column for "
-          "each joint, per rad/s or m/s of that joint, also with --degrees. Prints its "
-          "singular values, their product (manipulability) and the ratio of the largest to "
-          "the smallest (condition number, null in JSON if infinite). With options also its "
-          "derivatives, the analytical Jacobian, ellipsoids, joint torques and joint rates.",
-      .arguments = {arguments.arm.argument()},
-      .options = joined({{q},
-                         arguments.unit.options(),
-                         arguments.jacobian.options(),
-                         derivative_options(arguments),
-                         arguments.rates.options(),
-                         arguments.arm.options()}),
-      .examples = {{"The columns drawn in figure 1.8 of the chapter",
-                    "beeline jacobian rrr --q 0,90,0 --degrees"},
-                   {"The body Jacobian of a Franka Panda, as JSON",
-                    "beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool "
-                    "--json"},
-                   {"The tool's acceleration while joints 1 and 3 of a UR5e move",
-                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --derivative 1,0,0.5,0,0,0"},
-                   {"The joint rates at which the tool moves down by 0.1 m/s",
-                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --rates-of 0,0,-0.1,0,0,0"},
-                   {"The torques with which the tool presses down by 10 N",
-                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
-      .json = &arguments.json,
-      .run = [shared] { return differential_kinematics(*shared); }};
+  const auto arguments = std::make_shared<JacobianArguments>();
+  return {.name = "jacobian",
+          .summary = "The Jacobian, its singular values and manipulability",
+          .description =
+              "Computes the Jacobian that maps joint velocities to the velocity of the tool: rows "
+              "vx vy vz wx wy wz in m/s and rad/s, or x y theta for a planar arm; one column for "
+              "each joint, per rad/s or m/s of that joint, also with --degrees. Prints its "
+              "singular values, their product (manipulability) and the ratio of the largest to the "
+              "smallest (condition number, null in JSON if infinite). With options also its "
+              "derivatives, the analytical Jacobian, ellipsoids, joint torques and joint rates.",
+          .arguments = {arguments->arm.argument()},
+          .options = joined({{configuration_option(&arguments->q)},
+                             arguments->unit.options(),
+                             arguments->jacobian.options(),
+                             derivative_options(*arguments),
+                             arguments->rates.options(),
+                             arguments->arm.options()}),
+          .examples =
+              {{"The columns drawn in figure 1.8 of the chapter",
+                "beeline jacobian rrr --q 0,90,0 --degrees"},
+               {"The body Jacobian of a Franka Panda, as JSON",
+                "beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool --json"},
+               {"The tool's acceleration while joints 1 and 3 of a UR5e move",
+                "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --derivative 1,0,0.5,0,0,0"},
+               {"The joint rates at which the tool moves down by 0.1 m/s",
+                "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --rates-of 0,0,-0.1,0,0,0"},
+               {"The torques with which the tool presses down by 10 N",
+                "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
+          .run = [arguments] { return differential_kinematics(*arguments); }};
 }
+
+}  // namespace beeline::command

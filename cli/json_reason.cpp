@@ -2,8 +2,7 @@
 
 #include <variant>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct JsonValue {
@@ -33,3 +32,5 @@ Json json_reason(const Reason& reason) {
   members.add(reason_members(reason));
   return members;
 }
+
+}  // namespace beeline::command

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/planning/program.h>
@@ -20,11 +19,10 @@
 #include "verbs.h"
 #include "work_frame.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
-const std::string exact = "exact";
+const std::string exact_method = "exact";
 
 struct LineArguments {
   ArmArgument arm;
@@ -35,13 +33,13 @@ struct LineArguments {
   PathArgument path;
   ProfileArgument profile;
   InterpolationArgument interpolation;
-  std::string from, through, method = exact;
+  std::string from, through, method = exact_method;
   PathMotionOptions motion;
   std::optional<double> tool_speed, rate;
   BudgetArgument budget;
   CartesianOptions control;
   ResultFiles files;
-  bool branches = false, json = false;
+  bool branches = false;
 };
 
 PathMotionOptions exact_motion_options(const LineArguments& arguments, const Task& task) {
@@ -61,27 +59,33 @@ void name_options(const LineArguments& arguments, LineReport& report) {
   report.note = arguments.rate ? " (--rate, --max-samples)" : " (--tolerance, --max-samples)";
 }
 
-LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
-                        const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                        const Task& task) {
-  Progress progress;
-  PathMotionOptions options = exact_motion_options(arguments, task);
-  options.budget = arguments.budget.next();
-  options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
-  const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
-                            : arguments.path.through(poses);
-  PathMotion motion = move_along(arm, start, route, options);
-  const Deviation tolerance{options.tolerance, options.orientation_tolerance};
+/// What the plans of a path and of a program have in common.
+template <class Motion>
+LineReport report_of(const LineArguments& arguments, Motion& motion) {
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
   name_options(arguments, report);
   report.trajectory = std::move(motion.trajectory);
-  report.path_parameter = motion.path_parameter;
   report.deviation = motion.deviation;
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
   report.inverse_condition = motion.inverse_condition;
+  return report;
+}
+
+LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
+                        const std::optional<Configuration>& start, const std::vector<Pose>& poses,
+                        const Task& task) {
+  Progress progress;
+  PathMotionOptions options = exact_motion_options(arguments, task);
+  options.budget = progress.of(arguments.budget.next());
+  const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
+                            : arguments.path.through(poses);
+  PathMotion motion = move_along(arm, start, route, options);
+  const Deviation tolerance{options.tolerance, options.orientation_tolerance};
+  LineReport report = report_of(arguments, motion);
+  report.path_parameter = motion.path_parameter;
   report.nearby = std::move(motion.nearby);
   if (report.status == MotionStatus::reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
@@ -99,19 +103,10 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
                            const Task& task) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
-  options.budget = arguments.budget.next();
-  options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
+  options.budget = progress.of(arguments.budget.next());
   ProgramMotion motion = at_rows(program, arguments.through,
                                  [&] { return move_program(arm, start, program, options); });
-  LineReport report;
-  report.status = motion.status;
-  report.reason = std::move(motion.reason);
-  name_options(arguments, report);
-  report.trajectory = std::move(motion.trajectory);
-  report.deviation = motion.deviation;
-  report.limits = motion.limits;
-  report.limit_margin = motion.limit_margin;
-  report.inverse_condition = motion.inverse_condition;
+  LineReport report = report_of(arguments, motion);
   report.program = program;
   report.moves = std::move(motion.moves);
   report.failed = motion.failed;
@@ -148,7 +143,7 @@ std::optional<Configuration> start_of(const LineArguments& arguments, const Arm&
 LineReport line_by_method(const LineArguments& arguments, const Arm& arm, const Task& task,
                           const std::vector<Pose>& waypoints) {
   const std::optional<Configuration> start = start_of(arguments, arm);
-  if (arguments.method == exact) return line_by_plan(arguments, arm, start, waypoints, task);
+  if (arguments.method == exact_method) return line_by_plan(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
@@ -163,14 +158,14 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm, const 
 /// in the world, for a picture.
 LineReport line_through(const LineArguments& arguments, const Arm& arm, const Task& task,
                         const WorkFrame& frame, std::vector<Pose>& waypoints) {
-  const std::string text = internal::read_file(arguments.through);
+  const std::string text = read_file(arguments.through);
   if (!is_program(text)) {
     waypoints =
         waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit)
             .poses;
     return line_by_method(arguments, frame.arm, task, frame.seen(waypoints));
   }
-  if (arguments.method != exact || arguments.branches) {
+  if (arguments.method != exact_method || arguments.branches) {
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
                 " is for files of poses; " + arguments.through + " is a program");
   }
@@ -187,8 +182,7 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
 }
 
 Answer line(const LineArguments& arguments) {
-  arguments.files.check(
-      {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.through});
+  arguments.files.check(arguments.arm.inputs({arguments.through}));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Task task = arguments.task.read(arm);
   const WorkFrame frame(arm, task, arguments.work, arguments.unit);
@@ -214,109 +208,68 @@ Answer line(const LineArguments& arguments) {
 std::vector<Option> line_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
-  return {through_option("The poses to pass.", &arguments.through),
-          arguments.work.option(),
+  return {through_option("The poses to pass.", &arguments.through), arguments.work.option(),
           joint_values_option("--from",
                               "Joint values at the start. Default: the joint values at the first "
                               "pose that are best for the whole path.",
                               &arguments.from, {"start"}),
-          {.name = "--method",
-           .value = "METHOD",
-           .help = "exact: a planned motion with a certificate; inverse-jacobian: feedback by the "
-                   "inverse Jacobian (eq. 1.6 of the chapter); inverse-kinematics: joint control "
-                   "(eq. 1.3) between solutions at intermediate poses.",
-           .target = &arguments.method,
-           .choices = {exact, jacobian, kinematics}}};
+          Option("--method METHOD",
+                 "exact: a planned motion with a certificate; inverse-jacobian: feedback by the "
+                 "inverse Jacobian (eq. 1.6 of the chapter); inverse-kinematics: joint control "
+                 "(eq. 1.3) between solutions at intermediate poses.",
+                 &arguments.method, {.choices = {exact_method, jacobian, kinematics}})};
 }
 
 std::vector<Option> exact_options(LineArguments& arguments) {
   PathMotionOptions& motion = arguments.motion;
   return joined(
-      {arguments.path.options({exact}),
-       {arguments.profile.option({exact}),
-        arguments.interpolation.option({exact}),
-        {.name = "--tool-speed",
-         .value = "V",
-         .help = "Largest speed of the tool origin, m/s; of a program, in moves without a speed.",
-         .target = &arguments.tool_speed,
-         .range = tool_speeds,
-         .methods = {exact}},
-        {.name = "--rate",
-         .value = "HZ",
-         .help = "Samples per second, from the first to the last: each section from stop to stop "
-                 "lasts a whole number of periods. Default: as few samples as the motion needs.",
-         .target = &arguments.rate,
-         .range = sample_rates,
-         .methods = {exact}},
-        {.name = "--duration",
-         .value = "SECONDS",
-         .help =
-             "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
-             "and a shorter one is refused with the shortest. Default: the shortest.",
-         .target = &motion.duration,
-         .range = above_zero,
-         .methods = {exact},
-         .excludes = "--rate"},
-        {.name = "--tolerance",
-         .value = "METRES",
-         .help = "Largest distance of the tool origin from the path between samples.",
-         .target = &motion.tolerance,
-         .range = {.lowest = internal::min_tolerance},
-         .methods = {exact}},
-        {.name = "--orientation-tolerance",
-         .value = "RAD",
-         .help = "Largest angle from the path's orientation between samples, radians.",
-         .target = &motion.orientation_tolerance,
-         .range = {.lowest = internal::min_tolerance},
-         .methods = {exact}},
-        {.name = "--max-samples",
-         .value = "N",
-         .help = "Give up if more samples are needed.",
-         .target = &motion.max_samples,
-         .range = {2, 10'000'000},
-         .methods = {exact}},
-        {.name = "--branches",
-         .help = "Also list every inverse-kinematics branch at the first pose: how many segments "
-                 "it follows, its margins, and why it ends.",
-         .target = &arguments.branches,
-         .methods = {exact}}}});
+      {arguments.path.options({exact_method}),
+       {arguments.profile.option({exact_method}), arguments.interpolation.option({exact_method}),
+        Option("--tool-speed V",
+               "Largest speed of the tool origin, m/s; of a program, in moves without a speed.",
+               &arguments.tool_speed, {.range = tool_speeds, .methods = {exact_method}}),
+        Option("--rate HZ",
+               "Samples per second, from the first to the last: each section from stop to stop "
+               "lasts a whole number of periods. Default: as few samples as the motion needs.",
+               &arguments.rate, {.range = sample_rates, .methods = {exact_method}}),
+        Option("--duration SECONDS",
+               "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
+               "and a shorter one is refused with the shortest. Default: the shortest.",
+               &motion.duration,
+               {.range = above_zero, .methods = {exact_method}, .excludes = "--rate"}),
+        Option("--tolerance METRES",
+               "Largest distance of the tool origin from the path between samples.",
+               &motion.tolerance, {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
+        Option("--orientation-tolerance RAD",
+               "Largest angle from the path's orientation between samples, radians.",
+               &motion.orientation_tolerance,
+               {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
+        Option("--max-samples N", "Give up if more samples are needed.", &motion.max_samples,
+               {.range = {2, 10'000'000}, .methods = {exact_method}}),
+        Option("--branches",
+               "Also list every inverse-kinematics branch at the first pose: how many segments it "
+               "follows, its margins, and why it ends.",
+               &arguments.branches, {.methods = {exact_method}})}});
 }
 
 std::vector<Option> control_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
   CartesianOptions& control = arguments.control;
-  return {{.name = "--gain",
-           .value = "K",
-           .help = "Proportional gain K_p.",
-           .target = &control.gain,
-           .range = above_zero,
-           .methods = {jacobian, kinematics}},
-          {.name = "--time-step",
-           .value = "SECONDS",
-           .help = "Duration of one step.",
-           .target = &control.simulation.time_step,
-           .range = above_zero,
-           .methods = {jacobian, kinematics}},
-          {.name = "--max-steps",
-           .value = "N",
-           .help = "Give up after this many steps.",
-           .target = &control.simulation.max_steps,
-           .range = {1, 10'000'000},
-           .methods = {jacobian, kinematics}},
-          {.name = "--intermediate",
-           .value = "N",
-           .help = "Poses on each line at which inverse kinematics is solved.",
-           .target = &control.intermediate,
-           .range = {1, 100'000},
-           .methods = {kinematics}}};
+  return {Option("--gain K", "Proportional gain K_p.", &control.gain,
+                 {.range = above_zero, .methods = {jacobian, kinematics}}),
+          Option("--time-step SECONDS", "Duration of one step.", &control.simulation.time_step,
+                 {.range = above_zero, .methods = {jacobian, kinematics}}),
+          Option("--max-steps N", "Give up after this many steps.", &control.simulation.max_steps,
+                 {.range = {1, 10'000'000}, .methods = {jacobian, kinematics}}),
+          Option("--intermediate N", "Poses on each line at which inverse kinematics is solved.",
+                 &control.intermediate, {.range = {1, 100'000}, .methods = {kinematics}})};
 }
 
 }  // namespace
 
 Verb line_verb() {
-  const auto shared = std::make_shared<LineArguments>();
-  LineArguments& arguments = *shared;
+  const auto arguments = std::make_shared<LineArguments>();
   return {
       .name = "line",
       .summary = "Move the tool in straight lines through poses, with a proved deviation",
@@ -326,49 +279,45 @@ Verb line_verb() {
           "Prints a status, the number of samples and the duration in seconds; the deviation from "
           "the path in metres and radians, measured and proved; the fraction of each joint limit "
           "that is used; and the smallest margins to position limits and singularities. If the "
-          "path cannot be followed, it prints where and why, and nearby paths that can; exit "
-          "code 1.\n\n"
+          "path cannot be followed, it prints where and why, and nearby paths that can; exit code "
+          "1.\n\n"
           "A program is a file whose rows also have some of these columns, so that a whole pick is "
-          "one "
-          "certified trajectory. motion: joint (a straight line in joint space), line (also for an "
-          "empty item), screw, arc after a row via with a position on it, spline (consecutive rows "
-          "are one curve, which stops only where it turns back). relative: previous, a pose in the "
-          "tool frame of the waypoint before, or "
-          "of --from in the first row (a "
-          "retreat); next, in that of the next waypoint that is not relative (an approach). q: the "
-          "joint values of a joint move, in quotes, or a named state of --srdf. speed: largest "
-          "speed "
-          "of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A joint move to a "
-          "pose "
-          "ends on the branch that the rows up to the next joint move need. For each move it "
-          "prints "
-          "its duration, the tool's speed and the proved deviation.\n\n"
+          "one certified trajectory. motion: joint (a straight line in joint space), line (also "
+          "for an empty item), screw, arc after a row via with a position on it, spline "
+          "(consecutive rows are one curve, which stops only where it turns back). relative: "
+          "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
+          "row (a retreat); next, in that of the next waypoint that is not relative (an approach). "
+          "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
+          "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
+          "joint move to a pose ends on the branch that the rows up to the next joint move need. "
+          "For each move it prints its duration, the tool's speed and the proved deviation.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
-      .arguments = {arguments.arm.argument()},
+      .arguments = {arguments->arm.argument()},
       .options = joined(
-          {line_options(arguments), arguments.unit.options(), arguments.task.options(),
-           arguments.files.options(), arguments.arm.options(), arguments.limits.options(),
-           exact_options(arguments), control_options(arguments), arguments.budget.options()}),
+          {line_options(*arguments), arguments->unit.options(), arguments->task.options(),
+           arguments->files.options(), arguments->arm.options(), arguments->limits.options(),
+           exact_options(*arguments), control_options(*arguments), arguments->budget.options()}),
       .examples =
           {{"Three straight lines of the planar arm, with a picture",
             "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
-            "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "
-            "--draw move.svg"},
+            "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv --draw "
+            "move.svg"},
            {"A Franka Panda with blended corners, sampled at 250 Hz",
             "printf 'x,y,z,roll,pitch,yaw\\n0.5,-0.2,0.5,180,0,0\\n0.5,0.2,0.4,180,0,20\\n"
             "0.4,0.1,0.5,180,0,0\\n' > poses.csv\n"
-            "beeline line panda --degrees --through poses.csv --blend 0.02 --rate 250 "
-            "--out panda.csv"},
+            "beeline line panda --degrees --through poses.csv --blend 0.02 --rate 250 --out "
+            "panda.csv"},
            {"A pick as a program: a joint move to 0.1 m above, down, 0.5 s at rest, and back",
             "printf 'motion,relative,x,y,z,roll,pitch,yaw,speed,dwell\\n"
             "joint,next,0,0,-0.1,0,0,0,,\\nline,,0.5,0.2,0.15,180,0,0,0.1,0.5\\n"
             "line,previous,0,0,-0.1,0,0,0,0.25,\\n' > pick.csv\n"
-            "beeline line panda --from 0,-45,0,-135,0,90,45 --degrees --through pick.csv "
-            "--out pick_motion.csv\n"
+            "beeline line panda --from 0,-45,0,-135,0,90,45 --degrees --through pick.csv --out "
+            "pick_motion.csv\n"
             "beeline check panda pick_motion.csv --degrees --through pick.csv"},
            {"The same lines by feedback, to compare the deviation",
-            "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
-            "--method inverse-jacobian --gain 0.5"}},
-      .json = &arguments.json,
-      .run = [shared] { return line(*shared); }};
+            "beeline line rrr --from 0,90,0 --degrees --through planar.csv --method "
+            "inverse-jacobian --gain 0.5"}},
+      .run = [arguments] { return line(*arguments); }};
 }
+
+}  // namespace beeline::command

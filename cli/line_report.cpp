@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <beeline/internal/rounded_number.h>
+#include <beeline/error.h>
 
 #include "format.h"
 #include "json_reason.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 std::string motion_text(const LineReport& report, const UnitArgument& unit) {
@@ -18,13 +17,13 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
     return text + deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
            limits_text(report.limits) +
            fmt::format(
-               "margins       {} of a joint's half range to its limits, inverse "
-               "condition number {} (1 is best, 0 singular)\n",
-               internal::percent(report.limit_margin), condition_text(report.inverse_condition));
+               "margins       {} of a joint's half range to its limits, inverse condition number "
+               "{} (1 is best, 0 singular)\n",
+               percent(report.limit_margin), condition_text(report.inverse_condition));
   }
   return text +
          fmt::format("control       {}, overshoot {} of a line\n", counted(report.steps, "step"),
-                     internal::percent(report.overshoot)) +
+                     percent(report.overshoot)) +
          deviation_text(report.deviation, report.trajectory.interpolation(), unit);
 }
 
@@ -142,3 +141,5 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   if (reached) files.add_to(document);
   return document;
 }
+
+}  // namespace beeline::command

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include <beeline/internal/rounded_number.h>
+#include <beeline/error.h>
 
 #include "format.h"
 #include "json_reason.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 std::string usage_line(const char* limit, const LimitFraction& use) {
   if (use.joint.empty()) return "";
   return fmt::format("{:<14}at most {} of the{} limit, joint {} at {} s{}\n", limit,
-                     internal::percent_at_most(use.fraction), use.assumed ? " assumed" : "",
-                     use.joint, shown(use.time),
+                     percent_at_most(use.fraction), use.assumed ? " assumed" : "", use.joint,
+                     shown(use.time),
                      use.exact ? "" : ", by divided differences: it jumps at the samples");
 }
 
@@ -78,19 +77,16 @@ Json json_limits(const LimitUsage& limits) {
 }
 
 Option limit_tolerance_option(double* target) {
-  return {.name = "--limit-tolerance",
-          .value = "FRACTION",
-          .help =
-              "Fraction by which velocities, accelerations and jerks may exceed their limits, "
-              "for the rounding of other planners: 1e-4 for many.",
-          .target = target,
-          .range = {0, 0.1}};
+  return Option("--limit-tolerance FRACTION",
+                "Fraction by which velocities, accelerations and jerks may exceed their limits, "
+                "for the rounding of other planners: 1e-4 for many.",
+                target, {.range = {0, 0.1}});
 }
 
 std::string limit_tolerance_text(double limit_tolerance) {
   if (limit_tolerance == 0) return "";
   return fmt::format("tolerance     {} of the limits of velocity, acceleration and jerk\n",
-                     internal::percent(limit_tolerance));
+                     percent(limit_tolerance));
 }
 
 std::string difference_text(const Arm& arm, const TrajectoryDifference& difference,
@@ -152,12 +148,15 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
 Json json_branches(const Arm& arm, const std::vector<Branch>& branches, const UnitArgument& unit) {
   Json list = Json::list();
   for (const Branch& branch : branches) {
-    Json json{
-        {"start", unit.shown(arm, branch.start)},        {"status", name(branch.status)},
-        {"path_parameter", branch.path_parameter},       {"limit_margin", branch.limit_margin},
-        {"inverse_condition", branch.inverse_condition}, {"reason", sentence(branch.reason)}};
-    json.add(reason_members(branch.reason));
+    Json json{{"start", unit.shown(arm, branch.start)},
+              {"status", name(branch.status)},
+              {"path_parameter", branch.path_parameter},
+              {"limit_margin", branch.limit_margin},
+              {"inverse_condition", branch.inverse_condition}};
+    json.add(json_reason(branch.reason));
     list.append(json);
   }
   return list;
 }
+
+}  // namespace beeline::command

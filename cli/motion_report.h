@@ -5,43 +5,44 @@
 #include <vector>
 
 #include <beeline/certificate/verify.h>
+#include <beeline/io/text/json.h>
 #include <beeline/planning/branch.h>
 #include <beeline/trajectory/limit_usage.h>
 #include <beeline/trajectory/trajectory.h>
 
 #include "arguments.h"
-#include "command/json.h"
+
+namespace beeline::command {
 
 /// Reports of a motion that several verbs print: as text, and as members added to a JSON document.
 
 /// The deviation of a motion from its path: at the samples, measured, proved.
-std::string deviation_text(const beeline::PathDeviation& deviation,
-                           beeline::Interpolation interpolation, const UnitArgument& unit);
+std::string deviation_text(const PathDeviation& deviation, Interpolation interpolation,
+                           const UnitArgument& unit);
 /// Members deviation_... and orientation_...; null if there is no deviation to report.
-Json deviation_members(const std::optional<beeline::PathDeviation>& deviation,
-                       const UnitArgument& unit);
+Json deviation_members(const std::optional<PathDeviation>& deviation, const UnitArgument& unit);
 
 /// An inverse condition number, with three significant digits.
 std::string condition_text(double inverse_condition);
 
 /// The largest fraction of each limit that a motion uses, with the joint and the time.
-std::string limits_text(const beeline::LimitUsage& limits);
-Json json_limits(const beeline::LimitUsage& limits);
+std::string limits_text(const LimitUsage& limits);
+Json json_limits(const LimitUsage& limits);
 
 /// --limit-tolerance, and the line that reports it where it is above 0.
 Option limit_tolerance_option(double* target);
 std::string limit_tolerance_text(double limit_tolerance);
 
 /// The differences of each joint and of the tool between two recordings.
-std::string difference_text(const beeline::Arm& arm,
-                            const beeline::TrajectoryDifference& difference,
+std::string difference_text(const Arm& arm, const TrajectoryDifference& difference,
                             const UnitArgument& unit);
 /// Members joints, position, position_time, orientation, orientation_time, overlap, longer.
-Json difference_members(const beeline::Arm& arm, const beeline::TrajectoryDifference& difference,
+Json difference_members(const Arm& arm, const TrajectoryDifference& difference,
                         const UnitArgument& unit);
 
 /// The outcome of each branch along a path.
-std::string branches_text(const beeline::Arm& arm, const std::vector<beeline::Branch>& branches,
+std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
                           const UnitArgument& unit);
-Json json_branches(const beeline::Arm& arm, const std::vector<beeline::Branch>& branches,
-                   const UnitArgument& unit);
+Json json_branches(const Arm& arm, const std::vector<Branch>& branches, const UnitArgument& unit);
+
+}  // namespace beeline::command

@@ -3,8 +3,7 @@
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/kinematics/forward.h>
 
 #include "arm_argument.h"
@@ -16,8 +15,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 const std::string feedback = "feedback", quickest = "quickest";
@@ -35,7 +33,6 @@ struct MoveArguments {
   double rate = 100;
   std::optional<double> duration;
   ResultFiles files;
-  bool json = false;
 };
 
 /// The motion in minimum time or in --duration, all joints beginning and ending together.
@@ -62,7 +59,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
     text = fmt::format("{} after {} of {} s\n", name(motion.status), counted(motion.steps, "step"),
                        shown(arguments.simulation.time_step)) +
            fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
-           fmt::format("overshoot     {} of the distance\n", internal::percent(motion.overshoot));
+           fmt::format("overshoot     {} of the distance\n", percent(motion.overshoot));
   } else {
     text =
         fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
@@ -80,7 +77,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
 /// The proportional gains as typed.
 std::vector<double> gains_of(const MoveArguments& arguments) {
   const std::string option = "--gain (--kp)";
-  std::vector<double> gains = internal::parse_numbers(arguments.kp, option);
+  std::vector<double> gains = parse_numbers(arguments.kp, option);
   for (const double gain : gains) {
     if (!(gain > 0)) throw Error(option + " must be above 0, not " + number(gain));
   }
@@ -115,7 +112,7 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
 }
 
 Answer move_joints(const MoveArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
+  arguments.files.check(arguments.arm.inputs());
   const std::vector<double> gains = gains_of(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Configuration from =
@@ -143,12 +140,11 @@ Answer move_joints(const MoveArguments& arguments) {
                              {"error", motion.error},
                              {"overshoot", motion.overshoot},
                              {"slowed", motion.slowed},
-                             {"duration", motion.trajectory.times.back()},
-                             {"reason", sentence(motion.reason)}},
+                             {"duration", motion.trajectory.times.back()}},
                 .units = {{"error", "rad or m"}},
                 .yes = reached,
                 .reason = sentence(motion.reason)};
-  answer.document.add(reason_members(motion.reason));
+  answer.document.add(json_reason(motion.reason));
   if (reached) arguments.files.add_to(answer.document);
   return answer;
 }
@@ -158,112 +154,73 @@ std::vector<Option> move_options(MoveArguments& arguments) {
       joint_values_option("--from", "Joint values at the start.", &arguments.from, {"start"});
   Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
   from.required = to.required = true;
-  return {from,
-          to,
-          {.name = "--method",
-           .value = "METHOD",
-           .help = "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
-                   "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                   "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m.",
-           .target = &arguments.method,
-           .choices = {feedback, quickest}}};
+  return {from, to,
+          Option("--method METHOD",
+                 "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
+                 "minimum time under the velocity, acceleration and jerk limits, from rest to "
+                 "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m.",
+                 &arguments.method, {.choices = {feedback, quickest}})};
 }
 
 std::vector<Option> feedback_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
-  return {{.name = "--kp",
-           .value = "K[,K...]",
-           .help = "Proportional gain K_p, per step, above 0; the joints overshoot if it is above "
-                   "1. Several gains are compared in one table, and in one picture by --draw.",
-           .target = &arguments.kp,
-           .alias = "--gain",
-           .methods = {feedback}},
-          {.name = "--ki",
-           .value = "K",
-           .help = "Integral gain.",
-           .target = &gains.ki,
-           .range = zero_or_more,
-           .methods = {feedback}},
-          {.name = "--kd",
-           .value = "K",
-           .help = "Derivative gain.",
-           .target = &gains.kd,
-           .range = zero_or_more,
-           .methods = {feedback}},
-          {.name = "--tolerance",
-           .value = "E",
-           .help = "The goal is reached when every joint error is below this, rad or m.",
-           .target = &simulation.tolerance,
-           .range = above_zero,
-           .methods = {feedback}},
-          {.name = "--time-step",
-           .value = "SECONDS",
-           .help = "Duration of one step.",
-           .target = &simulation.time_step,
-           .range = above_zero,
-           .methods = {feedback}},
-          {.name = "--max-steps",
-           .value = "N",
-           .help = "Give up after this many steps.",
-           .target = &simulation.max_steps,
-           .range = {1, 10'000'000},
-           .methods = {feedback}}};
+  return {
+      Option("--kp K[,K...]",
+             "Proportional gain K_p, per step, above 0; the joints overshoot if it is above 1. "
+             "Several gains are compared in one table, and in one picture by --draw.",
+             &arguments.kp, {.alias = "--gain", .methods = {feedback}}),
+      Option("--ki K", "Integral gain.", &gains.ki, {.range = zero_or_more, .methods = {feedback}}),
+      Option("--kd K", "Derivative gain.", &gains.kd,
+             {.range = zero_or_more, .methods = {feedback}}),
+      Option("--tolerance E", "The goal is reached when every joint error is below this, rad or m.",
+             &simulation.tolerance, {.range = above_zero, .methods = {feedback}}),
+      Option("--time-step SECONDS", "Duration of one step.", &simulation.time_step,
+             {.range = above_zero, .methods = {feedback}}),
+      Option("--max-steps N", "Give up after this many steps.", &simulation.max_steps,
+             {.range = {1, 10'000'000}, .methods = {feedback}})};
 }
 
 std::vector<Option> quickest_options(MoveArguments& arguments) {
-  return {
-      {.name = "--synchronise",
-       .value = "KIND",
-       .help = "time: each joint has its own profile of the same duration; straight: all "
-               "joints move in proportion, on a straight line in joint space.",
-       .target = &arguments.synchronise,
-       .choices = {"time", "straight"},
-       .methods = {quickest}},
-      {.name = "--duration",
-       .value = "SECONDS",
-       .help = "Duration of the motion, a whole number of periods of --rate; one that is shorter "
-               "than the limits allow is refused with the shortest. Default: the shortest.",
-       .target = &arguments.duration,
-       .range = above_zero,
-       .methods = {quickest}},
-      {.name = "--rate",
-       .value = "HZ",
-       .help = "Samples per second.",
-       .target = &arguments.rate,
-       .range = sample_rates,
-       .methods = {quickest}}};
+  return {Option("--synchronise KIND",
+                 "time: each joint has its own profile of the same duration; straight: all joints "
+                 "move in proportion, on a straight line in joint space.",
+                 &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}}),
+          Option("--duration SECONDS",
+                 "Duration of the motion, a whole number of periods of --rate; one that is shorter "
+                 "than the limits allow is refused with the shortest. Default: the shortest.",
+                 &arguments.duration, {.range = above_zero, .methods = {quickest}}),
+          Option("--rate HZ", "Samples per second.", &arguments.rate,
+                 {.range = sample_rates, .methods = {quickest}})};
 }
 
 }  // namespace
 
 Verb move_verb() {
-  const auto shared = std::make_shared<MoveArguments>();
-  MoveArguments& arguments = *shared;
-  return {
-      .name = "move",
-      .summary = "Joint-space motion control from one configuration to another",
-      .description =
-          "Simulates proportional or PID control of the joints, or plans the quickest motion. "
-          "Prints a status, the number of steps, the largest joint error at the end in rad or m, "
-          "the overshoot, and the pose of the tool at the goal. In general the tool does not move "
-          "in a straight line: see `beeline line`.",
-      .arguments = {arguments.arm.argument()},
-      .options =
-          joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.options(), feedback_options(arguments),
-                  quickest_options(arguments), arguments.budget.options()}),
-      .examples =
-          {{"Proportional control of the planar arm, with a picture of the tool's path",
-            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
-           {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
-           {"Gains side by side: too small is slow, too large overshoots",
-            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --gain "
-            "0.05,0.1,0.5,1,1.5 "
-            "--draw gains.svg"},
-           {"The quickest motion of a Franka Panda at 1 kHz",
-            "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
-            "--method quickest --rate 1000 --out move.csv"}},
-      .json = &arguments.json,
-      .run = [shared] { return move_joints(*shared); }};
+  const auto arguments = std::make_shared<MoveArguments>();
+  return {.name = "move",
+          .summary = "Joint-space motion control from one configuration to another",
+          .description =
+              "Simulates proportional or PID control of the joints, or plans the quickest motion. "
+              "Prints a status, the number of steps, the largest joint error at the end in rad or "
+              "m, the overshoot, and the pose of the tool at the goal. In general the tool does "
+              "not move in a straight line: see `beeline line`.",
+          .arguments = {arguments->arm.argument()},
+          .options = joined({move_options(*arguments), arguments->unit.options(),
+                             arguments->files.options(), arguments->arm.options(),
+                             arguments->limits.options(), feedback_options(*arguments),
+                             quickest_options(*arguments), arguments->budget.options()}),
+          .examples =
+              {{"Proportional control of the planar arm, with a picture of the tool's path",
+                "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
+               {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
+               {"Gains side by side: too small is slow, too large overshoots",
+                "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --gain "
+                "0.05,0.1,0.5,1,1.5 --draw gains.svg"},
+               {"The quickest motion of a Franka Panda at 1 kHz",
+                "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
+                "quickest --rate 1000 --out move.csv"}},
+          .run = [arguments] { return move_joints(*arguments); }};
 }
+
+}  // namespace beeline::command

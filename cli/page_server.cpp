@@ -8,16 +8,13 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/json.h>
-
-#include "command/json.h"
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/json.h>
 
 #include <arpa/inet.h>
 #include <httplib.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 constexpr std::size_t max_body = 64 * 1024;  // bytes of a POST
@@ -30,8 +27,8 @@ constexpr std::chrono::milliseconds look{50};  // how often a stream looks wheth
 
 /// What the page may load: itself, its module and its workers, and nothing from elsewhere.
 constexpr const char* content_policy =
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; "
-    "img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; frame-ancestors 'self'";
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src "
+    "'self' data: blob:; style-src 'self' 'unsafe-inline'; frame-ancestors 'self'";
 
 std::string type_of(const std::filesystem::path& path) {
   const std::map<std::string, std::string> types{
@@ -151,7 +148,7 @@ void PageServer::file(const httplib::Request& request, httplib::Response& respon
       name.find('\0') == std::string::npos ? fs::canonical(folder_ + name, failed) : fs::path();
   const bool inside = !failed && path.string().rfind(folder_ + "/", 0) == 0;
   if (!inside || !fs::is_regular_file(path, failed)) return refuse(response, 404, "no such file");
-  std::string content = internal::read_file(path.string());
+  std::string content = read_file(path.string());
   constexpr std::string_view body = "<body>";  // marked, so that the page asks for the session
   const std::size_t at = path.filename() == "index.html" ? content.find(body) : std::string::npos;
   if (at != std::string::npos) {
@@ -167,11 +164,11 @@ void PageServer::session(httplib::Response& response) const {
 }
 
 void PageServer::take_joints(const std::string& text) {
-  const internal::JsonDocument document(text, "joints");
+  const JsonDocument document(text, "joints");
   document.check_keys(document.root(), {"q", "time"});
   const std::size_t dof = static_cast<std::size_t>(session_.arm.dof());
   const std::vector<double> q = document.numbers(document.need(document.root(), "q"), dof);
-  const internal::Json* const time = document.find(document.root(), "time");
+  const Json* const time = document.find(document.root(), "time");
   for (std::size_t i = 0; i < q.size(); ++i) {
     if (std::abs(q[i]) <= largest) continue;
     throw Error(fmt::format("joints: q[{}] is {}; expected a value from -{} to {}", i, q[i],
@@ -228,3 +225,5 @@ void PageServer::events(httplib::Response& response) {
     return sink.write(event.data(), event.size());
   });
 }
+
+}  // namespace beeline::command

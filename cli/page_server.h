@@ -16,9 +16,11 @@ struct Request;
 struct Response;
 }  // namespace httplib
 
+namespace beeline::command {
+
 /// What the page asks the server for.
 struct PageSession {
-  beeline::Arm arm;
+  Arm arm;
   std::string trajectory = {};  ///< the text of a .csv file; empty: none
 };
 
@@ -65,3 +67,5 @@ class PageServer {
   std::string latest_;          ///< joint values as JSON
   std::uint64_t sequence_ = 0;  ///< the number of the latest; 0: none yet
 };
+
+}  // namespace beeline::command

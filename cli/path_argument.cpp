@@ -2,27 +2,19 @@
 
 #include <beeline/error.h>
 #include <beeline/path/blend.h>
-#include <beeline/path/internal/blend_names.h>
 
-using namespace beeline;
+namespace beeline::command {
 
 std::vector<Option> PathArgument::options(const std::vector<std::string>& methods) {
-  return {
-      {.name = "--path",
-       .value = "KIND",
-       .help = "line; screw: a screw motion from pose to pose; arc: circular arcs, each through "
-               "two more poses, of which the first gives a position only; spline: one smooth "
-               "curve through all poses.",
-       .target = &kind,
-       .choices = path_kind_names(),
-       .methods = methods},
-      {.name = "--blend",
-       .value = "METRES",
-       .help = "Blend the corners of straight lines, so that the tool passes them without a "
-               "stop, at most this far from the corner (and 5 rad for each metre); 1e-4 or more.",
-       .target = &blend,
-       .range = above_zero,
-       .methods = methods}};
+  return {Option("--path KIND",
+                 "line; screw: a screw motion from pose to pose; arc: circular arcs, each through "
+                 "two more poses, of which the first gives a position only; spline: one smooth "
+                 "curve through all poses.",
+                 &kind, {.choices = path_kind_names(), .methods = methods}),
+          Option("--blend METRES",
+                 "Blend the corners of straight lines, so that the tool passes them without a "
+                 "stop, at most this far from the corner (and 5 rad for each metre); 1e-4 or more.",
+                 &blend, {.range = above_zero, .methods = methods})};
 }
 
 bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::line && !blend; }
@@ -37,7 +29,7 @@ Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
     return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
   }
   BlendedPath blended = blended_lines(poses, {*blend, *blend / metres_per_radian});
-  blended.path.names = internal::blend_names(blended, {"waypoint", start_first});
+  blended.path.names = blend_names(blended, {"waypoint", start_first});
   return route_of(blended);
 }
 
@@ -57,3 +49,5 @@ Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& 
   poses.insert(poses.begin(), tool);
   return route(poses, true);
 }
+
+}  // namespace beeline::command

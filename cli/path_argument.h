@@ -10,6 +10,8 @@
 
 #include "command/option.h"
 
+namespace beeline::command {
+
 /// --path and --blend: the path of the tool through the poses.
 struct PathArgument {
   std::string kind = "line";
@@ -20,13 +22,14 @@ struct PathArgument {
   /// Whether the path is straight lines with a stop at each pose.
   bool straight() const;
   /// Throws Error for options that exclude each other, and for poses that do not make such a path.
-  beeline::Route through(std::span<const beeline::Pose> poses) const;
+  Route through(std::span<const Pose> poses) const;
   /// The path that begins at the tool's pose. For straight lines, that pose becomes the first one.
   /// For other paths it replaces the first pose if it is within 1e-5 m and rad of it in the task's
   /// components, and otherwise becomes an additional first one.
-  beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
-                      const beeline::Task& task) const;
+  Route from(const Pose& tool, std::vector<Pose> poses, const Task& task) const;
 
  private:
-  beeline::Route route(std::span<const beeline::Pose> poses, bool start_first) const;
+  Route route(std::span<const Pose> poses, bool start_first) const;
 };
+
+}  // namespace beeline::command

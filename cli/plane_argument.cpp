@@ -1,10 +1,9 @@
 #include "plane_argument.h"
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 constexpr ReachMeasure measures[] = {ReachMeasure::directions, ReachMeasure::branches,
@@ -15,17 +14,10 @@ constexpr ReachMeasure measures[] = {ReachMeasure::directions, ReachMeasure::bra
 std::vector<Option> PlaneArgument::options(bool required) {
   std::vector<std::string> names;
   for (const ReachMeasure measure : measures) names.push_back(name(measure));
-  return {{.name = "--at",
-           .value = "PLANE",
-           .help = "The plane: x=, y= or z= and a coordinate, m.",
-           .target = &plane_,
-           .required = required,
-           .phrases = {"the slice at"}},
-          {.name = "--measure",
-           .value = "MEASURE",
-           .help = "What is shown of a position.",
-           .target = &measure_,
-           .choices = names}};
+  return {
+      Option("--at PLANE", "The plane: x=, y= or z= and a coordinate, m.", &plane_,
+             {.required = required}),
+      Option("--measure MEASURE", "What is shown of a position.", &measure_, {.choices = names})};
 }
 
 // "z=0.3"
@@ -39,7 +31,7 @@ int PlaneArgument::normal() const {
 
 double PlaneArgument::at() const {
   (void)normal();  // refuses what is no plane
-  return internal::parse_number(plane_.substr(2), "--at");
+  return parse_number(plane_.substr(2), "--at");
 }
 
 ReachMeasure PlaneArgument::measure() const {
@@ -48,3 +40,5 @@ ReachMeasure PlaneArgument::measure() const {
   }
   return ReachMeasure::directions;
 }
+
+}  // namespace beeline::command

@@ -9,8 +9,7 @@
 
 #include "command/streams.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// The distance of a position from the centre if it is far outside the sphere in metres, and within
@@ -27,12 +26,10 @@ double far_distance(const Arm::Reach& sphere, const Vector3& position) {
 Triple triple_of(const Arm& arm) { return arm.planar() ? Triple::planar : Triple::position; }
 
 Option WorkArgument::option() {
-  return {.name = "--work",
-          .value = "POSE",
-          .help =
-              "The frame that poses are given in: its pose in the world, as --mount. Answers are "
-              "in the world; positions in the reasons of `line` are in this frame.",
-          .target = &text};
+  return Option("--work POSE",
+                "The frame that poses are given in: its pose in the world, as --mount. Answers are "
+                "in the world; positions in the reasons of `line` are in this frame.",
+                &text);
 }
 
 WrittenPose WorkArgument::read(const Arm& arm, const UnitArgument& unit) const {
@@ -115,3 +112,5 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
               "; give x,y,theta" +
               (task.offered ? ", or --task planar to ignore height and tilt" : ""));
 }
+
+}  // namespace beeline::command

@@ -7,17 +7,19 @@
 
 #include "arguments.h"
 
+namespace beeline::command {
+
 /// What three numbers without names mean for the arm: x,y,theta if it is planar, otherwise x,y,z.
-beeline::Triple triple_of(const beeline::Arm& arm);
+Triple triple_of(const Arm& arm);
 
 /// A pose of the arm as typed for `option`. Throws Error that begins with the option.
-beeline::WrittenPose parse_pose_option(const beeline::Arm& arm, const std::string& option,
-                                       const std::string& text, const UnitArgument& unit);
+WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const std::string& text,
+                              const UnitArgument& unit);
 
 /// The pose of a frame of the arm's cell as typed for `option`, in the same forms; a position has
 /// no rotation. Throws Error that begins with the option.
-beeline::WrittenPose parse_frame_option(const beeline::Arm& arm, const std::string& option,
-                                        const std::string& text, const UnitArgument& unit);
+WrittenPose parse_frame_option(const Arm& arm, const std::string& option, const std::string& text,
+                               const UnitArgument& unit);
 
 /// --work: the frame in which poses are given.
 struct WorkArgument {
@@ -25,31 +27,31 @@ struct WorkArgument {
 
   Option option();
   /// world_T_work, planar if it was given as x,y,theta or not at all.
-  beeline::WrittenPose read(const beeline::Arm& arm, const UnitArgument& unit) const;
+  WrittenPose read(const Arm& arm, const UnitArgument& unit) const;
 };
 
 /// The pose in the world of a pose in the frame of --work. A planar pose of a planar arm is in the
 /// arm's plane.
-beeline::WrittenPose in_world(const beeline::Arm& arm, const beeline::WrittenPose& world_T_work,
-                              const beeline::WrittenPose& pose);
+WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const WrittenPose& pose);
 
 /// The distance from the arm, m, of a pose in the world that is far out of its reach in metres and
 /// within it in millimetres; 0 for another pose.
-double distance_in_millimetres(const beeline::Arm& arm, const beeline::Pose& pose);
+double distance_in_millimetres(const Arm& arm, const Pose& pose);
 /// The same of a pose relative to a frame at the tool, such as a tool or a relative row: its
 /// distance from this frame.
-double offset_in_millimetres(const beeline::Arm& arm, const beeline::Pose& pose);
+double offset_in_millimetres(const Arm& arm, const Pose& pose);
 
 /// Warns on stderr that positions read with `option` are rather in millimetres, as one of them is
 /// this far away; of distance 0 nothing.
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit);
 
 /// The same of the first such pose.
-void warn_of_positions(const std::string& option, const beeline::Arm& arm,
-                       std::span<const beeline::Pose> poses, const UnitArgument& unit);
+void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
+                       const UnitArgument& unit);
 
 /// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
 /// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar
 /// arm, whose height and tilt would be ignored.
-void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
-                     const TaskArgument& task);
+void check_pose_form(const Arm& arm, const WrittenPose& pose, const TaskArgument& task);
+
+}  // namespace beeline::command

@@ -8,12 +8,14 @@
 
 #include "command/option.h"
 
+namespace beeline::command {
+
 /// --interpolation: the motion between the samples that are written.
 struct InterpolationArgument {
   std::string text = "quintic";
 
   Option option(const std::vector<std::string>& methods = {});
-  beeline::Interpolation read() const { return beeline::interpolation_named(text); }
+  Interpolation read() const { return interpolation_named(text); }
 };
 
 /// --profile: the time profile.
@@ -21,5 +23,7 @@ struct ProfileArgument {
   std::string text = {};
 
   Option option(const std::vector<std::string>& methods = {});
-  std::optional<beeline::Profile> read() const;
+  std::optional<Profile> read() const;
 };
+
+}  // namespace beeline::command

@@ -6,8 +6,7 @@
 #include <beeline/io/program.h>
 #include <beeline/kinematics/forward.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// Gives the poses that are not relative in the world.
@@ -72,3 +71,5 @@ std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {
   }
   return poses;
 }
+
+}  // namespace beeline::command

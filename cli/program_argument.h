@@ -8,6 +8,8 @@
 #include "path_argument.h"
 #include "pose_argument.h"
 
+namespace beeline::command {
+
 /// What the waypoints of a program file depend on besides its text.
 struct ProgramContext {
   const ArmArgument& arm_argument;
@@ -20,19 +22,21 @@ struct ProgramContext {
 /// dwell between them get the blend of `path`, but not at the first row if that is the start, as it
 /// is unless the tool's pose at the start, world_T_tool, is given.
 /// Throws FileError for what the file says, and Error for a --path.
-beeline::Program program_from(const std::string& text, const std::string& file,
-                              const beeline::Arm& arm, const ProgramContext& context,
-                              const PathArgument& path, const std::optional<beeline::Pose>& start);
+Program program_from(const std::string& text, const std::string& file, const Arm& arm,
+                     const ProgramContext& context, const PathArgument& path,
+                     const std::optional<Pose>& start);
 
 /// Calls what computes with the program; a MoveError becomes a FileError at its row.
 template <class Compute>
-auto at_rows(const beeline::Program& program, const std::string& file, const Compute& compute) {
+auto at_rows(const Program& program, const std::string& file, const Compute& compute) {
   try {
     return compute();
-  } catch (const beeline::MoveError& error) {
-    throw beeline::FileError(file, program.moves[error.move()].line, error.fault());
+  } catch (const MoveError& error) {
+    throw FileError(file, program.moves[error.move()].line, error.fault());
   }
 }
 
 /// The waypoints, for a picture.
-std::vector<beeline::Pose> waypoints_of(const beeline::Arm& arm, const beeline::Program& program);
+std::vector<Pose> waypoints_of(const Arm& arm, const Program& program);
+
+}  // namespace beeline::command

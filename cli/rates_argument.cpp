@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/kinematics/manipulability.h>
 
 #include "command/streams.h"
 #include "format.h"
 #include "json_reason.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// The velocity as typed, its angular rows in rad/s.
 Eigen::VectorXd velocity_from(const std::string& text, const Task& task, const UnitArgument& unit) {
-  const std::vector<double> given = internal::parse_numbers(text, "--rates-of");
+  const std::vector<double> given = parse_numbers(text, "--rates-of");
   if (static_cast<int>(given.size()) != task.size()) {
     throw Error(fmt::format("--rates-of has {}; the rows of the task are {}",
                             counted(static_cast<std::int64_t>(given.size()), "number"),
@@ -88,36 +87,27 @@ std::string rates_text(const Arm& arm, const JointRates& found, const Task& task
 
 std::vector<Option> RatesArgument::options() {
   return {
-      {.name = "--rates-of",
-       .value = "TWIST",
-       .help =
-           "Velocity of the tool in --frame, one number for each row of --task: m/s, and "
-           "rad/s or, with --degrees, deg/s. Prints the joint rates that give it, of a "
-           "redundant arm the smallest; at a singularity that prevents it the direction "
-           "that is lost, with exit code 1. Rates above the velocity limits give warnings; joints "
-           "whose velocity limit is not known are named, as their rates are not compared.",
-       .target = &text},
-      {.name = "--damping",
-       .value = "LAMBDA",
-       .help = "Joint rates by damped least squares, which stay small near singularities, and "
-               "the velocity of the tool that they give: minimise |J dq - v|^2 + LAMBDA^2 "
-               "|dq|^2.",
-       .target = &damping,
-       .range = above_zero,
-       .needs = "--rates-of"}};
+      Option("--rates-of TWIST",
+             "Velocity of the tool in --frame, one number for each row of --task: m/s, and rad/s "
+             "or, with --degrees, deg/s. Prints the joint rates that give it, of a redundant arm "
+             "the smallest; at a singularity that prevents it the direction that is lost, with "
+             "exit code 1. Rates above the velocity limits give warnings; joints whose velocity "
+             "limit is not known are named, as their rates are not compared.",
+             &text),
+      Option("--damping LAMBDA",
+             "Joint rates by damped least squares, which stay small near singularities, and the "
+             "velocity of the tool that they give: minimise |J dq - v|^2 + LAMBDA^2 |dq|^2.",
+             &damping, {.range = above_zero, .needs = "--rates-of"})};
 }
 
 void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& q, const Task& task,
                            const UnitArgument& unit) const {
   if (text.empty()) return;
   const Eigen::VectorXd velocity = velocity_from(text, task, unit);
-  JointRates found;
-  try {
-    found = joint_rates(arm, q, velocity,
-                        {.task = task, .frame = task.frame, .damping = damping.value_or(0)});
-  } catch (const Error& error) {
-    throw Error(std::string("--rates-of: ") + error.what());
-  }
+  const JointRates found = for_option("--rates-of", [&] {
+    return joint_rates(arm, q, velocity,
+                       {.task = task, .frame = task.frame, .damping = damping.value_or(0)});
+  });
   Json lost = Json::list();
   for (const auto& direction : found.lost_directions.colwise()) {
     lost.append(Eigen::VectorXd(direction));
@@ -130,9 +120,8 @@ void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& 
                        {"lost_directions", lost},
                        {"excesses", excesses_of(arm, found, unit)},
                        {"without_limit", names_of(arm, found.without_limit)},
-                       {"scale", found.scale},
-                       {"reason", sentence(found.reason)}});
-  answer.document.add(reason_members(found.reason));
+                       {"scale", found.scale}});
+  answer.document.add(json_reason(found.reason));
   const std::string angle = unit.name();
   answer.units.add("rates", angle + "/s, of a prismatic joint m/s");
   answer.units.add("tool_velocity", "m/s, " + angle + "/s");
@@ -141,3 +130,5 @@ void RatesArgument::add_to(Answer& answer, const Arm& arm, const Configuration& 
   answer.yes = static_cast<bool>(found);
   answer.reason = sentence(found.reason);
 }
+
+}  // namespace beeline::command

@@ -6,6 +6,8 @@
 #include "arguments.h"
 #include "command/verb.h"
 
+namespace beeline::command {
+
 /// --rates-of and --damping: the joint rates of a velocity of the tool.
 struct RatesArgument {
   std::string text = {};  ///< the velocity; empty: none
@@ -15,6 +17,8 @@ struct RatesArgument {
   /// Adds the rates at q to the answer of `jacobian`, which becomes a no if the arm cannot move its
   /// tool so. `task` has the rows and the frame of the velocity. Warns of each rate above its
   /// limit.
-  void add_to(Answer& answer, const beeline::Arm& arm, const beeline::Configuration& q,
-              const beeline::Task& task, const UnitArgument& unit) const;
+  void add_to(Answer& answer, const Arm& arm, const Configuration& q, const Task& task,
+              const UnitArgument& unit) const;
 };
+
+}  // namespace beeline::command

@@ -7,49 +7,40 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct MergeArguments {
   std::vector<std::string> parts;
   std::string out;
-  bool incomplete = false, json = false;
+  bool incomplete = false;
 };
 
 Verb merge_verb() {
-  const auto shared = std::make_shared<MergeArguments>();
-  MergeArguments& arguments = *shared;
-  return {.name = "merge",
-          .summary = "Join files that hold parts of one map",
-          .description =
-              "Joins the parts that `beeline reach map --shard` computed. The cells are copied as "
-              "they are stored: the datasets are those of a map computed in one piece. Parts may "
-              "overlap.",
-          .arguments = {{.name = "PART",
-                         .help = "Files with parts of the same map.",
-                         .completes = Completes::file,
-                         .targets = &arguments.parts}},
-          .options = {{.name = "--out",
-                       .value = "FILE",
-                       .help = "The map, an HDF5 file.",
-                       .target = &arguments.out,
-                       .required = true,
-                       .completes = Completes::file},
-                      {.name = "--incomplete",
-                       .help = "Join parts that are not yet the whole map.",
-                       .target = &arguments.incomplete,
-                       .phrases = {"the parts lack"}}},
-          .examples = {{"Two halves of a map",
-                        "beeline reach map ur5 --resolution 0.2 --shard 1/2 --out half1.h5\n"
-                        "beeline reach map ur5 --resolution 0.2 --shard 2/2 --out half2.h5\n"
-                        "beeline reach merge half1.h5 half2.h5 --out ur5.h5"}},
-          .json = &arguments.json,
-          .run = [shared] {
-            refuse_overwriting(shared->out, shared->parts);
-            merge_reach_maps(shared->parts, shared->out, shared->incomplete);
-            return map_totals(ReachMap(shared->out));
-          }};
+  const auto arguments = std::make_shared<MergeArguments>();
+  return {
+      .name = "merge",
+      .summary = "Join files that hold parts of one map",
+      .description =
+          "Joins the parts that `beeline reach map --shard` computed. The cells are copied as they "
+          "are stored: the datasets are those of a map computed in one piece. Parts may overlap.",
+      .arguments = {{.name = "PART",
+                     .help = "Files with parts of the same map.",
+                     .completes = Completes::file,
+                     .targets = &arguments->parts}},
+      .options = {Option("--out FILE", "The map, an HDF5 file.", &arguments->out,
+                         {.required = true}),
+                  Option("--incomplete", "Join parts that are not yet the whole map.",
+                         &arguments->incomplete)},
+      .examples = {{"Two halves of a map",
+                    "beeline reach map ur5 --resolution 0.2 --shard 1/2 --out half1.h5\n"
+                    "beeline reach map ur5 --resolution 0.2 --shard 2/2 --out half2.h5\n"
+                    "beeline reach merge half1.h5 half2.h5 --out ur5.h5"}},
+      .run = [arguments] {
+        refuse_overwriting(arguments->out, arguments->parts);
+        merge_reach_maps(arguments->parts, arguments->out, arguments->incomplete);
+        return map_totals(ReachMap(arguments->out));
+      }};
 }
 
 }  // namespace
@@ -67,3 +58,5 @@ Verb reach_verb() {
                 reach_compare_verb(), reach_place_verb(), reach_export_verb()};
   return verb;
 }
+
+}  // namespace beeline::command

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/reach/surface.h>
 
@@ -12,14 +12,12 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct CompareArguments {
   std::string first, second, out;
   PlaneArgument plane;
-  bool json = false;
 };
 
 Json json_of(const ReachSide& side, const std::string& map, const Arm& arm) {
@@ -95,35 +93,28 @@ Answer compare(const CompareArguments& arguments) {
 }  // namespace
 
 Verb reach_compare_verb() {
-  const auto shared = std::make_shared<CompareArguments>();
-  CompareArguments& arguments = *shared;
-  return {.name = "compare",
-          .summary = "Compare the maps of two arms, or of one with two mounts or tools",
-          .description =
-              "Compares two maps in the same world, at the centres of cells that cover both: the "
-              "volume that each reaches, that only one or both reach, and where each reaches more "
-              "tool directions; the mean fraction of directions where either reaches some; the "
-              "means of the largest manipulability and margin where both do. Maps of the same box "
-              "are compared cell by cell. With --at and --out, draws both in a plane.",
-          .arguments = {{.name = "A",
-                         .help = "A file of `beeline reach map`.",
-                         .target = &arguments.first,
-                         .completes = Completes::file},
-                        {.name = "B",
-                         .help = "Another one.",
-                         .target = &arguments.second,
-                         .completes = Completes::file}},
-          .options = joined({{{.name = "--out",
-                               .value = "FILE",
-                               .help = "A picture of both in the plane --at, .svg, .png or .pdf.",
-                               .target = &arguments.out,
-                               .completes = Completes::file}},
-                             arguments.plane.options(false)}),
-          .examples = {{"An arm on the floor and on a wall",
-                        "beeline reach map puma560 --resolution 0.12 --out floor.h5\n"
-                        "beeline reach map puma560 --mount 0,0,0.5,0,1.5708,0 --resolution 0.12 "
-                        "--out wall.h5\n"
-                        "beeline reach compare floor.h5 wall.h5 --at y=0 --out compare.svg"}},
-          .json = &arguments.json,
-          .run = [shared] { return compare(*shared); }};
+  const auto arguments = std::make_shared<CompareArguments>();
+  return {
+      .name = "compare",
+      .summary = "Compare the maps of two arms, or of one with two mounts or tools",
+      .description =
+          "Compares two maps in the same world, at the centres of cells that cover both: the "
+          "volume that each reaches, that only one or both reach, and where each reaches more tool "
+          "directions; the mean fraction of directions where either reaches some; the means of the "
+          "largest manipulability and margin where both do. Maps of the same box are compared cell "
+          "by cell. With --at and --out, draws both in a plane.",
+      .arguments = {file_argument("A", "A file of `beeline reach map`.", &arguments->first),
+                    file_argument("B", "Another one.", &arguments->second)},
+      .options =
+          joined({{Option("--out FILE", "A picture of both in the plane --at, .svg, .png or .pdf.",
+                          &arguments->out)},
+                  arguments->plane.options(false)}),
+      .examples =
+          {{"An arm on the floor and on a wall",
+            "beeline reach map puma560 --resolution 0.12 --out floor.h5\n"
+            "beeline reach map puma560 --mount 0,0,0.5,0,1.5708,0 --resolution 0.12 --out wall.h5\n"
+            "beeline reach compare floor.h5 wall.h5 --at y=0 --out compare.svg"}},
+      .run = [arguments] { return compare(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -5,8 +5,7 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 
@@ -19,8 +18,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct MapArguments {
@@ -32,11 +30,10 @@ struct MapArguments {
   std::optional<double> resolution, azimuths, directions, rolls;
   std::optional<std::int64_t> samples;
   ReachOptions reach;
-  bool json = false;
 };
 
 Vector3 corner(const std::string& text, const char* option, bool cylindrical) {
-  const std::vector<double> numbers = internal::parse_numbers(text, option);
+  const std::vector<double> numbers = parse_numbers(text, option);
   if (cylindrical && numbers.size() == 2) return {numbers[0], numbers[1], 0};
   if (!cylindrical && numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
   throw Error(fmt::format("{}: {} given, a corner has {}", option,
@@ -59,12 +56,11 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
   if (!arguments.upper.empty())
     options.upper = corner(arguments.upper, "--upper", options.azimuths.has_value());
   if (!arguments.orientation.empty()) {
-    const auto count = internal::parse_numbers(arguments.orientation, "--orientation").size();
+    const auto count = parse_numbers(arguments.orientation, "--orientation").size();
     if (count != 3 && count != 4) {
-      throw Error(
-          fmt::format("--orientation: {} given, an orientation has three, roll,pitch,yaw, "
-                      "or four, qw,qx,qy,qz",
-                      counted(static_cast<std::int64_t>(count), "number")));
+      throw Error(fmt::format(
+          "--orientation: {} given, an orientation has three, roll,pitch,yaw, or four, qw,qx,qy,qz",
+          counted(static_cast<std::int64_t>(count), "number")));
     }
     UnitArgument form = unit;
     const bool quaternion = count == 4;
@@ -85,8 +81,8 @@ std::int64_t samples_of(const MapArguments& arguments, const ReachGrid& grid) {
   if (!sampling && arguments.samples) throw Error("--samples is for --by sampling");
   if (!sampling && arguments.any_orientation) {
     throw Error(
-        "--any-orientation is for --by sampling: by inverse kinematics a position is "
-        "reached in --directions");
+        "--any-orientation is for --by sampling: by inverse kinematics a position is reached in "
+        "--directions");
   }
   if (!sampling) return 0;
   constexpr std::int64_t in_cell = 50, least = 1'000'000, most = 1'000'000'000;
@@ -100,7 +96,7 @@ ReachShard shard_of(const std::string& text) {
   int end = 0;
   const int read = std::sscanf(text.c_str(), "%9d/%9d%n", &shard.number, &shard.count, &end);
   if (read == 2 && static_cast<std::size_t>(end) == text.size()) return shard;
-  throw Error("\"" + text + "\" is no share of a map, such as 1/4");
+  throw Error("--shard: \"" + text + "\" is no share of a map, such as 1/4");
 }
 
 Answer compute(const MakeReachMapJob& make_job) {
@@ -108,7 +104,7 @@ Answer compute(const MakeReachMapJob& make_job) {
   Ending ending = Ending::complete;
   {
     Progress progress;
-    job.options.reach.budget.progress = [&progress](double fraction) { progress.show(fraction); };
+    job.options.reach.budget = progress.of(job.options.reach.budget);
     ending = compute_reach_map(job.arm, job.grid, job.out, job.options);
   }
   if (ending == Ending::complete) return map_totals(ReachMap(job.out, job.options.reach.threads));
@@ -117,97 +113,63 @@ Answer compute(const MakeReachMapJob& make_job) {
 
 std::vector<Option> grid_options(MapArguments& arguments) {
   return {
-      {.name = "--resolution",
-       .value = "M",
-       .help = "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
-       .target = &arguments.resolution,
-       .range = {1e-9, 1e6}},
-      {.name = "--lower",
-       .value = "X,Y,Z",
-       .help = "Corner of the box of positions, m, in the world, where the cells begin. "
-               "Default: that of the box around the reach. With --azimuths: RADIUS,HEIGHT.",
-       .target = &arguments.lower,
-       .phrases = {"its lower"}},
-      {.name = "--upper",
-       .value = "X,Y,Z",
-       .help = "The opposite corner, which the cells cover.",
-       .target = &arguments.upper},
-      {.name = "--azimuths",
-       .value = "ANGLE",
-       .help = "Positions by radius, height and azimuth about the axis of the first joint, with "
-               "this angle between azimuths; tool directions turn with the azimuth. The inverse "
-               "kinematics is solved and stored once for all azimuths, and for all rolls where "
-               "the last joint rolls the tool: a map of a dimension or two less, with the same "
-               "answers. Default: positions by x, y and z. From 0.01 to 6.2832 rad (360 "
-               "degrees).",
-       .target = &arguments.azimuths,
-       .excludes = "--orientation",
-       .phrases = {"by azimuths", "the angle between azimuths", "the least radius"}},
-      {.name = "--orientation",
-       .value = "R,P,Y",
-       .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw, with "
-               "--pose-form also rx,ry,rz or A,B,C, or qw,qx,qy,qz. Default: tool directions "
-               "(headings, for a planar arm).",
-       .target = &arguments.orientation,
-       .phrases = {"the orientation of the map"}},
-      {.name = "--directions",
-       .value = "ANGLE",
-       .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
-               "sphere evenly, or between headings of a planar arm. Default: 30 degrees. From "
-               "0.01 to 1.5708 rad (90 degrees), headings to 6.2832 (360).",
-       .target = &arguments.directions,
-       .excludes = "--orientation",
-       .phrases = {"the spacing of tool directions", "the angle between headings"}},
-      {.name = "--rolls",
-       .value = "ANGLE",
-       .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
-               "if it is with any roll. From 0.01 to 6.2832 rad (360 degrees).",
-       .target = &arguments.rolls,
-       .excludes = "--orientation",
-       .phrases = {"the angle between rolls"}}};
+      Option("--resolution M",
+             "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
+             &arguments.resolution, {.range = {1e-9, 1e6}}),
+      Option("--lower X,Y,Z",
+             "Corner of the box of positions, m, in the world, where the cells begin. Default: "
+             "that of the box around the reach. With --azimuths: RADIUS,HEIGHT.",
+             &arguments.lower),
+      Option("--upper X,Y,Z", "The opposite corner, which the cells cover.", &arguments.upper),
+      Option("--azimuths ANGLE",
+             "Positions by radius, height and azimuth about the axis of the first joint, with this "
+             "angle between azimuths; tool directions turn with the azimuth. The inverse "
+             "kinematics is solved and stored once for all azimuths, and for all rolls where the "
+             "last joint rolls the tool: a map of a dimension or two less, with the same answers. "
+             "Default: positions by x, y and z. From 0.01 to 6.2832 rad (360 degrees).",
+             &arguments.azimuths, {.excludes = "--orientation"}),
+      Option("--orientation R,P,Y",
+             "One orientation of the tool in the world for all cells: roll,pitch,yaw, with "
+             "--pose-form also rx,ry,rz or A,B,C, or qw,qx,qy,qz. Default: tool directions "
+             "(headings, for a planar arm).",
+             &arguments.orientation),
+      Option("--directions ANGLE",
+             "Angle between neighbouring directions of the tool's z axis, which cover the sphere "
+             "evenly, or between headings of a planar arm. Default: 30 degrees. From 0.01 to "
+             "1.5708 rad (90 degrees), headings to 6.2832 (360).",
+             &arguments.directions, {.excludes = "--orientation"}),
+      Option("--rolls ANGLE",
+             "Angle between rolls about the tool's z axis. Default: a direction is reached if it "
+             "is with any roll. From 0.01 to 6.2832 rad (360 degrees).",
+             &arguments.rolls, {.excludes = "--orientation"})};
 }
 
 /// How the cells are computed, and which of them.
 std::vector<Option> method_options(MapArguments& arguments) {
-  return {{.name = "--by",
-           .value = "METHOD",
-           .help = "inverse-kinematics: what the arm can do at the centre of each cell; sampling: "
-                   "anywhere in a cell, from the forward kinematics of configurations that fill "
-                   "the joint ranges, also of arms that reach almost no pose exactly.",
-           .target = &arguments.by,
-           .choices = {"inverse-kinematics", "sampling"}},
-          {.name = "--samples",
-           .value = "N",
-           .help = "Configurations of a map by sampling. Default: 50 times the cells, at least "
-                   "1e6, at most 1e9.",
-           .target = &arguments.samples,
-           .range = {1, 1e12}},
-          {.name = "--any-orientation",
-           .help = "A map by sampling of positions alone, in any orientation.",
-           .target = &arguments.any_orientation,
-           .phrases = {"any orientation"}},
-          {.name = "--redundant-values",
-           .value = "N",
-           .help = "Values of the redundant joint of an arm of seven joints at which all "
-                   "solutions are computed. Where there is none, the range between them is "
-                   "searched.",
-           .target = &arguments.reach.redundant_values,
-           .range = {1, 1000}},
-          {.name = "--shard",
-           .value = "K/N",
-           .help = "Compute share K of N of the map, K from 1 to N.",
-           .target = &arguments.shard,
-           .phrases = {"is no share of a map", "shard"}},
-          {.name = "--threads",
-           .value = "N",
-           .help = "Number of threads; 0: as many as the machine has. The map does not depend on "
-                   "it.",
-           .target = &arguments.reach.threads,
-           .range = {0, 1024}}};
+  return {
+      Option("--by METHOD",
+             "inverse-kinematics: what the arm can do at the centre of each cell; sampling: "
+             "anywhere in a cell, from the forward kinematics of configurations that fill the "
+             "joint ranges, also of arms that reach almost no pose exactly.",
+             &arguments.by, {.choices = {"inverse-kinematics", "sampling"}}),
+      Option("--samples N",
+             "Configurations of a map by sampling. Default: 50 times the cells, at least 1e6, at "
+             "most 1e9.",
+             &arguments.samples, {.range = {1, 1e12}}),
+      Option("--any-orientation", "A map by sampling of positions alone, in any orientation.",
+             &arguments.any_orientation),
+      Option("--redundant-values N",
+             "Values of the redundant joint of an arm of seven joints at which all solutions are "
+             "computed. Where there is none, the range between them is searched.",
+             &arguments.reach.redundant_values, {.range = {1, 1000}}),
+      Option("--shard K/N", "Compute share K of N of the map, K from 1 to N.", &arguments.shard),
+      Option("--threads N",
+             "Number of threads; 0: as many as the machine has. The map does not depend on it.",
+             &arguments.reach.threads, {.range = {0, 1024}})};
 }
 
 ReachMapJob job_of(const MapArguments& arguments) {
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.arm.srdf});
+  refuse_overwriting(arguments.out, arguments.arm.inputs());
   const ReachShard shard = shard_of(arguments.shard);
   const Arm arm = arguments.arm.read(arguments.unit);
   ReachMapJob job{.arm = arm, .grid = grid_of(arm, arguments), .out = arguments.out};
@@ -222,8 +184,7 @@ ReachMapJob job_of(const MapArguments& arguments) {
 Verb reach_map_verb() { return reach_map_verb(compute); }
 
 Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute) {
-  const auto shared = std::make_shared<MapArguments>();
-  MapArguments& arguments = *shared;
+  const auto arguments = std::make_shared<MapArguments>();
   return {
       .name = "map",
       .summary = "Compute what an arm can do at the centre of each cell of a grid",
@@ -231,23 +192,19 @@ Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute
           "Solves the inverse kinematics at the centre of each cell of a grid of positions, tool "
           "directions and rolls: the number of solutions within the limits, their largest "
           "manipulability and their largest margin to the limits. The map is an HDF5 file, which "
-          "h5py, MATLAB and others read. It is computed in slabs, each of which is written to "
-          "the folder FILE.parts when it is complete; after an interruption the same command "
+          "h5py, MATLAB and others read. It is computed in slabs, each of which is written to the "
+          "folder FILE.parts when it is complete; after an interruption the same command "
           "continues. With --shard, several machines compute a part each, and `beeline reach "
           "merge` joins the parts; the result is the same. --by sampling marks the cells that the "
           "tool of sampled configurations is in, and says so in the file.",
-      .arguments = {arguments.arm.argument()},
-      .options = joined({{{.name = "--out",
-                           .value = "FILE",
-                           .help = "The map, an HDF5 file.",
-                           .target = &arguments.out,
-                           .required = true,
-                           .completes = Completes::file}},
-                         grid_options(arguments),
-                         method_options(arguments),
-                         arguments.unit.options(),
-                         arguments.budget.options(),
-                         arguments.arm.options()}),
+      .arguments = {arguments->arm.argument()},
+      .options = joined(
+          {{Option("--out FILE", "The map, an HDF5 file.", &arguments->out, {.required = true})},
+           grid_options(*arguments),
+           method_options(*arguments),
+           arguments->unit.options(),
+           arguments->budget.options(),
+           arguments->arm.options()}),
       .examples = {{"Positions and tool directions of an arm, 12 cm apart",
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
                    {"Where it can point straight down",
@@ -260,6 +217,7 @@ Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute
                     "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
                     "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
                     "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
-      .json = &arguments.json,
-      .run = [shared, compute] { return compute([&] { return job_of(*shared); }); }};
+      .run = [arguments, compute] { return compute([&] { return job_of(*arguments); }); }};
 }
+
+}  // namespace beeline::command

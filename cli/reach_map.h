@@ -8,12 +8,14 @@
 
 #include "command/verb.h"
 
+namespace beeline::command {
+
 /// What `reach map` is to compute.
 struct ReachMapJob {
-  beeline::Arm arm;
-  beeline::ReachGrid grid;
+  Arm arm;
+  ReachGrid grid;
   std::string out;
-  beeline::ReachMapOptions options = {};
+  ReachMapOptions options = {};
 };
 
 /// Makes the job of the options that were typed. Throws Error as ReachGrid does.
@@ -21,3 +23,5 @@ using MakeReachMapJob = std::function<ReachMapJob()>;
 
 /// The verb `reach map` whose jobs are computed by this function.
 Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute);
+
+}  // namespace beeline::command

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/reach/place.h>
 
 #include "budget_argument.h"
@@ -11,8 +11,7 @@
 #include "input_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct PlaceArguments {
@@ -20,7 +19,6 @@ struct PlaceArguments {
   UnitArgument unit;
   BudgetArgument budget;
   PlacementOptions options;
-  bool json = false;
 };
 
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {
@@ -73,17 +71,15 @@ Vector3 corner_of(const std::string& text, const char* option) {
 
 Answer place(PlaceArguments& arguments) {
   const ReachMap map(arguments.map, arguments.options.threads);
-  const PoseList poses =
-      waypoints_from(internal::read_file(arguments.poses), arguments.poses, map.arm(),
-                     {.offered = false}, {}, arguments.unit, "--poses");
+  const PoseList poses = waypoints_from(read_file(arguments.poses), arguments.poses, map.arm(),
+                                        {.offered = false}, {}, arguments.unit, "--poses");
   PlacementOptions options = arguments.options;
   if (!arguments.lower.empty()) options.lower = corner_of(arguments.lower, "--lower");
   if (!arguments.upper.empty()) options.upper = corner_of(arguments.upper, "--upper");
-  options.budget = arguments.budget.next();
   PlacementResult result;
   {
     Progress progress;
-    options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
+    options.budget = progress.of(arguments.budget.next());
     result = find_placements(map, poses.poses, options);
   }
   return answer_of(map.arm(), result, arguments);
@@ -91,49 +87,28 @@ Answer place(PlaceArguments& arguments) {
 
 std::vector<Option> mount_options(PlaceArguments& arguments) {
   PlacementOptions& options = arguments.options;
-  return {{.name = "--lower",
-           .value = "X,Y,Z",
-           .help = "Corner of the box of the mount's positions, m, in the world of the poses. "
-                   "Default: in x and y where all poses are within reach, at z = 0.",
-           .target = &arguments.lower},
-          {.name = "--upper",
-           .value = "X,Y,Z",
-           .help = "The opposite corner. Default: as --lower.",
-           .target = &arguments.upper},
-          {.name = "--step",
-           .value = "M",
-           .help = "Distance between mounts, m. Default: the edge of the map's cells.",
-           .target = &options.step,
-           .range = above_zero,
-           .phrases = {"there would be"}},
-          {.name = "--headings",
-           .value = "N",
-           .help = "Rotations of the mount about the world's z axis, in equal steps.",
-           .target = &options.headings,
-           .range = {1, 360}},
-          {.name = "--count",
-           .value = "N",
-           .help = "Placements to print.",
-           .target = &options.count,
-           .range = {1, 1000}},
-          {.name = "--max-checked",
-           .value = "N",
-           .help = "Check at most N mounts, those first which the map ranks first.",
-           .target = &options.max_checked,
-           .range = {1, 1e8}},
-          {.name = "--threads",
-           .value = "N",
-           .help = "Number of threads; 0: as many as the machine has. The result does not depend "
-                   "on it.",
-           .target = &options.threads,
-           .range = {0, 1024}}};
+  return {
+      Option("--lower X,Y,Z",
+             "Corner of the box of the mount's positions, m, in the world of the poses. Default: "
+             "in x and y where all poses are within reach, at z = 0.",
+             &arguments.lower),
+      Option("--upper X,Y,Z", "The opposite corner. Default: as --lower.", &arguments.upper),
+      Option("--step M", "Distance between mounts, m. Default: the edge of the map's cells.",
+             &options.step, {.range = above_zero}),
+      Option("--headings N", "Rotations of the mount about the world's z axis, in equal steps.",
+             &options.headings, {.range = {1, 360}}),
+      Option("--count N", "Placements to print.", &options.count, {.range = {1, 1000}}),
+      Option("--max-checked N", "Check at most N mounts, those first which the map ranks first.",
+             &options.max_checked, {.range = {1, 1e8}}),
+      Option("--threads N",
+             "Number of threads; 0: as many as the machine has. The result does not depend on it.",
+             &options.threads, {.range = {0, 1024}})};
 }
 
 }  // namespace
 
 Verb reach_place_verb() {
-  const auto shared = std::make_shared<PlaceArguments>();
-  PlaceArguments& arguments = *shared;
+  const auto arguments = std::make_shared<PlaceArguments>();
   return {
       .name = "place",
       .summary = "Where an arm can stand so that it reaches all poses of a list",
@@ -144,29 +119,25 @@ Verb reach_place_verb() {
           "through them. Printed are the mounts as --mount takes them, those with the largest "
           "margin to the joint limits first: the least margin and the least manipulability over "
           "all poses; at each position the best heading. Exit code 1: there is none.",
-      .arguments = {{.name = "MAP",
-                     .help = "A file of `beeline reach map`, not of one orientation.",
-                     .target = &arguments.map,
-                     .completes = Completes::file}},
-      .options = joined({{{.name = "--poses",
-                           .value = "FILE",
-                           .help = "The poses in the world, a .csv file as --through of `line` "
-                                   "takes it.",
-                           .target = &arguments.poses,
-                           .required = true,
-                           .completes = Completes::file},
-                          {.name = "--lines",
-                           .help = "Only mounts from which the tool moves in straight lines "
-                                   "through the poses, one after the other.",
-                           .target = &arguments.options.lines}},
-                         mount_options(arguments),
-                         arguments.unit.options(),
-                         arguments.budget.options()}),
+      .arguments = {file_argument("MAP", "A file of `beeline reach map`, not of one orientation.",
+                                  &arguments->map)},
+      .options =
+          joined({{Option("--poses FILE",
+                          "The poses in the world, a .csv file as --through of `line` takes it.",
+                          &arguments->poses, {.required = true}),
+                   Option("--lines",
+                          "Only mounts from which the tool moves in straight lines through the "
+                          "poses, one after the other.",
+                          &arguments->options.lines)},
+                  mount_options(*arguments),
+                  arguments->unit.options(),
+                  arguments->budget.options()}),
       .examples = {{"Three poses above a table: where can the arm stand?",
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
                     "printf 'x,y,z,roll,pitch,yaw\\n0.8,-0.3,0.2,180,0,0\\n0.8,0.3,0.2,180,0,0\\n"
                     "1,0,0.4,180,0,0\\n' > poses.csv\n"
                     "beeline reach place puma560.h5 --poses poses.csv --lines --degrees"}},
-      .json = &arguments.json,
-      .run = [shared] { return place(*shared); }};
+      .run = [arguments] { return place(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -9,14 +9,12 @@
 #include "reach_totals.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct QueryArguments {
   std::string map, pose;
   UnitArgument unit;
-  bool json = false;
 };
 
 bool sampled(const ReachMap& map) { return map.header().samples > 0; }
@@ -40,9 +38,9 @@ Answer at_position(const ReachMap& map, Eigen::Index p) {
                      {"directions", best.directions[0]},
                      {counted_name(map), best.branches[0]}};
   if (!reached) {
-    answer.reason = sampled(map) ? "no sample is in the cells of this position"
-                                 : "the arm reaches the centre of the cell in no orientation of "
-                                   "the map";
+    answer.reason = sampled(map)
+                        ? "no sample is in the cells of this position"
+                        : "the arm reaches the centre of the cell in no orientation of the map";
     return answer;
   }
   answer.text += fmt::format(
@@ -84,10 +82,10 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
     answer.document.add("margin", static_cast<double>(cells.margin[at]));
   } else {
     answer.text += fmt::format("{:<16}0\n", counted_name(map));
-    answer.reason = (sampled(map) ? "no sample is in the cell; the pose itself: "
-                                  : "the arm does not reach the centre of the cell; the pose "
-                                    "itself: ") +
-                    itself;
+    answer.reason =
+        (sampled(map) ? "no sample is in the cell; the pose itself: "
+                      : "the arm does not reach the centre of the cell; the pose itself: ") +
+        itself;
   }
   answer.text += "the pose itself " + itself + "\n";
   answer.document.add("pose_itself", exact ? "solved" : itself);
@@ -118,29 +116,26 @@ Answer query(const QueryArguments& arguments) {
 }  // namespace
 
 Verb reach_query_verb() {
-  const auto shared = std::make_shared<QueryArguments>();
-  QueryArguments& arguments = *shared;
-  return {
-      .name = "query",
-      .summary = "What a map says of a pose or a position",
-      .description =
-          "Prints the cell of the map that contains the pose's position and is nearest in "
-          "orientation, what the arm can do at its centre, and whether the arm reaches the pose "
-          "itself. A position without orientation is answered with the best of its cells, and no "
-          "pose at all with the totals of the map. Exit code 1: not reached.",
-      .arguments = {map_argument(&arguments.map)},
-      .options =
-          joined({{{.name = "--pose",
-                    .value = "POSE",
-                    .help = "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another --pose-form, "
-                            "in the world, or a position x,y,z; x,y,theta or x,y for planar "
-                            "arms.",
-                    .target = &arguments.pose}},
-                  arguments.unit.options()}),
-      .examples = {{"A pose and a position",
-                    "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
-                    "beeline reach query puma560.h5 --pose 0.5,0.1,0.3,180,0,0 --degrees\n"
-                    "beeline reach query puma560.h5 --pose 0.5,0.1,0.3"}},
-      .json = &arguments.json,
-      .run = [shared] { return query(*shared); }};
+  const auto arguments = std::make_shared<QueryArguments>();
+  return {.name = "query",
+          .summary = "What a map says of a pose or a position",
+          .description =
+              "Prints the cell of the map that contains the pose's position and is nearest in "
+              "orientation, what the arm can do at its centre, and whether the arm reaches the "
+              "pose itself. A position without orientation is answered with the best of its cells, "
+              "and no pose at all with the totals of the map. Exit code 1: not reached.",
+          .arguments = {map_argument(&arguments->map)},
+          .options =
+              joined({{Option("--pose POSE",
+                              "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another --pose-form, in "
+                              "the world, or a position x,y,z; x,y,theta or x,y for planar arms.",
+                              &arguments->pose)},
+                      arguments->unit.options()}),
+          .examples = {{"A pose and a position",
+                        "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
+                        "beeline reach query puma560.h5 --pose 0.5,0.1,0.3,180,0,0 --degrees\n"
+                        "beeline reach query puma560.h5 --pose 0.5,0.1,0.3"}},
+          .run = [arguments] { return query(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/reach/surface.h>
 
 #include "command/verb.h"
@@ -15,14 +15,12 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct SliceArguments {
   std::string map, out;
   PlaneArgument plane;
-  bool json = false;
 };
 
 /// One row for each cell: the centre and the value, nan where it is not reached.
@@ -34,8 +32,8 @@ std::string csv_of(const ReachSlice& slice) {
       centre[slice.normal] = slice.at;
       centre[slice.axes[0]] = slice.grid[0].centre(i);
       centre[slice.axes[1]] = slice.grid[1].centre(j);
-      for (const double c : centre) text += internal::exact(c) + ",";
-      text += internal::exact(static_cast<double>(slice.values(i, j))) + "\n";
+      for (const double c : centre) text += exact(c) + ",";
+      text += exact(static_cast<double>(slice.values(i, j))) + "\n";
     }
   }
   return text;
@@ -43,7 +41,7 @@ std::string csv_of(const ReachSlice& slice) {
 
 Answer write_slice(const SliceArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.map});
-  const std::string ending = internal::extension(arguments.out);
+  const std::string ending = extension(arguments.out);
   const bool csv = ending == "csv";
   if (!csv && ending != "svg" && ending != "png" && ending != "pdf") {
     throw Error("--out: \"" + arguments.out + "\" must end in .svg, .png, .pdf or .csv");
@@ -52,7 +50,7 @@ Answer write_slice(const SliceArguments& arguments) {
   const ReachSlice slice =
       slice_of(map, arguments.plane.normal(), arguments.plane.at(), arguments.plane.measure());
   if (csv) {
-    internal::write_file(arguments.out, csv_of(slice));
+    write_file(arguments.out, csv_of(slice));
   } else {
     save(reach_figure(slice), arguments.out);
   }
@@ -70,8 +68,7 @@ Answer write_slice(const SliceArguments& arguments) {
 }  // namespace
 
 Verb reach_slice_verb() {
-  const auto shared = std::make_shared<SliceArguments>();
-  SliceArguments& arguments = *shared;
+  const auto arguments = std::make_shared<SliceArguments>();
   return {.name = "slice",
           .summary = "Draw the positions of a map in a plane, or write them as numbers",
           .description =
@@ -79,17 +76,15 @@ Verb reach_slice_verb() {
               "the arm, or writes them to a .csv file: a row x,y,z,value for each, nan where the "
               "arm reaches no orientation. The value is the best of the orientations at a "
               "position; directions are their fraction that is reached.",
-          .arguments = {map_argument(&arguments.map)},
-          .options = joined({arguments.plane.options(),
-                             {{.name = "--out",
-                               .value = "FILE",
-                               .help = "The picture, .svg, .png or .pdf, or the numbers, .csv.",
-                               .target = &arguments.out,
-                               .required = true,
-                               .completes = Completes::file}}}),
+          .arguments = {map_argument(&arguments->map)},
+          .options = joined(
+              {arguments->plane.options(),
+               {Option("--out FILE", "The picture, .svg, .png or .pdf, or the numbers, .csv.",
+                       &arguments->out, {.required = true})}}),
           .examples = {{"How freely an arm can turn its tool at the height of its shoulder",
                         "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
                         "beeline reach slice puma560.h5 --at z=0.2 --out slice.svg"}},
-          .json = &arguments.json,
-          .run = [shared] { return write_slice(*shared); }};
+          .run = [arguments] { return write_slice(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -6,8 +6,7 @@
 
 #include "format.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// "64000 positions x 54 directions x 6 rolls".
@@ -32,10 +31,7 @@ double percent(std::int64_t part, std::int64_t all) {
 }  // namespace
 
 Positional map_argument(std::string* target) {
-  return {.name = "MAP",
-          .help = "A file of `beeline reach map`.",
-          .target = target,
-          .completes = Completes::file};
+  return file_argument("MAP", "A file of `beeline reach map`.", target);
 }
 
 Answer map_totals(const ReachMap& map) {
@@ -88,3 +84,5 @@ Answer interrupted_map(const std::string& out, Ending ending) {
           .reason = sentence({ReasonCode::ended_in_map,
                               {{ReasonField::ending, ending}, {ReasonField::parts, parts}}})};
 }
+
+}  // namespace beeline::command

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/model/internal/ranges.h>
 
 #include "command/streams.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 constexpr double max_time = 1e10;  // seconds: times since 1970 are accepted
@@ -17,10 +15,11 @@ constexpr double max_time = 1e10;  // seconds: times since 1970 are accepted
 void check_times(const std::string& path, const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (std::abs(times[i]) <= max_time) continue;
-    throw FileError(path, 0,
-                    fmt::format("sample {}: the time {} s is outside -{} to {} s; --time-unit "
-                                "reads ms, us or ns",
-                                i + 1, number(times[i]), number(max_time), number(max_time)));
+    throw FileError(
+        path, 0,
+        fmt::format(
+            "sample {}: the time {} s is outside -{} to {} s; --time-unit reads ms, us or ns",
+            i + 1, number(times[i]), number(max_time), number(max_time)));
   }
 }
 
@@ -47,41 +46,33 @@ const char* const recording_units =
     "how it was read.";
 
 std::vector<Option> RecordingArgument::reading_options() {
-  return {{.name = "--joint-map",
-           .value = "FILE|A,B,...",
-           .help = "The recording's joints in the arm's order, a minus in front of those with the "
-                   "opposite direction; its other columns are not read. Or a .json file with "
-                   "{JOINT: {name, sign, offset, unit}, ...}, by the arm's joints, each optional: "
-                   "the arm's value is sign * recorded + offset, in the unit rad, deg, m or mm. "
-                   "Default: joints by name, as the arm or its maker's description for ROS has "
-                   "them.",
-           .target = &joint_map,
-           .completes = Completes::file},
-          {.name = "--angle-unit",
-           .value = "UNIT",
-           .help = "The unit of the recording's angles, unless the names of its columns or "
-                   "--joint-map give one. Default: rad; with --degrees deg, if only degrees are in "
-                   "range.",
-           .target = &angle_unit,
-           .choices = {name(JointUnit::radians), name(JointUnit::degrees)}},
-          {.name = "--time-unit",
-           .value = "UNIT",
-           .help = "The unit of times in a .csv recording with one column of times; the unit of "
-                   "other recordings is fixed. Default: what the column's name says, as time_ms; "
-                   "otherwise seconds or, for times since 1970, what their size says.",
-           .target = &time_unit,
-           .choices = time_unit_names()}};
+  return {
+      Option("--joint-map FILE|A,B,...",
+             "The recording's joints in the arm's order, a minus in front of those with the "
+             "opposite direction; its other columns are not read. Or a .json file with {JOINT: "
+             "{name, sign, offset, unit}, ...}, by the arm's joints, each optional: the arm's "
+             "value is sign * recorded + offset, in the unit rad, deg, m or mm. Default: joints by "
+             "name, as the arm or its maker's description for ROS has them.",
+             &joint_map),
+      Option("--angle-unit UNIT",
+             "The unit of the recording's angles, unless the names of its columns or --joint-map "
+             "give one. Default: rad; with --degrees deg, if only degrees are in range.",
+             &angle_unit, {.choices = {name(JointUnit::radians), name(JointUnit::degrees)}}),
+      Option("--time-unit UNIT",
+             "The unit of times in a .csv recording with one column of times; the unit of other "
+             "recordings is fixed. Default: what the column's name says, as time_ms; otherwise "
+             "seconds or, for times since 1970, what their size says.",
+             &time_unit, {.choices = time_unit_names()})};
 }
 
 std::vector<Option> RecordingArgument::options() {
   return joined(
       {reading_options(),
-       {{.name = "--no-unwrap",
-         .help = "Keep the values of continuous joints as recorded. By default, the jumps "
-                 "of values that stay within one revolution, or within two and jump by "
-                 "two, are taken out where only that keeps the velocity limits; stderr "
-                 "says so.",
-         .target = &no_unwrap}}});
+       {Option("--no-unwrap",
+               "Keep the values of continuous joints as recorded. By default, the jumps of values "
+               "that stay within one revolution, or within two and jump by two, are taken out "
+               "where only that keeps the velocity limits; stderr says so.",
+               &no_unwrap)}});
 }
 
 Recording RecordingArgument::read(const std::string& path, const Arm& arm, const UnitArgument& unit,
@@ -100,9 +91,9 @@ Recording RecordingArgument::read(const std::string& path, const Arm& arm, const
   for (const RecordingNote& note : recording.notes) warn(sentence(note, OptionStyle::command));
   const Trajectory& trajectory = recording.trajectory;
   check_times(path, trajectory.times);
-  check_size(path, arm, trajectory.positions, internal::max_position_limit);
-  check_size(path, arm, trajectory.velocities, internal::max_rate);
-  check_size(path, arm, trajectory.accelerations, internal::max_rate);
+  check_size(path, arm, trajectory.positions, Limits::max_position);
+  check_size(path, arm, trajectory.velocities, Limits::max_rate);
+  check_size(path, arm, trajectory.accelerations, Limits::max_rate);
   return recording;
 }
 
@@ -135,9 +126,4 @@ Json json_unwrapped(const std::vector<UnwrappedJoint>& joints) {
   return list;
 }
 
-Positional trajectory_argument(std::string name, std::string help, std::string* target) {
-  return {.name = std::move(name),
-          .help = std::move(help),
-          .target = target,
-          .completes = Completes::file};
-}
+}  // namespace beeline::command

@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
+#include <beeline/io/text/json.h>
 #include <beeline/io/trajectory_file.h>
 
 #include "arguments.h"
-#include "command/json.h"
+
+namespace beeline::command {
 
 /// What the reading of a recording depends on besides its options.
 struct ReadingNeeds {
@@ -26,21 +28,20 @@ struct RecordingArgument {
   /// A recording of the arm as the file has it. Warns of how it was read where the file does not
   /// say, and of units that it seems to be in. Throws FileError for a value or a time that is out
   /// of range.
-  beeline::Recording read(const std::string& path, const beeline::Arm& arm,
-                          const UnitArgument& unit, const ReadingNeeds& needs = {}) const;
+  Recording read(const std::string& path, const Arm& arm, const UnitArgument& unit,
+                 const ReadingNeeds& needs = {}) const;
   /// The same, unwrapped unless --no-unwrap is given, with a warning.
-  beeline::Recording read_unwrapped(const std::string& path, const beeline::Arm& arm,
-                                    const UnitArgument& unit, const ReadingNeeds& needs = {}) const;
+  Recording read_unwrapped(const std::string& path, const Arm& arm, const UnitArgument& unit,
+                           const ReadingNeeds& needs = {}) const;
 };
 
 /// Warns of the joints of the file that were unwrapped.
-void warn_of_unwrapped(const std::string& path, const std::vector<beeline::UnwrappedJoint>& joints);
+void warn_of_unwrapped(const std::string& path, const std::vector<UnwrappedJoint>& joints);
 
 /// [{"joint", "wraps", "first_time"}, ...]
-Json json_unwrapped(const std::vector<beeline::UnwrappedJoint>& joints);
-
-/// FILE, a trajectory.
-Positional trajectory_argument(std::string name, std::string help, std::string* target);
+Json json_unwrapped(const std::vector<UnwrappedJoint>& joints);
 
 /// What the description of a verb says of its recordings.
 extern const char* const recording_units;
+
+}  // namespace beeline::command

@@ -6,8 +6,7 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -19,8 +18,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct ReplayArguments {
@@ -34,7 +32,6 @@ struct ReplayArguments {
   ReplayOptions replay;
   BudgetArgument budget;
   ResultFiles files;
-  bool json = false;
 };
 
 /// "2:0.5,4:0,6:1": times and the speeds from then on.
@@ -47,8 +44,8 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
     if (colon == std::string::npos) {
       throw Error("--speed-at takes TIME:SPEED pairs, such as 2:0.5,4:0,6:1, not " + change);
     }
-    changes.push_back({internal::parse_number(change.substr(0, colon), "--speed-at, time"),
-                       internal::parse_number(change.substr(colon + 1), "--speed-at, speed")});
+    changes.push_back({parse_number(change.substr(0, colon), "--speed-at, time"),
+                       parse_number(change.substr(colon + 1), "--speed-at, speed")});
     begin = end + 1;
   }
   return changes;
@@ -75,9 +72,8 @@ Json replay_document(const Replay& played, double limit_tolerance) {
                 {"slowdown", played.slowdown},
                 {"velocity_fraction",
                  velocity.joint.empty() || velocity.assumed ? Json() : Json(velocity.fraction)},
-                {"unwrapped", json_unwrapped(played.unwrapped)},
-                {"reason", sentence(played.reason)}};
-  document.add(reason_members(played.reason));
+                {"unwrapped", json_unwrapped(played.unwrapped)}};
+  document.add(json_reason(played.reason));
   document.add("limit_tolerance", limit_tolerance);
   if (reached) document.add("limits", json_limits(played.limits));
   return document;
@@ -94,12 +90,12 @@ void warn_of_limits(const LimitUsage& limits, double limit_tolerance) {
   for (const auto& [kind, use, root] : kinds) {
     if (use->joint.empty() || !(use->fraction > 1 + slack)) continue;
     if (use->assumed && use == &limits.jerk) continue;
-    warn(fmt::format(
-        "the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
-        "{} % of this speed keeps it",
-        use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
-        internal::number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
-        shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
+    warn(
+        fmt::format("the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; {} % of "
+                    "this speed keeps it",
+                    use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
+                    number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
+                    shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
   }
 }
 
@@ -117,8 +113,7 @@ std::string replay_text(const Replay& played, double limit_tolerance) {
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
-                         arguments.file, arguments.measured});
+  arguments.files.check(arguments.arm.inputs({arguments.file, arguments.measured}));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   ReplayOptions options = replay_options(arguments, arm);
   const bool compares = !arguments.measured.empty();
@@ -161,49 +156,35 @@ Answer replay_file(const ReplayArguments& arguments) {
 std::vector<Option> playing_options(ReplayArguments& arguments) {
   ReplayOptions& replay = arguments.replay;
   return {
-      joint_values_option("--from",
-                          "Joint values at which the arm is; it first moves to the first "
-                          "sample (the lead-in).",
-                          &arguments.from),
-      {.name = "--speed",
-       .value = "K",
-       .help = "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the "
-               "motion takes twice the recorded time.",
-       .target = &replay.speed,
-       .range = above_zero},
-      {.name = "--speed-at",
-       .value = "T:K,...",
-       .help = "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
-               "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed "
-               "from 6 s on. The speed changes gradually; a recording that starts moving starts at "
-               "speed 0.",
-       .target = &arguments.speed_at,
-       .excludes = "--speed"},
-      {.name = "--ramp",
-       .value = "SECONDS",
-       .help = "Time in which the playback speed changes by 1.",
-       .target = &replay.ramp,
-       .range = above_zero,
-       .needs = "--speed-at"},
-      {.name = "--rate",
-       .value = "HZ",
-       .help = "Samples per second of the output, from the first to the last. Default: the "
-               "recorded samples; with --speed-at 100.",
-       .target = &arguments.rate,
-       .range = sample_rates},
+      joint_values_option(
+          "--from",
+          "Joint values at which the arm is; it first moves to the first sample (the lead-in).",
+          &arguments.from),
+      Option("--speed K",
+             "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the motion "
+             "takes twice the recorded time.",
+             &replay.speed, {.range = above_zero}),
+      Option("--speed-at T:K,...",
+             "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
+             "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed from 6 "
+             "s on. The speed changes gradually; a recording that starts moving starts at speed 0.",
+             &arguments.speed_at, {.excludes = "--speed"}),
+      Option("--ramp SECONDS", "Time in which the playback speed changes by 1.", &replay.ramp,
+             {.range = above_zero, .needs = "--speed-at"}),
+      Option("--rate HZ",
+             "Samples per second of the output, from the first to the last. Default: the recorded "
+             "samples; with --speed-at 100.",
+             &arguments.rate, {.range = sample_rates}),
       limit_tolerance_option(&replay.limit_tolerance),
-      {.name = "--measured",
-       .value = "FILE",
-       .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",
-       .target = &arguments.measured,
-       .completes = Completes::file}};
+      Option("--measured FILE",
+             "A measured trajectory, to report the tracking error as `beeline diff` does.",
+             &arguments.measured)};
 }
 
 }  // namespace
 
 Verb replay_verb() {
-  const auto shared = std::make_shared<ReplayArguments>();
-  ReplayArguments& arguments = *shared;
+  const auto arguments = std::make_shared<ReplayArguments>();
   return {
       .name = "replay",
       .summary = "Play a recorded trajectory on an arm, checked against its limits",
@@ -211,19 +192,19 @@ Verb replay_verb() {
           "Checks a recording against the arm's limits and resamples it. The samples hold the "
           "limits of position, velocity, acceleration and jerk at all times where the recording "
           "does: it is slowed down where a rate needs it. Where the recording stops, the replay "
-          "does too, and dwells are never shorter. Prints a status, the number of samples, "
-          "the duration and the lead-in in seconds, and the largest fraction of each limit. " +
+          "does too, and dwells are never shorter. Prints a status, the number of samples, the "
+          "duration and the lead-in in seconds, and the largest fraction of each limit. " +
           std::string(recording_units),
-      .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE", "A recorded trajectory, .csv, .json or .yaml.",
-                                        &arguments.file)},
-      .options = joined({playing_options(arguments),
-                         arguments.recording.options(),
-                         arguments.unit.options(),
-                         arguments.files.options(),
-                         arguments.arm.options(),
-                         arguments.limits.rate_options(),
-                         {arguments.budget.time_limit_option()}}),
+      .arguments = {arguments->arm.argument(),
+                    file_argument("FILE", "A recorded trajectory, .csv, .json or .yaml.",
+                                  &arguments->file)},
+      .options = joined({playing_options(*arguments),
+                         arguments->recording.options(),
+                         arguments->unit.options(),
+                         arguments->files.options(),
+                         arguments->arm.options(),
+                         arguments->limits.rate_options(),
+                         {arguments->budget.time_limit_option()}}),
       .examples = {{"Record a motion, then play it at half speed",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--method quickest --out move.csv\n"
@@ -232,6 +213,7 @@ Verb replay_verb() {
                     "beeline replay panda move.csv --speed-at 0:0.5,1:0,2:1 --out paused.csv"},
                    {"The tracking error of a measured trajectory",
                     "beeline replay panda move.csv --measured slow.csv"}},
-      .json = &arguments.json,
-      .run = [shared] { return replay_file(*shared); }};
+      .run = [arguments] { return replay_file(*arguments); }};
 }
+
+}  // namespace beeline::command

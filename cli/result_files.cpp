@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 
-using namespace beeline;
+namespace beeline::command {
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code fault;
@@ -29,26 +29,17 @@ void refuse_overwriting(const std::string& output, const std::vector<std::string
 }
 
 Option plot_option(std::string* target) {
-  return {.name = "--plot",
-          .value = "FILE",
-          .help = "Plot joints and tool over time beside their limits: .svg, .png or .pdf.",
-          .target = target,
-          .completes = Completes::file};
+  return Option("--plot FILE",
+                "Plot joints and tool over time beside their limits: .svg, .png or .pdf.", target);
 }
 
 std::vector<Option> ResultFiles::options() {
-  return {{.name = "--out",
-           .value = "FILE",
-           .help = "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.",
-           .target = &out,
-           .completes = Completes::file,
-           .arguments = {"path"}},
-          {.name = "--draw",
-           .value = "FILE",
-           .help = "Draw the arm and the path of its tool: .svg, .png or .pdf.",
-           .target = &draw,
-           .completes = Completes::file},
-          plot_option(&plot)};
+  return {
+      Option("--out FILE",
+             "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.", &out,
+             {.arguments = {"path"}}),
+      Option("--draw FILE", "Draw the arm and the path of its tool: .svg, .png or .pdf.", &draw),
+      plot_option(&plot)};
 }
 
 void ResultFiles::check(const std::vector<std::string>& inputs) const {
@@ -70,7 +61,7 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints, const TimingFigureOptions& plot_options,
                         const std::optional<Arm>& plotted) const {
-  std::vector<internal::NewFile> files;
+  std::vector<NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
     const Figure figure = motion_figure(arm, trajectory, waypoints);
@@ -80,7 +71,7 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     const Picture picture = timing_figure(plotted.value_or(arm), trajectory, plot_options);
     files.push_back({plot, render(picture, format_of(plot))});
   }
-  internal::write_files(files);
+  write_files(files);
 }
 
 std::string ResultFiles::text() const {
@@ -96,3 +87,5 @@ void ResultFiles::add_to(Json& document) const {
   if (!draw.empty()) document.add("draw", draw);
   if (!plot.empty()) document.add("plot", plot);
 }
+
+}  // namespace beeline::command

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include <beeline/draw/timing_figure.h>
+#include <beeline/io/text/json.h>
 #include <beeline/trajectory/trajectory.h>
 
-#include "command/json.h"
 #include "command/option.h"
+
+namespace beeline::command {
 
 /// Whether two paths name the same file, which need not exist: ./q.svg is q.svg.
 bool same_file(const std::string& a, const std::string& b);
@@ -29,11 +31,12 @@ struct ResultFiles {
   void check(const std::vector<std::string>& inputs) const;
   /// Writes all files or none. The path of `plot_options` is in the world of
   /// `plotted`, which is the arm where it is not given.
-  void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
-             const std::vector<beeline::Pose>& waypoints,
-             const beeline::TimingFigureOptions& plot_options = {},
-             const std::optional<beeline::Arm>& plotted = std::nullopt) const;
+  void write(const Arm& arm, const Trajectory& trajectory, const std::vector<Pose>& waypoints,
+             const TimingFigureOptions& plot_options = {},
+             const std::optional<Arm>& plotted = std::nullopt) const;
   /// The names of the files, one a line.
   std::string text() const;
   void add_to(Json& document) const;
 };
+
+}  // namespace beeline::command

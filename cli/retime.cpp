@@ -15,8 +15,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct RetimeArguments {
@@ -31,7 +30,6 @@ struct RetimeArguments {
   std::optional<double> tool_speed, rate;
   BudgetArgument budget;
   ResultFiles files;
-  bool json = false;
 };
 
 /// A trajectory, or a path: the positions of a .csv file without times, which retime() ignores.
@@ -77,8 +75,7 @@ std::string retime_status(const Retimed& retimed) {
 }
 
 Answer retime_file(const RetimeArguments& arguments) {
-  arguments.files.check(
-      {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.file});
+  arguments.files.check(arguments.arm.inputs({arguments.file}));
   RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Recording input = read_input(arguments, arm);
@@ -100,11 +97,10 @@ Answer retime_file(const RetimeArguments& arguments) {
                              {"sections", retimed.sections},
                              {"unwrapped", json_unwrapped(retimed.unwrapped)},
                              {"limits", json_limits(retimed.limits)},
-                             {"tool_speed", retimed.tool_speed},
-                             {"reason", sentence(retimed.reason)}},
+                             {"tool_speed", retimed.tool_speed}},
                 .yes = found,
                 .reason = sentence(retimed.reason)};
-  answer.document.add(reason_members(retimed.reason));
+  answer.document.add(json_reason(retimed.reason));
   if (found) arguments.files.add_to(answer.document);
   return answer;
 }
@@ -113,37 +109,26 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {
       arguments.profile.option(),
       arguments.interpolation.option(),
-      {.name = "--tool-speed",
-       .value = "V",
-       .help = "Largest speed of the tool origin, m/s.",
-       .target = &arguments.tool_speed,
-       .range = tool_speeds},
-      {.name = "--duration",
-       .value = "SECONDS",
-       .help = "Duration of the motion: the quickest one is slowed down to it, and a shorter one "
-               "is refused with the shortest. `beeline replay --rate` samples it. Default: the "
-               "shortest.",
-       .target = &arguments.retime.duration,
-       .range = above_zero,
-       .excludes = "--rate"},
-      {.name = "--max-samples",
-       .value = "N",
-       .help = "Give up if --rate makes more samples, or the file has more and more than "
-               "200000. 1000000 take about a minute and 2.5 GB.",
-       .target = &arguments.retime.max_samples,
-       .range = {2, 10'000'000}},
-      {.name = "--rate",
-       .value = "HZ",
-       .help = "Samples per second. Default: every sample of the file, and more between.",
-       .target = &arguments.rate,
-       .range = sample_rates}};
+      Option("--tool-speed V", "Largest speed of the tool origin, m/s.", &arguments.tool_speed,
+             {.range = tool_speeds}),
+      Option(
+          "--duration SECONDS",
+          "Duration of the motion: the quickest one is slowed down to it, and a shorter one is "
+          "refused with the shortest. `beeline replay --rate` samples it. Default: the shortest.",
+          &arguments.retime.duration, {.range = above_zero, .excludes = "--rate"}),
+      Option("--max-samples N",
+             "Give up if --rate makes more samples, or the file has more and more than 200000. "
+             "1000000 take about a minute and 2.5 GB.",
+             &arguments.retime.max_samples, {.range = {2, 10'000'000}}),
+      Option("--rate HZ",
+             "Samples per second. Default: every sample of the file, and more between.",
+             &arguments.rate, {.range = sample_rates})};
 }
 
 }  // namespace
 
 Verb retime_verb() {
-  const auto shared = std::make_shared<RetimeArguments>();
-  RetimeArguments& arguments = *shared;
+  const auto arguments = std::make_shared<RetimeArguments>();
   return {
       .name = "retime",
       .summary = "Retime a trajectory: minimum time within the joint limits",
@@ -155,23 +140,24 @@ Verb retime_verb() {
           "and the largest tool speed in m/s. Limits that are not known are assumed, and reported "
           "as assumed. " +
           std::string(recording_units),
-      .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE",
-                                        "The trajectory, .csv, .json or .yaml. A .csv file without "
-                                        "a column of times is a path.",
-                                        &arguments.file)},
+      .arguments = {arguments->arm.argument(),
+                    file_argument("FILE",
+                                  "The trajectory, .csv, .json or .yaml. A .csv file without "
+                                  "a column of times is a path.",
+                                  &arguments->file)},
       .options =
-          joined({timing_options(arguments), arguments.recording.options(),
-                  arguments.unit.options(), arguments.files.options(), arguments.arm.options(),
-                  arguments.limits.options(), arguments.budget.options()}),
-      .examples = {{"Record a motion under feedback control, then retime it",
-                    "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
-                    "--out move.csv\n"
-                    "beeline retime panda move.csv --out quick.csv"},
-                   {"Waypoints without times, at half the speed limits, sampled at 100 Hz",
-                    "printf 'joint1,joint2,joint3\\n0,1,0\\n0.5,0.8,-0.3\\n1,0,0.2\\n' > "
-                    "waypoints.csv\n"
-                    "beeline retime rrr waypoints.csv --speed 0.5 --rate 100 --out timed.csv"}},
-      .json = &arguments.json,
-      .run = [shared] { return retime_file(*shared); }};
+          joined({timing_options(*arguments), arguments->recording.options(),
+                  arguments->unit.options(), arguments->files.options(), arguments->arm.options(),
+                  arguments->limits.options(), arguments->budget.options()}),
+      .examples =
+          {{"Record a motion under feedback control, then retime it",
+            "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --out "
+            "move.csv\n"
+            "beeline retime panda move.csv --out quick.csv"},
+           {"Waypoints without times, at half the speed limits, sampled at 100 Hz",
+            "printf 'joint1,joint2,joint3\\n0,1,0\\n0.5,0.8,-0.3\\n1,0,0.2\\n' > waypoints.csv\n"
+            "beeline retime rrr waypoints.csv --speed 0.5 --rate 100 --out timed.csv"}},
+      .run = [arguments] { return retime_file(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -7,12 +7,11 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include <zlib.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// The stream of RFC 1951 that the page inflates.
@@ -64,7 +63,7 @@ std::string saved_page(const std::string& folder, const Arm& arm, const std::str
   if (!std::filesystem::is_regular_file(saved)) {
     throw Error("the page in " + folder + " is of another version: no saved.html; run make web");
   }
-  const std::string text = internal::read_file(saved.string());
+  const std::string text = read_file(saved.string());
   const std::string_view marker = " data-file=\"", end = "\"></script>";
   std::string document;
   std::size_t from = 0;
@@ -75,7 +74,7 @@ std::string saved_page(const std::string& folder, const Arm& arm, const std::str
     if (!is_part) continue;  // the page's own code
     const std::string file = text.substr(name, quote - name);
     document += text.substr(from, at - from) + ">";
-    document += base64(deflated(internal::read_file((saved.parent_path() / file).string())));
+    document += base64(deflated(read_file((saved.parent_path() / file).string())));
     from = quote + 2;
   }
   document += text.substr(from);
@@ -84,3 +83,5 @@ std::string saved_page(const std::string& folder, const Arm& arm, const std::str
   if (!trajectory.empty()) fill(document, "trajectory", base64(deflated(trajectory)));
   return document;
 }
+
+}  // namespace beeline::command

@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
 
@@ -15,8 +15,7 @@
 #include "result_files.h"
 #include "verbs.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 struct ShowArguments {
@@ -24,7 +23,6 @@ struct ShowArguments {
   LimitsArgument limits;
   UnitArgument unit;
   std::string out;
-  bool json = false;
 };
 
 /// The chain of a group, or why it is none.
@@ -91,12 +89,11 @@ void add_source(const std::string& name, Answer& answer) {
 Answer show(const ShowArguments& arguments) {
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   if (!arguments.out.empty()) {
-    if (internal::extension(arguments.out) != "json") {
+    if (extension(arguments.out) != "json") {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
-    refuse_overwriting(arguments.out,
-                       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
-    internal::write_file(arguments.out, arm_to_json(arm));
+    refuse_overwriting(arguments.out, arguments.arm.inputs());
+    write_file(arguments.out, arm_to_json(arm));
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
@@ -108,33 +105,29 @@ Answer show(const ShowArguments& arguments) {
 }  // namespace
 
 Verb show_verb() {
-  const auto shared = std::make_shared<ShowArguments>();
-  ShowArguments& arguments = *shared;
-  return {
-      .name = "show",
-      .summary = "Print an arm as a table: joints, limits, frames, reach",
-      .description =
-          "Prints each joint with its type, its axis in the world at zero joint values, its "
-          "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
-          "the frames of all links and of the tool at zero joint values; and a ball that the "
-          "tool cannot leave. Limits that are not known are assumed in motions; they are marked "
-          "with an a, and with --json null, with the assumed ones in `assumed`. Of a built-in arm "
-          "also its maker and the document that the numbers are from; with --srdf the groups and "
-          "named states.",
-      .arguments = {arguments.arm.argument()},
-      .options = joined({arguments.unit.options(),
-                         {{.name = "--out",
-                           .value = "FILE",
-                           .help = "Also write the arm to this .json file.",
-                           .target = &arguments.out,
-                           .completes = Completes::file}},
-                         arguments.arm.options(),
-                         arguments.limits.options()}),
-      .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
-                   {"A UR5 with limits of its user",
-                    "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
-                   {"An arm file to change and use in place of the built-in arm",
-                    "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
-      .json = &arguments.json,
-      .run = [shared] { return show(*shared); }};
+  const auto arguments = std::make_shared<ShowArguments>();
+  return {.name = "show",
+          .summary = "Print an arm as a table: joints, limits, frames, reach",
+          .description =
+              "Prints each joint with its type, its axis in the world at zero joint values, its "
+              "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
+              "the frames of all links and of the tool at zero joint values; and a ball that the "
+              "tool cannot leave. Limits that are not known are assumed in motions; they are "
+              "marked with an a, and with --json null, with the assumed ones in `assumed`. Of a "
+              "built-in arm also its maker and the document that the numbers are from; with --srdf "
+              "the groups and named states.",
+          .arguments = {arguments->arm.argument()},
+          .options = joined(
+              {arguments->unit.options(),
+               {Option("--out FILE", "Also write the arm to this .json file.", &arguments->out)},
+               arguments->arm.options(),
+               arguments->limits.options()}),
+          .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                       {"A UR5 with limits of its user",
+                        "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
+                       {"An arm file to change and use in place of the built-in arm",
+                        "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
+          .run = [arguments] { return show(*arguments); }};
 }
+
+}  // namespace beeline::command

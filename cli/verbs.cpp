@@ -1,5 +1,7 @@
 #include "verbs.h"
 
+namespace beeline::command {
+
 std::vector<Verb> all_verbs() {
   std::vector<Verb> verbs{
       arms_verb(),   show_verb(), fk_verb(),     jacobian_verb(), ik_verb(),     batch_verb(),
@@ -13,3 +15,5 @@ std::vector<Verb> all_verbs() {
 #endif
   return verbs;
 }
+
+}  // namespace beeline::command

@@ -4,6 +4,8 @@
 
 #include "command/verb.h"
 
+namespace beeline::command {
+
 /// The verbs of the command, in the order of its overview.
 std::vector<Verb> all_verbs();
 
@@ -35,3 +37,5 @@ Verb reach_slice_verb();
 Verb reach_export_verb();
 Verb reach_compare_verb();
 Verb reach_place_verb();
+
+}  // namespace beeline::command

@@ -7,7 +7,7 @@
 #include <string>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 
 #include "arm_argument.h"
@@ -22,8 +22,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 constexpr const char* loopback = "127.0.0.1";
@@ -67,7 +66,7 @@ void open_browser(const std::string& address) {
 }
 
 Answer save_page(const std::string& path, const PageSession& session, const std::string& folder) {
-  internal::write_file(path, saved_page(folder, session.arm, session.trajectory));
+  write_file(path, saved_page(folder, session.arm, session.trajectory));
   return {.text = "page    " + path + "\n", .document = Json{{"page", path}}};
 }
 
@@ -114,55 +113,42 @@ Answer view(const ViewArguments& arguments) {
 }  // namespace
 
 Verb view_verb() {
-  const auto shared = std::make_shared<ViewArguments>();
-  ViewArguments& arguments = *shared;
-  return {
-      .name = "view",
-      .summary = "Show an arm in the browser, and a running program's joint values live",
-      .description =
-          "Serves the page on this computer and opens it with the arm, and with a trajectory to "
-          "play. Prints the address; Ctrl-C and SIGTERM end it with exit code 0. A program that is "
-          "running posts joint values, in radians and metres, to api/joints; the page follows. "
-          "Requests of other sites are refused.",
-      .arguments = {arguments.arm.argument(),
-                    {.name = "FILE",
-                     .help = "A trajectory to play, .csv, .json or .yaml.",
-                     .target = &arguments.file,
-                     .completes = Completes::file,
-                     .required = false}},
-      .options = joined({{{.name = "--port",
-                           .value = "N",
-                           .help = "The port, or the next one that is free.",
-                           .target = &arguments.port,
-                           .range = {.lowest = 1, .highest = 65535}},
-                          {.name = "--host",
-                           .value = "ADDRESS",
-                           .help = "The address to listen on; others than 127.0.0.1 let the "
-                                   "network in.",
-                           .target = &arguments.host},
-                          {.name = "--save",
-                           .value = "FILE.html",
-                           .help = "Serve nothing: write page, arm and trajectory as one HTML "
-                                   "file, which opens from a disk without a network.",
-                           .target = &arguments.save,
-                           .completes = Completes::file},
-                          {.name = "--no-browser",
-                           .help = "Do not open a browser.",
-                           .target = &arguments.no_browser},
-                          {.name = "--page",
-                           .value = "FOLDER",
-                           .help = "The folder of the built page. Default: the one that was "
-                                   "installed with the command, or that of make web.",
-                           .target = &arguments.folder,
-                           .completes = Completes::file}},
-                         arguments.recording.options(),
-                         arguments.unit.options(),
-                         arguments.arm.options()}),
-      .examples = {{"A UR5 in the browser", "beeline view ur5"},
-                   {"Joint values from a shell; a program does the same 60 times a second",
-                    "beeline view ur5 --no-browser &\n"
-                    "curl -H 'Content-Type: application/json' -d '{\"q\": [0, -1, 1, 0, 1, 0]}' "
-                    "http://127.0.0.1:8642/api/joints"}},
-      .json = &arguments.json,
-      .run = [shared] { return view(*shared); }};
+  const auto arguments = std::make_shared<ViewArguments>();
+  return {.name = "view",
+          .summary = "Show an arm in the browser, and a running program's joint values live",
+          .description =
+              "Serves the page on this computer and opens it with the arm, and with a trajectory "
+              "to play. Prints the address; Ctrl-C and SIGTERM end it with exit code 0. A program "
+              "that is running posts joint values, in radians and metres, to api/joints; the page "
+              "follows. Requests of other sites are refused.",
+          .arguments = {arguments->arm.argument(),
+                        file_argument("FILE", "A trajectory to play, .csv, .json or .yaml.",
+                                      &arguments->file, false)},
+          .options =
+              joined({{Option("--port N", "The port, or the next one that is free.",
+                              &arguments->port, {.range = {.lowest = 1, .highest = 65535}}),
+                       Option("--host ADDRESS",
+                              "The address to listen on; others than 127.0.0.1 let the network in.",
+                              &arguments->host),
+                       Option("--save FILE.html",
+                              "Serve nothing: write page, arm and trajectory as one HTML file, "
+                              "which opens from a disk without a network.",
+                              &arguments->save),
+                       Option("--no-browser", "Do not open a browser.", &arguments->no_browser),
+                       Option("--page FOLDER",
+                              "The folder of the built page. Default: the one that was installed "
+                              "with the command, or that of make web.",
+                              &arguments->folder)},
+                      arguments->recording.options(),
+                      arguments->unit.options(),
+                      arguments->arm.options()}),
+          .examples = {{"A UR5 in the browser", "beeline view ur5"},
+                       {"Joint values from a shell; a program does the same 60 times a second",
+                        "beeline view ur5 --no-browser &\n"
+                        "curl -H 'Content-Type: application/json' -d '{\"q\": [0, -1, 1, 0, 1, "
+                        "0]}' http://127.0.0.1:8642/api/joints"}},
+          .json = {arguments, &arguments->json},
+          .run = [arguments] { return view(*arguments); }};
 }
+
+}  // namespace beeline::command

@@ -1,7 +1,6 @@
 #include "work_frame.h"
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 /// Whether a task with these three rows is the same in axes that are rotated, by about z only if
@@ -43,3 +42,5 @@ Program WorkFrame::seen(Program program) const {
   }
   return program;
 }
+
+}  // namespace beeline::command

@@ -5,16 +5,20 @@
 
 #include "pose_argument.h"
 
+namespace beeline::command {
+
 /// The arm as seen from the frame of --work: reasons and nearby paths of motions planned with it
 /// are in that frame. Where the task's rows depend on the axes of the world, the arm as it is.
 struct WorkFrame {
-  beeline::Arm arm;
-  beeline::Pose frame_T_world = beeline::Pose::Identity();
+  Arm arm;
+  Pose frame_T_world = Pose::Identity();
   std::string note = {};  ///< "; positions are in the frame of --work", the end of a reason
 
-  WorkFrame(const beeline::Arm& world_arm, const beeline::Task& task, const WorkArgument& work,
+  WorkFrame(const Arm& world_arm, const Task& task, const WorkArgument& work,
             const UnitArgument& unit);
 
-  std::vector<beeline::Pose> seen(std::vector<beeline::Pose> world_poses) const;
-  beeline::Program seen(beeline::Program world_program) const;
+  std::vector<Pose> seen(std::vector<Pose> world_poses) const;
+  Program seen(Program world_program) const;
 };
+
+}  // namespace beeline::command

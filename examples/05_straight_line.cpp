@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/model/catalog.h>

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/joint.h>

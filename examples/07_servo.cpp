@@ -10,7 +10,7 @@
 
 #include <beeline/control/servo.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <numbers>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>

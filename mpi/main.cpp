@@ -3,9 +3,7 @@
 // ends the job, the same command continues, with any number of ranks.
 
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
-#include <beeline/reach/internal/parts.h>
-#include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 
 #include "cli/command/program.h"
 #include "cli/command/progress.h"
@@ -20,10 +18,9 @@
 #include <unistd.h>
 
 using namespace beeline;
+using namespace beeline::command;
 
 namespace {
-
-using Units = std::vector<internal::SlabRange>;
 
 int rank() {
   int rank = 0;
@@ -54,35 +51,15 @@ void abort_job(const std::string& reason, int code) {
   MPI_Abort(MPI_COMM_WORLD, code);
 }
 
-/// Computes units, by their numbers, until `next` returns none.
-template <class Next>
-Ending compute_units(internal::Parts& parts, const Units& units, const ReachMapJob& job,
-                     const Next& next) {
-  internal::BudgetMeter budget(job.options.reach.budget);
-  Ending ending = Ending::complete;
-  while (const std::optional<Eigen::Index> unit = next()) {
-    // A rank whose budget is spent goes on asking, so that nothing is left for the dispatcher.
-    if (ending != Ending::complete) continue;
-    ReachOptions options = job.options.reach;
-    options.budget = budget.part();
-    ending = parts.compute(units[*unit], options);
-  }
-  parts.finish();
-  return ending;
-}
-
 /// Rank 0: hands out the units, computes as the others do, and joins what all have computed.
-Answer lead(internal::Parts& parts, const Units& units, const ReachMapJob& job) {
-  std::vector<Eigen::Index> missing;
-  for (Eigen::Index k = 0; k < std::ssize(units); ++k) {
-    if (!parts.has(units[k])) missing.push_back(k);
-  }
+Answer lead(ReachMapUnits& units, const ReachMapJob& job) {
   Ending ending = Ending::complete;
   {
     Progress progress;
-    Dispatcher dispatcher(missing);
+    Dispatcher dispatcher(units.missing());
     try {
-      ending = compute_units(parts, units, job, [&] {
+      // A rank whose budget is spent goes on asking, so that nothing is left for the dispatcher.
+      ending = units.compute([&] {
         progress.show(dispatcher.fraction());
         return dispatcher.next();
       });
@@ -92,8 +69,7 @@ Answer lead(internal::Parts& parts, const Units& units, const ReachMapJob& job) 
   }
   ending = static_cast<Ending>(largest_of_all(static_cast<int>(ending)));
   if (ending != Ending::complete) return interrupted_map(job.out, ending);
-  parts.join(units, job.out);
-  parts.remove();
+  units.join();
   return map_totals(ReachMap(job.out, job.options.reach.threads));
 }
 
@@ -102,19 +78,13 @@ Answer compute(const MakeReachMapJob& make_job) {
   if (job.options.shard.count != 1) {
     throw Error("--shard is for `beeline reach map`: the ranks divide the map among them");
   }
-  (void)reach_cells(job.arm, job.grid, 0, 0, job.options.reach);  // refuses what has no map
-  const ReachMapHeader header{job.arm, job.grid, job.options.reach.redundant_values,
-                              job.options.reach.samples};
-  const Units units = internal::units_of(header);
+  if (rank() != 0) largest_of_all(0);  // after rank 0 has made the folder
+  ReachMapUnits units(job.arm, job.grid, job.out, job.options.reach);
   if (rank() == 0) {
-    internal::Parts parts(job.out, header);  // makes the folder
     largest_of_all(0);
-    return lead(parts, units, job);
+    return lead(units, job);
   }
-  largest_of_all(0);
-  internal::Parts parts(job.out, header);
-  const Ending ending = compute_units(parts, units, job, ask_for_unit);
-  largest_of_all(static_cast<int>(ending));
+  largest_of_all(static_cast<int>(units.compute(ask_for_unit)));
   return {};
 }
 

@@ -3,7 +3,8 @@
 A folder includes itself, its internal/, the folders that layers.txt names for it, and the files beside
 the folders (error.h). Libraries other than Eigen appear only in the folders listed below, in .cpp
 files and in -inl.h files. A public header, which is installed, includes no internal one, and includes
-error.h when it promises "Throws Error"."""
+error.h when it promises "Throws Error". What stands outside of beeline/, except its tests, uses public
+headers alone, and no name of beeline::internal."""
 
 import re
 import sys
@@ -30,6 +31,7 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "tinyxml2": {"io/text"},
     "yaml": {"io/text"},
 }
+OUTSIDE = ("cli", "python/src", "mpi", "web/core", "bench", "examples")
 UMBRELLA = "beeline/beeline.h"  # includes every public header
 # Not installed: all of these folders, every internal/ and -inl.h.
 INTERNAL = {"simd", "math", "inverse/analytic", "inverse/numerical"}
@@ -70,7 +72,21 @@ def violations(root):
             if reason:
                 place = f"{path.relative_to(root)}:{number}"
                 found.append(f"{place}: {include.group(2)}: {reason}")
-    return sorted(found + public_violations(root))
+    return sorted(found + public_violations(root) + outside_violations(root))
+
+
+def outside_violations(root):
+    found = []
+    for path in (path for folder in OUTSIDE for path in sources(root / folder)):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            include = INCLUDE.match(line)
+            target = Path(include.group(2).removeprefix("beeline/")) if include else None
+            place = f"{path.relative_to(root)}:{number}"
+            if target and include.group(2).startswith("beeline/") and not is_public(target):
+                found.append(f"{place}: only beeline/ and tests/ include the internal {target.name}")
+            if re.search(r"\binternal::|\bnamespace beeline::internal\b", line):
+                found.append(f"{place}: only beeline/ and tests/ use beeline::internal")
+    return found
 
 
 def is_public(path):

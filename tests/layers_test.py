@@ -88,6 +88,26 @@ def test_a_bad_public_header_is_refused(library, text, reason):
     assert violations(library) == []
 
 
+@pytest.mark.parametrize("folder", ["cli", "cli/command", "python/src", "mpi", "web/core", "bench"])
+@pytest.mark.parametrize(
+    "line, reason",
+    [
+        ("#include <beeline/pose/internal/secret.h>", "include the internal secret.h"),
+        ('#include "beeline/math/log.h"', "include the internal log.h"),
+        ("#include <beeline/pose/kernel-inl.h>", "include the internal kernel-inl.h"),
+        ("  return beeline::internal::secret();", "use beeline::internal"),
+        ("using namespace beeline::internal::parts;", "use beeline::internal"),
+    ],
+)
+def test_the_inside_is_refused_outside(library, folder, line, reason):
+    file = library / folder / "verb.cpp"
+    file.parent.mkdir(parents=True)
+    file.write_text("#include <beeline/pose/pose.h>\n" + line + "\n")
+    assert violations(library) == [f"{folder}/verb.cpp:2: only beeline/ and tests/ {reason}"]
+    file.write_text("#include <beeline/pose/pose.h>\nusing namespace internal_names;\n")
+    assert violations(library) == []
+
+
 def test_public_headers_are_counted(library):
     for k in range(MAX_PUBLIC_HEADERS):
         (library / "beeline" / "pose" / f"h{k}.h").write_text("#include <string>\n")

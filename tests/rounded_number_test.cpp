@@ -3,7 +3,6 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
 
 #include <tests/random.h>
 

@@ -271,7 +271,7 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   one.all = false;
   one.every_turn = false;
   Counts counts(options.budget, count);
-  one.budget.part_of = &counts.budget();
+  one.budget = counts.budget().part();
   Copies<InverseSolver> solvers(InverseSolver(arm, one));
   constexpr Eigen::Index block = 32;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -101,6 +101,10 @@ void check_limit_tolerance(double limit_tolerance);
 
 }  // namespace internal
 
+/// The smallest tolerance that plans accept, metres and radians: smaller ones are comparable with
+/// the rounding of samples.
+constexpr double min_tolerance = 1e-8;
+
 struct VerifyOptions {
   MovingEnds moving = {};                   ///< default: the trajectory starts and ends at rest
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial

@@ -44,7 +44,7 @@ Arm with_motion_limits(const Arm& arm) {
     const Limits motion = motion_limits(arm.limits(k));
     limits[arm.joint_of(k).name] = {
         .velocity = motion.velocity,
-        .acceleration = std::min(motion.acceleration, internal::max_rate)};
+        .acceleration = std::min(motion.acceleration, Limits::max_rate)};
   }
   return with_limits(arm, limits);
 }

@@ -7,7 +7,7 @@
 #include <beeline/draw/internal/movie.h>
 #include <beeline/draw/internal/page_layout.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 namespace beeline {
 namespace {

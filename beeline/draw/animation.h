@@ -25,6 +25,10 @@ struct PlaybackOptions {
   double frames_per_second = 25;  ///< of gif, mp4 and webp, from 1 to 60
 };
 
+/// Throws Error for an animation without frames, for times that do not fit them or do not increase,
+/// and for options out of range.
+void check_playback(const Animation& animation, const PlaybackOptions& options);
+
 enum class AnimationFormat { svg, gif, mp4, webp };
 
 /// Returns the format that the file extension names, in upper or lower case. Throws Error for any

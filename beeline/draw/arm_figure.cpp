@@ -4,7 +4,6 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_drawing.h>
-#include <beeline/draw/internal/skeleton.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>

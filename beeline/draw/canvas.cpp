@@ -1,13 +1,13 @@
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/internal/cairo.h>
 #include <beeline/draw/internal/svg.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 namespace beeline {
 
 Format format_of(std::string_view path) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (ending == "svg") return Format::svg;
   if (ending == "png") return Format::png;
   if (ending == "pdf") return Format::pdf;
@@ -29,7 +29,7 @@ std::string render(const Picture& picture, Format format) {
 std::string render(const Figure& figure, Format format) { return render(compose(figure), format); }
 
 void save(const Figure& figure, const std::string& path) {
-  internal::write_file(path, render(figure, format_of(path)));
+  write_file(path, render(figure, format_of(path)));
 }
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/notation.h>
+#include <beeline/internal/utf8.h>
 
 namespace beeline {
 namespace {
@@ -11,10 +12,9 @@ constexpr std::size_t page_width = 100;  // columns
 /// The columns of a terminal that a text takes: its characters, except for combining dots.
 std::size_t width(const std::string& text) {
   std::size_t columns = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool combining = byte == 0xcc;  // U+0300 to U+033F
-    if ((byte & 0xc0) != 0x80 && !combining) ++columns;
+  for (const char byte : text) {
+    const bool combining = byte == '\xcc';  // U+0300 to U+033F
+    if (!internal::continues_character(byte) && !combining) ++columns;
   }
   return columns;
 }

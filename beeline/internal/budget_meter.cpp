@@ -29,16 +29,20 @@ BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
     throw Error("", "max_work",
                 " is " + std::to_string(*budget.max_work) + "; it must be 0 or more");
   }
-  limited_ = budget.time_limit || budget.max_work || budget.cancelled ||
-             (budget.part_of != nullptr && budget.part_of->limited_);
+  limited_ = budget.time_limit || budget.max_work || budget.cancelled || budget.whole;
+}
+
+Budget BudgetMeter::part() {
+  if (!limited_) return {};
+  return {.whole = [this](std::int64_t work) { return ended(work) ? ending() : Ending::complete; }};
 }
 
 Budget BudgetMeter::part(double begin, double end) {
-  Budget part{.part_of = this};
+  Budget some = part();
   if (reports()) {
-    part.progress = [this, begin, end](double share) { report(begin + share * (end - begin)); };
+    some.progress = [this, begin, end](double share) { report(begin + share * (end - begin)); };
   }
-  return part;
+  return some;
 }
 
 void BudgetMeter::report(double fraction) {
@@ -59,7 +63,10 @@ bool BudgetMeter::exceeded(std::int64_t work) {
 Ending BudgetMeter::reached_limit(std::int64_t work) {
   using Clock = std::chrono::steady_clock;
   const std::int64_t all = work_.fetch_add(work, std::memory_order_relaxed) + work;
-  if (budget_.part_of != nullptr && budget_.part_of->ended(work)) return budget_.part_of->ending();
+  if (budget_.whole) {
+    const Ending ending = budget_.whole(work);
+    if (ending != Ending::complete) return ending;
+  }
   if (budget_.cancelled && budget_.cancelled()) return Ending::cancelled;
   if (budget_.max_work && all > *budget_.max_work) return Ending::work_limit;
   const bool late = deadline_ != Clock::time_point::max() && Clock::now() >= deadline_;

@@ -27,7 +27,7 @@ class BudgetMeter {
   bool complete() const { return ending() == Ending::complete; }
 
   /// The budget of a part of the computation: what is left of this one.
-  Budget part() { return {.part_of = this}; }
+  Budget part();
   /// The same for a part that computes from the fraction `begin` to `end` of all, and reports it.
   Budget part(double begin, double end);
 
@@ -54,7 +54,9 @@ inline bool ended(BudgetMeter* budget, std::int64_t work = 1) {
 }
 
 /// The budget of a part of a computation whose budget is optional.
-inline Budget budget_of(BudgetMeter* budget) { return {.part_of = budget}; }
+inline Budget budget_of(BudgetMeter* budget) {
+  return budget == nullptr ? Budget{} : budget->part();
+}
 
 /// The reason, with the field `ending`, of a search that its budget ended.
 Reason ended_reason(ReasonCode code, Ending ending);

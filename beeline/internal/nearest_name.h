@@ -10,8 +10,4 @@ namespace beeline::internal {
 /// misspelling or an abbreviation of it; null otherwise. Takes time in proportion to the choices.
 const std::string* nearest_name(std::string_view name, const std::vector<std::string>& choices);
 
-/// Returns the message of unknown_name() without the list of the choices.
-std::string unknown_text(std::string_view what, std::string_view name,
-                         const std::vector<std::string>& choices);
-
 }  // namespace beeline::internal

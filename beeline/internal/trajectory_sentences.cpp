@@ -3,7 +3,6 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/reason_text.h>
-#include <beeline/internal/rounded_number.h>
 
 namespace beeline::internal {
 namespace {

@@ -10,6 +10,24 @@ namespace beeline::internal {
 /// U+10FFFF.
 std::size_t utf8_length(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
+/// A character of a text: where it is not valid, one byte.
+struct Utf8Character {
+  std::string_view bytes;
+  bool valid = false;
+
+  char32_t code() const;  ///< of a valid one
+};
+
+/// Removes the first character from `text`, which is not empty, and returns it.
+Utf8Character take_character(std::string_view& text);
+
+/// Whether a byte of valid UTF-8 text is not the first of its character.
+constexpr bool continues_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
+}
+
 /// Whether a byte is an ASCII control character.
 bool is_control(char c);
 

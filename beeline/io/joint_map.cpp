@@ -3,18 +3,16 @@
 
 #include <beeline/error.h>
 #include <beeline/io/internal/column_unit.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/text_fault.h>
+#include <beeline/io/text/json.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline {
 namespace {
 
-using internal::Json;
-using internal::JsonDocument;
 
 /// Radians or metres per unit. Throws Error for a unit that the joint does not have.
 double unit_named(const std::string& name, const Joint& joint) {
@@ -51,7 +49,7 @@ MappedJoint joint_from_json(const JsonDocument& document, const Json& json, cons
 }
 
 JointMap joint_map_from_file(const std::string& path, const Arm& arm) {
-  const JsonDocument document(internal::read_file(path), path);
+  const JsonDocument document(read_file(path), path);
   document.check_keys(document.root(), arm.joint_names());
   JointMap map;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -77,7 +75,7 @@ MappedJoint mapped_joint(std::string_view name) {
 }
 
 JointMap read_joint_map(const std::string& text, const Arm& arm) {
-  if (internal::extension(text) == "json") return joint_map_from_file(text, arm);
+  if (extension(text) == "json") return joint_map_from_file(text, arm);
   JointMap map;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());

@@ -6,9 +6,9 @@
 #include <beeline/io/internal/csv_writer.h>
 #include <beeline/io/internal/npy.h>
 #include <beeline/io/number_rows.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
 
 namespace beeline {
@@ -165,7 +165,7 @@ constexpr auto npy = std::in_place_index<1>;
 
 /// The format of a table that is read. A file without an ending, such as a pipe, is .csv.
 RowFormat source_format(const std::string& path) {
-  if (internal::extension(path).empty()) return RowFormat::csv;
+  if (extension(path).empty()) return RowFormat::csv;
   try {
     return row_format(path);
   } catch (const Error&) {
@@ -211,7 +211,7 @@ std::string described(const RowForms& forms) {
 }
 
 RowFormat row_format(const std::string& path) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (path == "-" || ending == "csv") return RowFormat::csv;
   if (ending == "npy") return RowFormat::npy;
   throw Error("tables of numbers are .csv or .npy files, not " + in_quotes(path));
@@ -237,7 +237,7 @@ void RowReader::read(RowBlock& block, BadRows& bad) {
 std::string RowReader::path() const { return source_->file().path(); }
 
 std::optional<double> RowReader::fraction_read() const {
-  const internal::InputFile& file = source_->file();
+  const InputFile& file = source_->file();
   if (!file.size() || *file.size() == 0) return std::nullopt;
   return static_cast<double>(file.position()) / static_cast<double>(*file.size());
 }

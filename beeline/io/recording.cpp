@@ -10,7 +10,8 @@
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/internal/trajectory_yaml.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/trajectory/internal/joint_columns.h>
@@ -48,7 +49,7 @@ Content table(internal::TableRecording read) {
 
 Content content_of_file(const std::string& path, const internal::TableOptions& options) {
   trajectory_format(path, "");  // refuses another ending before the file is read
-  internal::InputFile file(path);
+  InputFile file(path);
   constexpr std::size_t begin = 4096;  // of a file without an ending
   switch (trajectory_format(path, file.peek(begin))) {
     case TrajectoryFormat::json:
@@ -272,6 +273,20 @@ Recording read_recording(const std::string& path, const Arm& arm, const Recordin
 Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
                           const RecordingOptions& options) {
   return matched(content_of(text, path, table_options(arm, options)), path, arm, options);
+}
+
+bool lacks_times(const std::string& path) {
+  constexpr std::size_t begin = 4096, max_line = std::size_t{1} << 20;
+  InputFile file(path);
+  if (!file.size()) return false;
+  if (trajectory_format(path, file.peek(begin)) != TrajectoryFormat::csv) return false;
+  try {
+    internal::CsvLines lines(file, max_line);
+    const internal::CsvRows rows(lines, path, {{}, internal::names_times});
+    return !internal::names_times(rows.columns());
+  } catch (const Error&) {
+    return false;  // read_recording() names the mistake
+  }
 }
 
 }  // namespace beeline

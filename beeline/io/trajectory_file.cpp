@@ -8,7 +8,7 @@
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/trajectory_file.h>
@@ -61,7 +61,7 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
 }  // namespace
 
 TrajectoryFormat trajectory_format(const std::string& path) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (ending == "csv") return TrajectoryFormat::csv;
   if (ending == "json") return TrajectoryFormat::json;
   if (ending == "yaml" || ending == "yml") return TrajectoryFormat::yaml;
@@ -69,7 +69,7 @@ TrajectoryFormat trajectory_format(const std::string& path) {
 }
 
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (ending.empty()) {
     return internal::first_character(text) == '{' ? TrajectoryFormat::json : TrajectoryFormat::csv;
   }
@@ -91,7 +91,7 @@ std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat forma
 }
 
 void write_trajectory(const std::string& path, const Trajectory& trajectory) {
-  internal::write_file(path, trajectory_text(trajectory, trajectory_format(path)));
+  write_file(path, trajectory_text(trajectory, trajectory_format(path)));
 }
 
 std::string name(ControllerForm form) { return description(form).name; }

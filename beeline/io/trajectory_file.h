@@ -42,6 +42,9 @@ Trajectory read_trajectory(const std::string& path);
 /// The same from the text of the file at `path`.
 Trajectory parse_trajectory(std::string_view text, const std::string& path);
 
+/// Whether the file, which is no pipe, is a table whose header names no times.
+bool lacks_times(const std::string& path);
+
 /// The unit of times in a table.
 enum class TimeUnit { seconds, milliseconds, microseconds, nanoseconds };
 std::string name(TimeUnit unit);  ///< s, ms, us, ns

@@ -6,7 +6,7 @@
 #define BEELINE_KINEMATICS_CHAIN_INL_H
 #endif
 
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 #include <beeline/simd/geometry-inl.h>
 
@@ -24,13 +24,13 @@ HWY_INLINE Vector in_axes(const LanePose& frame, const Vector& v) {
 /// Returns the last link's frame in the world at eight configurations. q has a row of eight values
 /// for each coordinate. Writes six rows to `axes` for each link: the direction of its axis, and its
 /// origin.
-HWY_INLINE LanePose last_frame(const Chain& chain, const double* q, double* axes) {
+HWY_INLINE LanePose last_frame(const internal::Chain& chain, const double* q, double* axes) {
   const double* base = chain.base.data();  // four columns of four
   LanePose frame{{base[0], base[1], base[2]},
                  {base[4], base[5], base[6]},
                  {base[8], base[9], base[10]},
                  {base[12], base[13], base[14]}};
-  for (const Chain::Link& link : chain.links) {
+  for (const internal::Chain::Link& link : chain.links) {
     const double* step = link.translation.data();
     const Lanes coordinate = Lanes::load(q + lane_count * link.coordinate);
     CosSine theta;
@@ -55,7 +55,8 @@ struct Motion {
 
 /// The velocity of `point` for unit velocity of the link's coordinate; `axes` are the link's six
 /// rows. This is joint_velocity() in lanes.
-HWY_INLINE Motion link_motion(const Chain::Link& link, const double* axes, const Vector& point) {
+HWY_INLINE Motion link_motion(const internal::Chain::Link& link, const double* axes,
+                              const Vector& point) {
   const Vector direction = Vector::load(axes);
   const Vector angular = Lanes(link.theta_per_q) * direction;
   const Vector arm = point - Vector::load(axes + 3 * lane_count);

@@ -6,7 +6,7 @@
 #define BEELINE_KINEMATICS_CHAIN_ONE_INL_H
 #endif
 
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 #include <beeline/simd/trigonometry-inl.h>
 
@@ -89,8 +89,8 @@ struct Columns {
 
 /// Multiplies the frame by L_i, given sin(theta), cos(theta) and d. Written so that only three
 /// operations in sequence depend on the previous link.
-HWY_INLINE Columns times_link(const Columns& before, const Chain::Link& link, double s, double c,
-                              double d) {
+HWY_INLINE Columns times_link(const Columns& before, const internal::Chain::Link& link, double s,
+                              double c, double d) {
   const auto& [x, y, z, p] = before;
   const double* step = link.translation.data();
   Columns next;
@@ -105,11 +105,11 @@ HWY_INLINE Columns times_link(const Columns& before, const Chain::Link& link, do
 /// fourth rows of the axes have no meaning. `angle`, `sine` and `cosine` are buffers for a multiple
 /// of eight links. Writes eight numbers to `axes` for each link: the direction of its axis, and
 /// from the fifth on its origin.
-HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* angle, double* sine,
-                                  double* cosine, double* axes, double* frame) {
+HWY_INLINE void last_frame_of_one(const internal::Chain& chain, const double* q, double* angle,
+                                  double* sine, double* cosine, double* axes, double* frame) {
   const size_t links = chain.links.size();
   for (size_t i = 0; i < links; ++i) {
-    const Chain::Link& link = chain.links[i];
+    const internal::Chain::Link& link = chain.links[i];
     angle[i] = link.theta_offset + link.theta_per_q * q[link.coordinate];
   }
   for (size_t i = 0; i < links; i += lane_count) {
@@ -120,7 +120,7 @@ HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* a
   }
   Columns current = Columns::load(chain.base.data());
   for (size_t i = 0; i < links; ++i, axes += 8) {
-    const Chain::Link& link = chain.links[i];
+    const internal::Chain::Link& link = chain.links[i];
     current = times_link(current, link, sine[i], cosine[i], link.d_per_q * q[link.coordinate]);
     current.z.store(axes);
     current.p.store(axes + 4);

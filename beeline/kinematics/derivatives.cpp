@@ -1,6 +1,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/jacobian_frame.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline {
 namespace {
@@ -75,7 +76,7 @@ Pose joint_columns(const Arm& arm, const ConfigurationRef& q, Jacobian& columns)
   return world_T_tool;
 }
 
-bool has_mimic_joints(const Arm& arm) { return !arm.chain_angles().in_order; }
+bool has_mimic_joints(const Arm& arm) { return !internal::chain_angles_of(arm).in_order; }
 
 void check_columns(const Arm& arm, const char* what, Eigen::Index columns, Eigen::Index wanted) {
   if (columns == wanted) return;

@@ -65,8 +65,9 @@ struct Halves {
   }
 
   /// Multiplies the first half by the transform of link a, the second by that of b.
-  HWY_INLINE void append(const Chain::Link& a, double sine_a, double cosine_a, double d_a,
-                         const Chain::Link& b, double sine_b, double cosine_b, double d_b) {
+  HWY_INLINE void append(const internal::Chain::Link& a, double sine_a, double cosine_a, double d_a,
+                         const internal::Chain::Link& b, double sine_b, double cosine_b,
+                         double d_b) {
     const double *step = a.translation.data(), *other = b.translation.data();
     const Lanes s = each(sine_a, sine_b), c = each(cosine_a, cosine_b);
     const Lanes sa = each(a.sin_alpha, b.sin_alpha), ca = each(a.cos_alpha, b.cos_alpha);

@@ -5,6 +5,7 @@
 #include <beeline/kinematics/internal/forward_kernel.h>
 #include <beeline/kinematics/internal/jacobian_frame.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline {
 namespace {
@@ -63,7 +64,7 @@ Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> co
   }
   Pose world_T_tool;
   const bool contiguous = columns.outerStride() == 6;
-  if (arm.chain_angles().in_order && contiguous) {
+  if (internal::chain_angles_of(arm).in_order && contiguous) {
     internal::jacobian_kernel(arm, q.data(), world_T_tool.data(), columns.data());
     if (!std::isfinite(world_T_tool.matrix().sum())) check_configuration(arm, q);
     // The axes of a planar arm are +-z: removes the rounding of the poses.

@@ -69,7 +69,7 @@ std::string name(RatesStatus status) {
 JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::VectorXd& velocity,
                        const JointRatesOptions& options) {
   const Task task = rows_of(arm, velocity, options);
-  const Eigen::MatrixXd j = internal::selected_rows(task, jacobian(arm, q, task.frame));
+  const Eigen::MatrixXd j = selected_rows(task, jacobian(arm, q, task.frame));
   if (!j.allFinite()) throw Error("the Jacobian exceeds the range of numbers, 1e308");
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(j, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& sigma = svd.singularValues();

@@ -65,7 +65,7 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
   Jacobian columns(6, n);
   Hessian derivatives(6, Eigen::Index{n} * n);
   hessian(arm, q, columns, derivatives, task.frame);
-  const Eigen::MatrixXd matrix = internal::selected_rows(task, columns);
+  const Eigen::MatrixXd matrix = selected_rows(task, columns);
   const internal::SixRowSvd svd = internal::six_row_svd(matrix);
   const Eigen::Index count = matrix.rows();
   const auto& sigma = svd.singular_values;
@@ -79,7 +79,7 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
                                         svd.left.topLeftCorner(count, count).transpose();
   for (int k = 0; k < n; ++k) {
     const Eigen::MatrixXd change =
-        internal::selected_rows(task, derivatives.middleCols(Eigen::Index{k} * n, n));
+        selected_rows(task, derivatives.middleCols(Eigen::Index{k} * n, n));
     result.gradient[k] =
         result.manipulability * pseudoinverse.cwiseProduct(change.transpose()).sum();
   }

@@ -87,6 +87,15 @@ Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
   return kept;
 }
 
+Eigen::MatrixXd selected_rows(const Task& task, const Eigen::Ref<const Jacobian>& columns) {
+  Eigen::MatrixXd kept(task.size(), columns.cols());
+  int row = 0;
+  for (int i = 0; i < 6; ++i) {
+    if (task.rows[i]) kept.row(row++) = columns.row(i);
+  }
+  return kept;
+}
+
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit) {
   if (!(length_unit > 0)) {
@@ -94,7 +103,7 @@ Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const T
   }
   Jacobian all = jacobian(arm, q, task.frame);
   all.topRows<3>() /= length_unit;
-  return internal::selected_rows(task, all);
+  return selected_rows(task, all);
 }
 
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q) {

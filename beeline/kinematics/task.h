@@ -61,6 +61,9 @@ Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
 /// rotation vector of length at most pi.
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current);
 
+/// The task's rows of a matrix that has all six, such as a Jacobian.
+Eigen::MatrixXd selected_rows(const Task& task, const Eigen::Ref<const Jacobian>& columns);
+
 /// The task's rows of a twist.
 Eigen::VectorXd task_rows(const Task& task, const Twist& twist);
 

@@ -8,6 +8,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/model/internal/chain.h>
 #include <beeline/model/internal/joint_reason.h>
 #include <beeline/model/internal/ranges.h>
 
@@ -161,12 +162,24 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     tighten(leader, joints_[i].limits, drives_[i], what);
     internal::check_limits(leader, what + " with its leader");
   }
-  chain_ = chain_of(*this);
-  chain_angles_ = angles_of(chain_);
+  internal::Chain chain = internal::make_chain(*this);
+  const internal::ChainAngles angles = internal::angles_of(chain);
+  kernel_form_.chain =
+      std::make_unique<internal::ArmChain>(internal::ArmChain{std::move(chain), angles});
   planar_ = moves_about_z(*this, true);
   rotates_about_z_ = moves_about_z(*this, false);
   reach_ = reach_ball(*this);
 }
+
+Arm::KernelForm::KernelForm() = default;
+Arm::KernelForm::KernelForm(const KernelForm& other)
+    : chain(other.chain ? std::make_unique<internal::ArmChain>(*other.chain) : nullptr) {}
+Arm::KernelForm::KernelForm(KernelForm&&) noexcept = default;
+Arm::KernelForm& Arm::KernelForm::operator=(KernelForm other) noexcept {
+  chain = std::move(other.chain);
+  return *this;
+}
+Arm::KernelForm::~KernelForm() = default;
 
 std::vector<std::string> Arm::joint_names() const {
   std::vector<std::string> names;

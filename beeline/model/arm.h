@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <optional>
 #include <random>
 #include <span>
@@ -11,11 +12,14 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/model/chain.h>
 #include <beeline/model/joint.h>
+#include <beeline/pose/se3.h>
 #include <beeline/reason.h>
 
 namespace beeline {
+namespace internal {
+struct ArmChain;
+}
 
 /// The joint coordinates, one for each degree of freedom: rad, or m for a prismatic joint.
 using Configuration = Eigen::VectorXd;
@@ -93,10 +97,6 @@ class Arm {
   };
   const std::vector<Drive>& drives() const { return drives_; }
 
-  /// The same kinematics in the form that the kernels use.
-  const Chain& chain() const { return chain_; }
-  const ChainAngles& chain_angles() const { return chain_angles_; }
-
   /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
@@ -113,6 +113,19 @@ class Arm {
   const Reach& reach() const { return reach_; }
 
  private:
+  friend struct internal::ArmChain;
+
+  /// The same kinematics in the form that the library's kernels use.
+  struct KernelForm {
+    KernelForm();
+    KernelForm(const KernelForm& other);
+    KernelForm(KernelForm&&) noexcept;
+    KernelForm& operator=(KernelForm other) noexcept;
+    ~KernelForm();
+
+    std::unique_ptr<internal::ArmChain> chain;
+  };
+
   std::string name_;
   std::vector<Joint> joints_;
   Pose base_, tool_;
@@ -120,8 +133,7 @@ class Arm {
   std::vector<int> leaders_;
   std::vector<Drive> drives_;
   std::vector<Limits> limits_;
-  Chain chain_;
-  ChainAngles chain_angles_;
+  KernelForm kernel_form_;
   bool planar_ = false;
   bool rotates_about_z_ = false;
   Reach reach_;

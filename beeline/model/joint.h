@@ -22,6 +22,10 @@ struct Limits {
   /// Min limit of velocity, acceleration and jerk. A revolution at 1e-9 rad/s takes a century. With
   /// much smaller limits, the ratios of limits in time scaling leave the range of a double.
   static constexpr double min_rate = 1e-9;
+  /// Max limit of velocity, acceleration and jerk that is not infinite, in SI units.
+  static constexpr double max_rate = 1e10;
+  /// Max magnitude of a position limit that is not infinite, rad or m.
+  static constexpr double max_position = 1e6;
 
   double lower = -none;        ///< of the position
   double upper = none;         ///< of the position

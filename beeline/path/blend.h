@@ -46,6 +46,16 @@ BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 /// number of them.
 BlendedPath blended_lines(std::span<const Pose> poses, std::span<const Deviation> within);
 
+/// How the poses of a path are counted in messages.
+struct PoseNumbers {
+  std::string noun = "pose";
+  bool start_first = false;  ///< the first pose is "start", and the next one has number 1
+};
+
+/// Names the segments of blended lines by the poses between which they are: "line 2 of 5 (pose 2 to
+/// 3)" and "the blend at pose 3".
+std::vector<std::string> blend_names(const BlendedPath& blended, const PoseNumbers& numbers = {});
+
 /// The route along the path; the tool stops at sharp corners only.
 Route route_of(const BlendedPath& blended);
 

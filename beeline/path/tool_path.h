@@ -35,6 +35,12 @@ struct ToolPath {
 /// The name of segment i in messages.
 std::string segment_name(const ToolPath& path, std::size_t i);
 
+/// Poses of a path at most: planning takes about 2 ms for each.
+constexpr std::size_t max_poses = 20'000;
+
+/// The smallest limit of the tool's speed, metres per second.
+constexpr double slowest_tool = 1e-8;
+
 /// A path, and where the tool comes to rest on it.
 struct Route {
   ToolPath path;

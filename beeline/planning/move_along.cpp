@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>

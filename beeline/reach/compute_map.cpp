@@ -11,8 +11,10 @@ namespace {
 
 std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMapHeader& header) {
   if (shard.number < 1 || shard.number > shard.count) {
-    throw Error("shard " + std::to_string(shard.number) + " of " + std::to_string(shard.count) +
-                " does not exist; the first one is 1/" + std::to_string(std::max(1, shard.count)));
+    throw Error::of("shard", "shard " + std::to_string(shard.number) + " of " +
+                                 std::to_string(shard.count) +
+                                 " does not exist; the first one is 1/" +
+                                 std::to_string(std::max(1, shard.count)));
   }
   const std::vector<internal::SlabRange> all = internal::units_of(header);
   const auto number = static_cast<std::size_t>(shard.number);
@@ -92,6 +94,49 @@ Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::strin
     if (!holds(path, units, header)) throw;  // another process has joined the same slabs
     return Ending::complete;
   }
+}
+
+struct ReachMapUnits::Work {
+  ReachMapHeader header;
+  std::string path;
+  ReachOptions options;
+  std::vector<internal::SlabRange> units;
+  internal::Parts parts;
+};
+
+ReachMapUnits::ReachMapUnits(const Arm& arm, const ReachGrid& grid, const std::string& path,
+                             const ReachOptions& options) {
+  (void)reach_cells(arm, grid, 0, 0, options);  // refuses what has no map
+  const ReachMapHeader header{arm, grid, options.redundant_values, options.samples};
+  work_.reset(new Work{header, path, options, internal::units_of(header), {path, header}});
+}
+
+ReachMapUnits::~ReachMapUnits() = default;
+
+std::vector<Eigen::Index> ReachMapUnits::missing() const {
+  std::vector<Eigen::Index> missing;
+  for (std::size_t k = 0; k < work_->units.size(); ++k) {
+    if (!work_->parts.has(work_->units[k])) missing.push_back(static_cast<Eigen::Index>(k));
+  }
+  return missing;
+}
+
+Ending ReachMapUnits::compute(const std::function<std::optional<Eigen::Index>()>& next) {
+  internal::BudgetMeter budget(work_->options.budget);
+  Ending ending = Ending::complete;
+  while (const std::optional<Eigen::Index> unit = next()) {
+    if (ending != Ending::complete) continue;
+    ReachOptions options = work_->options;
+    options.budget = budget.part();
+    ending = work_->parts.compute(work_->units.at(static_cast<std::size_t>(*unit)), options);
+  }
+  work_->parts.finish();
+  return ending;
+}
+
+void ReachMapUnits::join() {
+  work_->parts.join(work_->units, work_->path);
+  work_->parts.remove();
 }
 
 void merge_reach_maps(const std::vector<std::string>& parts, const std::string& path,

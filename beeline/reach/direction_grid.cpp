@@ -12,8 +12,8 @@ using std::numbers::pi;
 DirectionGrid::DirectionGrid(double spacing) {
   constexpr double finest = 0.01, coarsest = pi / 2 + 1e-9;
   if (!(spacing >= finest && spacing <= coarsest)) {
-    throw Error("the spacing of tool directions is " + number(spacing) +
-                " rad; it can be 0.01 to 1.5708 (0.6 to 90 degrees)");
+    throw Error::of("directions", "the spacing of tool directions is " + number(spacing) +
+                                      " rad; it can be 0.01 to 1.5708 (0.6 to 90 degrees)");
   }
   const auto rings = static_cast<Eigen::Index>(std::round(pi / spacing));
   spacing_ = pi / static_cast<double>(rings);

@@ -20,8 +20,9 @@ void check_box(const Arm& arm, const Vector3& lower, const Vector3& upper,
       throw Error("the reach of " + arm.name() + " has no bounds: give the box of the map");
     }
     if (lower[k] > upper[k]) {
-      throw Error(std::string("the box of the map is empty: its lower ") + axes[k] + " is " +
-                  number(lower[k]) + ", its upper one " + number(upper[k]));
+      throw Error::of("lower", std::string("the box of the map is empty: its lower ") + axes[k] +
+                                   " is " + number(lower[k]) + ", its upper one " +
+                                   number(upper[k]));
     }
   }
 }
@@ -71,11 +72,11 @@ std::array<ReachAxis, 3> box_axes(const Arm& arm, const ReachGridOptions& option
   return axes;
 }
 
-/// The number of equal angles of about `spacing` in a revolution.
-Eigen::Index angles_around(double spacing, const char* what) {
+/// The number of equal angles of about `spacing`, the option `argument`, in a revolution.
+Eigen::Index angles_around(double spacing, const char* what, const char* argument) {
   if (!(spacing >= 0.01 && spacing <= 2 * pi + 1e-9)) {
-    throw Error(std::string("the angle between ") + what + " is " + number(spacing) +
-                " rad; it can be 0.01 to 6.2832 (0.6 to 360 degrees)");
+    throw Error::of(argument, std::string("the angle between ") + what + " is " + number(spacing) +
+                                  " rad; it can be 0.01 to 6.2832 (0.6 to 360 degrees)");
   }
   return static_cast<Eigen::Index>(std::round(2 * pi / spacing));
 }
@@ -86,12 +87,14 @@ Vector3 axis_of(const Arm& arm) {
   if (base) return base->axis_point;
   const double tilt = internal::base_tilt(arm);
   const bool nearly = tilt > 1e-12 && tilt < 0.01;  // the angles of a file have few digits
-  throw Error("the first joint of " + arm.name() +
-              " does not turn it about an axis parallel to the world's z, which a map by azimuths "
-              "needs" +
-              (nearly ? ": its axis is tilted by " + number(tilt) +
-                            " rad; in a URDF file, write a right angle as 1.5707963267948966"
-                      : ""));
+  throw Error::of(
+      "azimuths",
+      "the first joint of " + arm.name() +
+          " does not turn it about an axis parallel to the world's z, which a map by azimuths "
+          "needs" +
+          (nearly ? ": its axis is tilted by " + number(tilt) +
+                        " rad; in a URDF file, write a right angle as 1.5707963267948966"
+                  : ""));
 }
 
 /// Radius, height and azimuth about an axis.
@@ -106,13 +109,15 @@ std::array<ReachAxis, 3> cylinder_axes(const Arm& arm, const Vector3& axis,
   const Vector3 upper = options.upper.value_or(Vector3(far, reach.centre.z() + reach.radius, 0));
   check_box(arm, lower, upper, {"radius", "height", "azimuth"});
   if (lower[2] != 0 || upper[2] != 0) {
-    throw Error("a corner of a map by azimuths is (radius, height, 0): its third number is " +
-                number(lower[2] != 0 ? lower[2] : upper[2]));
+    throw Error::of("azimuths",
+                    "a corner of a map by azimuths is (radius, height, 0): its third number is " +
+                        number(lower[2] != 0 ? lower[2] : upper[2]));
   }
   if (lower[0] < 0) {
-    throw Error("the least radius of the map is " + number(lower[0]) + " m; it is 0 or more");
+    throw Error::of("azimuths",
+                    "the least radius of the map is " + number(lower[0]) + " m; it is 0 or more");
   }
-  const auto around = angles_around(*options.azimuths, "azimuths");
+  const auto around = angles_around(*options.azimuths, "azimuths", "azimuths");
   const double angle = 2 * pi / static_cast<double>(around);
   std::array<ReachAxis, 3> axes{axis_over(lower[0], upper[0], step),
                                 axis_over(lower[1], upper[1], step),
@@ -145,10 +150,13 @@ ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
   const bool alone = options.orientation || options.any_orientation;
   if ((alone && (options.directions || options.rolls)) ||
       (options.orientation && options.any_orientation)) {
-    throw Error("a map has one orientation, any orientation, or directions and rolls: not several");
+    throw Error::of(
+        "any_orientation",
+        "a map has one orientation, any orientation, or directions and rolls: not several");
   }
   if (alone && cylindrical_) {
-    throw Error(
+    throw Error::of(
+        "azimuths",
         "the orientations of a map by azimuths turn with the azimuth: give directions, not "
         "one orientation or any");
   }
@@ -160,17 +168,22 @@ ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
     orientations_ = ReachOrientations::fixed;
     Pose pose = Pose::Identity();
     pose.linear() = *options.orientation;
-    orientation_ = checked_pose(pose, "the orientation of the map").linear();
+    try {
+      orientation_ = checked_pose(pose, "the orientation of the map").linear();
+    } catch (const Error& error) {
+      throw Error::of("orientation", error.what());
+    }
   } else if (arm.planar()) {
     if (options.rolls) throw Error("a planar arm has headings, no rolls");
     orientations_ = ReachOrientations::headings;
-    direction_count_ = angles_around(options.directions.value_or(default_spacing), "headings");
+    direction_count_ =
+        angles_around(options.directions.value_or(default_spacing), "headings", "directions");
   } else {
     directions_ = DirectionGrid(options.directions.value_or(default_spacing));
     direction_count_ = directions_.size();
     if (options.rolls) {
       orientations_ = ReachOrientations::rolls;
-      roll_count_ = angles_around(*options.rolls, "rolls");
+      roll_count_ = angles_around(*options.rolls, "rolls", "rolls");
     }
   }
   constexpr Eigen::Index most_at_position = Eigen::Index{1} << 22;

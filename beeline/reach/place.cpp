@@ -49,8 +49,10 @@ class Mounts {
     }
     constexpr double max_mounts = 1e8;
     if (!(mounts <= max_mounts)) {
-      throw Error("there would be " + number(mounts) +
-                  " mounts, at most 1e8 are possible: a larger step or a smaller box has fewer");
+      throw Error::of(
+          "step",
+          "there would be " + number(mounts) +
+              " mounts, at most 1e8 are possible: a larger step or a smaller box has fewer");
     }
     count_ = static_cast<Eigen::Index>(mounts);
   }

@@ -38,6 +38,17 @@ bool ReachMap::complete() const {
   return std::all_of(slabs().begin(), slabs().end(), [](bool there) { return there; });
 }
 
+bool ReachMap::has(Eigen::Index position) const {
+  internal::check_positions(grid(), position, position + 1);
+  return slabs()[static_cast<std::size_t>(data_->slabs.slab_of(position))];
+}
+
+Eigen::Index ReachMap::block_end(Eigen::Index position) const {
+  internal::check_positions(grid(), position, position + 1);
+  return std::min(position + internal::positions_at_once(grid()),
+                  data_->slabs.last(data_->slabs.slab_of(position)));
+}
+
 std::vector<Eigen::Index> ReachMap::reached_in(Eigen::Index slab) const {
   if (data_->reached) return data_->reached(slab);
   std::vector<Eigen::Index> reached;

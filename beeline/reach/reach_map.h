@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,11 @@ class ReachMap {
   /// The map is stored in slabs, ranges of positions: whether each is here.
   const std::vector<bool>& slabs() const;
   bool complete() const;
+  /// Whether the position's slab is here. Throws Error for a position outside the grid.
+  bool has(Eigen::Index position) const;
+  /// The end, exclusive, of the positions from this one on that are best read at once: of one slab,
+  /// and of about a million cells.
+  Eigen::Index block_end(Eigen::Index position) const;
 
   /// Counts over all cells that are here.
   struct Totals {
@@ -82,6 +89,28 @@ struct ReachMapOptions {
 /// with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});
+
+/// The computation of a map by several processes, on one machine or on several that share the
+/// folder `path`.parts: the map is divided into units, and each process computes some of them, by
+/// their numbers.
+class ReachMapUnits {
+ public:
+  /// Makes the folder. Throws as compute_reach_map().
+  ReachMapUnits(const Arm& arm, const ReachGrid& grid, const std::string& path,
+                const ReachOptions& options = {});
+  ~ReachMapUnits();
+
+  std::vector<Eigen::Index> missing() const;  ///< the units whose slabs are not in the folder
+  /// Computes units until `next` returns none. Where the budget ends the computation, it goes on
+  /// asking and computes none of them.
+  Ending compute(const std::function<std::optional<Eigen::Index>()>& next);
+  /// Joins the slabs of all units, which are in the folder, into the file and deletes the folder.
+  void join();
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
 
 /// Joins files that hold parts of one map, such as shards, into one file. The cells are copied as
 /// they are stored. Throws FileError for parts of different maps, and where slabs are missing from

@@ -47,9 +47,9 @@ ReachSlice internal::slice_at(const ReachMap& map, std::array<ReachAxis, 3> axes
   if (normal < 0 || normal > 2) throw Error("the axis of a slice is 0, 1 or 2");
   const std::optional<Eigen::Index> index = axes[normal].cell_of(at);
   if (!index) {
-    throw Error(std::string("the slice at ") + "xyz"[normal] + " = " + number(at) +
-                " is outside the map, which has " + number(axes[normal].lower) + " to " +
-                number(axes[normal].upper()));
+    throw Error::of("at", std::string("the slice at ") + "xyz"[normal] + " = " + number(at) +
+                              " is outside the map, which has " + number(axes[normal].lower) +
+                              " to " + number(axes[normal].upper()));
   }
   axes[normal].lower += static_cast<double>(*index) * axes[normal].step;
   axes[normal].cells = 1;

@@ -2,8 +2,8 @@
 #include <bit>
 #include <functional>
 
-#include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/reach/internal/positions.h>
 #include <beeline/reach/surface.h>
 
@@ -36,8 +36,8 @@ std::string header_of(const std::array<ReachAxis, 3>& axes, std::uint64_t bytes)
   for (const ReachAxis& axis : axes) {
     const char* between = extent.empty() ? "" : " ";
     extent += between + ("0 " + std::to_string(axis.cells));
-    origin += between + internal::exact(axis.lower);
-    spacing += between + internal::exact(axis.step);
+    origin += between + exact(axis.lower);
+    spacing += between + exact(axis.step);
   }
   std::string text =
       "<?xml version=\"1.0\"?>\n"
@@ -86,7 +86,7 @@ void write_vti(const ReachMap& map, const std::string& path) {
     next += std::ssize(centres);
   });
   const std::uint64_t size = images[0].size() * sizeof(float);
-  internal::OutputFile file(path);
+  OutputFile file(path);
   file.append(header_of(axes, size));
   for (const std::vector<float>& image : images) {
     file.append(bytes_of(&size, 1));

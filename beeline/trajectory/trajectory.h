@@ -22,6 +22,9 @@ std::vector<std::string> interpolation_names();
 /// Throws Error listing the names for another name.
 Interpolation interpolation_named(const std::string& name);
 
+/// The lowest rate of samples, per second.
+constexpr double lowest_rate = 1e-3;
+
 /// A motion of the joints with time, as plain data. Sample k is positions[k] at times[k];
 /// velocities and accelerations are empty where they are not known, else as long as positions.
 /// These columns determine the motion between the samples: see Interpolation and sample().
@@ -81,6 +84,9 @@ struct MatchOptions {
   /// none is known.
   std::vector<std::optional<double>> column_units = {};
 };
+
+/// The lists of names that an arm's joints have: its own, and, of a built-in arm, the makers'.
+std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
 
 /// Returns the trajectory with its columns in the arm's order, matched by joint name: the arm's own
 /// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same

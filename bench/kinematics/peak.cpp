@@ -8,30 +8,27 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/kinematics/peak.cpp"
 #include <hwy/foreach_target.h>
-
-#include <beeline/simd/lanes-inl.h>
+#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// Runs multiply-adds in `chains` independent chains; returns their sum, so that the compiler keeps
-/// them.
-double multiply_add(int rounds) {
+namespace lanes = hwy::HWY_NAMESPACE;
+
+/// Runs multiply-adds in `chains` independent chains; returns their number. Adds a result to `sum`,
+/// so that the compiler keeps them.
+double multiply_add(int rounds, double& sum) {
   constexpr int chains = 12;
-  Lanes sum[chains];
-  for (int i = 0; i < chains; ++i) sum[i] = Lanes(1e-3 * i);
-  const Lanes a(0.999), b(1e-3);
+  const lanes::ScalableTag<double> tag;
+  lanes::Vec<decltype(tag)> sums[chains];
+  for (int i = 0; i < chains; ++i) sums[i] = lanes::Set(tag, 1e-3 * i);
+  const auto a = lanes::Set(tag, 0.999), b = lanes::Set(tag, 1e-3);
   for (int round = 0; round < rounds; ++round) {
 #pragma GCC unroll 12
-    for (int i = 0; i < chains; ++i) sum[i] = fma(sum[i], a, b);
+    for (int i = 0; i < chains; ++i) sums[i] = lanes::MulAdd(sums[i], a, b);
   }
-  double all = 0;
-  for (const Lanes& each : sum) {
-    double eight[lane_count];
-    each.store(eight);
-    all += eight[0];
-  }
-  return all;
+  for (const auto& each : sums) sum += lanes::GetLane(each);
+  return 1.0 * chains * rounds * static_cast<double>(lanes::Lanes(tag));
 }
 
 }  // namespace beeline::HWY_NAMESPACE
@@ -49,9 +46,9 @@ int main() {
   double sum = 0;
   for (int pass = 0; pass < 9; ++pass) {
     const auto start = std::chrono::steady_clock::now();
-    sum += HWY_DYNAMIC_DISPATCH(multiply_add)(rounds);
+    const double count = HWY_DYNAMIC_DISPATCH(multiply_add)(rounds, sum);
     const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    rates.push_back(2.0 * 8 * 12 * rounds / time.count());
+    rates.push_back(2 * count / time.count());
   }
   std::nth_element(rates.begin(), rates.begin() + 4, rates.end());
   std::printf("Peak of fused multiply-adds on one core: %.1f GFLOP/s%s\n", rates[4],

@@ -10,14 +10,11 @@
 
 #include <beeline/certificate/verify.h>
 #include <beeline/model/catalog.h>
-#include <beeline/planning/internal/layered_graph.h>
-#include <beeline/planning/internal/track_segment.h>
 #include <beeline/planning/move_along.h>
 
 #include <tests/planning/dense_search.h>
 
 using namespace beeline;
-using namespace beeline::internal;
 using namespace beeline::testing;
 
 namespace {
@@ -124,18 +121,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
                 sentence(motion.reason).c_str());
   };
   if (dense.feasible() && spare) {
-    std::vector<Knot> knots;
-    for (std::size_t r = 0; r < dense.way.size(); ++r) {
-      knots.push_back(
-          {static_cast<double>(r) / static_cast<double>(dense.way.size() - 1), dense.way[r]});
-    }
-    const KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
-    const TrackedSegment way =
-        track_segment(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
-                      {.tolerance = {1e-4, 1e-4}, .max_samples = 100'000, .guide = [&](double s) {
-                         return spline.at(s);
-                       }});
-    if (way.complete()) {
+    if (can_follow(arm, line, dense.way)) {
       ++tally.missed;
       return print("MISSED");
     }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <beeline/path/joint_path.h>
-#include <beeline/timing/internal/fastest.h>
+#include <beeline/timing/time_scaling.h>
 
 #include <tests/path/random_joint_path.h>
 
@@ -56,7 +56,7 @@ double best_microseconds(const JointPath& path, const PathLimits& limits) {
   double best = 1e9;
   for (int pass = 0; pass < 15; ++pass) {
     const auto begin = std::chrono::steady_clock::now();
-    const TimeScaling scaling = internal::fastest(path, limits);
+    const TimeScaling scaling = time_scaling(path, limits, Profile::fastest);
     const std::chrono::duration<double, std::micro> passed =
         std::chrono::steady_clock::now() - begin;
     best = std::min(best, passed.count() + 0 * scaling.duration());
@@ -80,7 +80,7 @@ int main() {
     const JointPath spline = joint_spline(waypoints, parameter);
     const std::vector<double> grid = read_many(head[2]);
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
-    const TimeScaling scaling = internal::fastest(path, limits);
+    const TimeScaling scaling = time_scaling(path, limits, Profile::fastest);
     const double answer[] = {
         scaling ? scaling.duration() : -1,
         scaling ? beeline::testing::largest_fraction(path, limits, scaling) : -1,

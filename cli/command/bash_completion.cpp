@@ -1,9 +1,8 @@
-#include "bash_completion.h"
-
 #include <beeline/model/catalog.h>
 
 #include "completion.h"
 
+namespace beeline::command {
 namespace {
 
 /// Finds the verb, the number of arguments behind it and the option whose value is completed, then
@@ -57,15 +56,9 @@ _beeline() {
 complete -F _beeline beeline
 )";
 
-std::string bash_words(const std::vector<std::string>& words, const char* separator) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
 /// The words offered for an argument or a value; @file represents names of files.
 std::vector<std::string> bash_offered(Completes completes, std::vector<std::string> words) {
-  if (completes == Completes::arm) words = beeline::built_in_names();
+  if (completes == Completes::arm) words = built_in_names();
   if (completes != Completes::nothing) words.push_back("@file");
   return words;
 }
@@ -78,18 +71,17 @@ std::string bash_case(const Leaf& leaf) {
       options += " " + name;
       if (is_flag(option)) continue;
       valued += " " + name;
-      const std::string words = bash_words(bash_offered(option.completes, option.choices), " ");
+      const std::string words = words_text(bash_offered(option.completes, option.choices));
       if (!words.empty()) values += "        " + name + ") values='" + words + "' ;;\n";
     }
   }
   for (const Positional& argument : leaf.verb->arguments) {
-    const std::string words = bash_words(bash_offered(argument.completes, argument.choices), ",");
+    const std::string words = words_text(bash_offered(argument.completes, argument.choices), ",");
     arguments += (arguments.empty() ? "" : " ");
     arguments += (argument.targets == nullptr ? "" : "*") + (words.empty() ? "-" : words);
   }
-  std::string text = "    '" + bash_words(leaf.words, " ") + "')\n      options='" +
-                     options.substr(1) + "'\n      valued='" + valued + "'\n      arguments='" +
-                     arguments + "'\n";
+  std::string text = "    '" + words_text(leaf.words) + "')\n      options='" + options.substr(1) +
+                     "'\n      valued='" + valued + "'\n      arguments='" + arguments + "'\n";
   if (!values.empty()) text += "      case $prev in\n" + values + "      esac\n";
   return text + "      ;;\n";
 }
@@ -116,3 +108,5 @@ std::string bash_completion(const std::vector<Verb>& verbs) {
   for (const Leaf& leaf : leaves(verbs)) text += bash_case(leaf);
   return text + "  esac\n}\n" + bash_functions;
 }
+
+}  // namespace beeline::command

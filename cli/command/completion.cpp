@@ -1,8 +1,6 @@
 #include "completion.h"
 
-#include "bash_completion.h"
-#include "fish_completion.h"
-#include "zsh_completion.h"
+namespace beeline::command {
 
 std::vector<Leaf> leaves(const std::vector<Verb>& verbs) {
   std::vector<Leaf> found;
@@ -16,9 +14,14 @@ std::vector<Leaf> leaves(const std::vector<Verb>& verbs) {
   return found;
 }
 
+std::string words_text(const std::vector<std::string>& words, const char* separator) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
 Verb completion_verb(const std::vector<Verb>& verbs) {
-  static std::string shell;
-  static const std::vector<std::string> shells{"bash", "zsh", "fish"};
+  const auto shell = std::make_shared<std::string>();
   return {.name = "completion",
           .summary = "Print a script that completes beeline's words in a shell",
           .description =
@@ -27,15 +30,18 @@ Verb completion_verb(const std::vector<Verb>& verbs) {
               "evaluate it in the shell's start-up file.",
           .arguments = {{.name = "SHELL",
                          .help = "bash, zsh or fish.",
-                         .target = &shell,
-                         .choices = shells}},
+                         .target = shell.get(),
+                         .choices = {"bash", "zsh", "fish"}}},
           .examples = {{"Complete in this session of bash", "source <(beeline completion bash)"},
                        {"Complete in fish",
                         "mkdir -p fish/completions\n"
                         "beeline completion fish > fish/completions/beeline.fish"}},
-          .run = [&verbs]() -> Answer {
-            if (shell == "bash") return {.text = bash_completion(verbs)};
-            if (shell == "zsh") return {.text = zsh_completion(verbs)};
+          .json = nullptr,
+          .run = [&verbs, shell]() -> Answer {
+            if (*shell == "bash") return {.text = bash_completion(verbs)};
+            if (*shell == "zsh") return {.text = zsh_completion(verbs)};
             return {.text = fish_completion(verbs)};
           }};
 }
+
+}  // namespace beeline::command

@@ -1,9 +1,8 @@
-#include "fish_completion.h"
-
 #include <beeline/model/catalog.h>
 
 #include "completion.h"
 
+namespace beeline::command {
 namespace {
 
 /// __beeline_is WORDS: the verb that was typed is WORDS. __beeline_at N: N words were typed that
@@ -35,21 +34,15 @@ std::string fish_quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string fish_words(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::string fish_line(const std::string& condition, const std::string& rest) {
   return "complete -c beeline -n " + fish_quoted(condition) + " " + rest + "\n";
 }
 
 /// What is offered for a value or an argument: only these words, or names of files as well.
 std::string fish_offer(Completes completes, std::vector<std::string> words, const char* no_files) {
-  if (completes == Completes::arm) words = beeline::built_in_names();
+  if (completes == Completes::arm) words = built_in_names();
   std::string text = completes == Completes::nothing ? no_files : "-F";
-  if (!words.empty()) text += " -a " + fish_quoted(fish_words(words));
+  if (!words.empty()) text += " -a " + fish_quoted(words_text(words));
   return text;
 }
 
@@ -62,7 +55,7 @@ std::string fish_option(const std::string& condition, const Option& option) {
 }
 
 std::string fish_lines(const Leaf& leaf) {
-  const std::string condition = "__beeline_is " + fish_words(leaf.words);
+  const std::string condition = "__beeline_is " + words_text(leaf.words);
   std::string text;
   for (const Option& option : all_options(*leaf.verb)) text += fish_option(condition, option);
   std::size_t words = 1 + leaf.words.size();
@@ -92,3 +85,5 @@ std::string fish_completion(const std::vector<Verb>& verbs) {
   for (const Leaf& leaf : leaves(verbs)) text += fish_lines(leaf);
   return text;
 }
+
+}  // namespace beeline::command

@@ -5,6 +5,7 @@
 
 #include <beeline/error.h>
 
+namespace beeline::command {
 namespace {
 
 constexpr std::size_t page_width = 80, column = 26;
@@ -57,8 +58,7 @@ std::string options_text(const Verb& verb) {
   const std::vector<Option> options = all_options(verb);
   std::string text;
   for (const std::vector<std::string>& methods : method_groups(options)) {
-    text += methods.empty() ? "\nOptions:\n"
-                            : "\nOptions with --method " + beeline::listed(methods) + ":\n";
+    text += methods.empty() ? "\nOptions:\n" : "\nOptions with --method " + listed(methods) + ":\n";
     for (const Option& option : options) {
       if (option.methods == methods) text += help_entry(heading(option), full_help(option));
     }
@@ -143,7 +143,7 @@ std::string overview(const std::vector<Verb>& verbs) {
 }
 
 Verb help_verb(const std::vector<Verb>& verbs) {
-  static std::string name, part;
+  const auto name = std::make_shared<std::string>(), part = std::make_shared<std::string>();
   Verb verb{.name = "help",
             .summary = "Describe a verb, its options and examples",
             .description = "Prints what `beeline VERB --help` prints, or the list of verbs."};
@@ -155,24 +155,28 @@ Verb help_verb(const std::vector<Verb>& verbs) {
   names.push_back(verb.name);
   verb.arguments = {{.name = "VERB",
                      .help = "The verb to describe.",
-                     .target = &name,
+                     .target = name.get(),
                      .required = false,
                      .choices = names,
                      .other_values = true},  // find_verb() suggests another
                     {.name = "KIND",
                      .help = "The part of a verb that has several: fk, jacobian or ik of `batch`; "
                              "map, merge, query, slice, export or place of `reach`.",
-                     .target = &part,
+                     .target = part.get(),
                      .required = false,
                      .choices = kinds}};
   verb.examples = {{"All options of the verb fk", "beeline help fk"},
                    {"Those of batch ik", "beeline help batch ik"}};
-  verb.run = [&verbs]() -> Answer {
-    if (name.empty()) return {.text = overview(verbs)};
-    const Verb& described = find_verb(verbs, name);
-    if (part.empty()) return {.text = help_text(described, "beeline " + name)};
-    if (described.verbs.empty()) throw beeline::Error("the verb " + name + " has no kinds");
-    return {.text = help_text(find_verb(described.verbs, part), "beeline " + name + " " + part)};
+  verb.json = nullptr;
+  verb.run = [&verbs, name, part]() -> Answer {
+    if (name->empty()) return {.text = overview(verbs)};
+    const Verb& described = find_verb(verbs, *name);
+    const std::string command = "beeline " + *name;
+    if (part->empty()) return {.text = help_text(described, command)};
+    if (described.verbs.empty()) throw Error("the verb " + *name + " has no kinds");
+    return {.text = help_text(find_verb(described.verbs, *part), command + " " + *part)};
   };
   return verb;
 }
+
+}  // namespace beeline::command

@@ -5,6 +5,8 @@
 
 #include "verb.h"
 
+namespace beeline::command {
+
 /// The help of one verb: usage, description, arguments, options, examples. `command` is what was
 /// typed, such as "beeline batch fk".
 std::string help_text(const Verb& verb, const std::string& command);
@@ -26,3 +28,5 @@ std::string heading(const Option& option);
 
 /// `beeline help VERB`. `verbs` must outlive the verb.
 Verb help_verb(const std::vector<Verb>& verbs);
+
+}  // namespace beeline::command

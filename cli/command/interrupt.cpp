@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 
+namespace beeline::command {
 namespace {
 
 std::atomic<bool> caught = false;
@@ -27,3 +28,5 @@ void catch_interrupt() {
 void catch_termination() { catch_signal(SIGTERM); }
 
 bool interrupted() { return caught; }
+
+}  // namespace beeline::command

@@ -1,5 +1,7 @@
 #pragma once
 
+namespace beeline::command {
+
 /// From now on the first interrupt (Ctrl-C) does not end the process: interrupted() reports it, so
 /// that a computation can end with what it has found. A second one ends the process.
 void catch_interrupt();
@@ -8,3 +10,5 @@ void catch_interrupt();
 void catch_termination();
 
 bool interrupted();
+
+}  // namespace beeline::command

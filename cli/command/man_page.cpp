@@ -4,6 +4,7 @@
 
 #include "help.h"
 
+namespace beeline::command {
 namespace {
 
 /// Text as roff prints it: backslashes, hyphens that are typed, and lines that begin with a dot.
@@ -81,5 +82,8 @@ Verb man_verb(const std::vector<Verb>& verbs) {
           .summary = "Print the manual page in roff",
           .description = "Prints the page that `man beeline` shows where Beeline is installed.",
           .examples = {{"Write the page to a file", "beeline man > beeline.1"}},
+          .json = nullptr,
           .run = [&verbs]() -> Answer { return {.text = man_page(verbs)}; }};
 }
+
+}  // namespace beeline::command

@@ -6,10 +6,9 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
-using namespace beeline;
-
+namespace beeline::command {
 namespace {
 
 template <class Integer>
@@ -33,7 +32,7 @@ Integer whole_number(const Option& option, const std::string& text, const std::s
 }
 
 double real_number(const Option& option, const std::string& text, const std::string& name) {
-  const double value = internal::parse_number(text, name);
+  const double value = parse_number(text, name);
   const auto [lowest, highest, excludes_lowest] = option.range;
   if (value >= lowest && value <= highest && !(excludes_lowest && value == lowest)) return value;
   throw Error(name + " must be " + range_text(option) + ", not " + text);
@@ -46,6 +45,16 @@ std::string bound_text(double bound) {
 }
 
 }  // namespace
+
+Option::Option(const std::string& heading, std::string help, Target target, OptionRules rules)
+    : OptionRules(std::move(rules)),
+      name(heading.substr(0, heading.find(' '))),
+      value(name == heading ? "" : heading.substr(name.size() + 1)),
+      help(std::move(help)),
+      target(target) {
+  const bool names_file = value.starts_with("FILE") || value.starts_with("FOLDER");
+  if (names_file) completes = Completes::file;
+}
 
 void check_choice(const std::string& what, const std::string& text,
                   const std::vector<std::string>& choices) {
@@ -92,3 +101,5 @@ std::string default_text(const Option& option) {
 }
 
 bool is_flag(const Option& option) { return std::holds_alternative<bool*>(option.target); }
+
+}  // namespace beeline::command

@@ -7,8 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include <beeline/trajectory/internal/sample_rate.h>
-#include <beeline/trajectory/internal/tool_speed.h>
+#include <beeline/error.h>
+#include <beeline/path/tool_path.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::command {
 
 /// The variable that an option sets. Its value before parsing is the option's default. Whole
 /// numbers are not negative, real numbers are finite; bool makes the option a flag.
@@ -23,8 +26,8 @@ struct Range {
 };
 constexpr Range above_zero{.lowest = 0, .excludes_lowest = true};
 constexpr Range zero_or_more{.lowest = 0};
-constexpr Range sample_rates{.lowest = beeline::internal::lowest_rate};
-constexpr Range tool_speeds{.lowest = beeline::internal::slowest_tool};
+constexpr Range sample_rates{.lowest = lowest_rate};
+constexpr Range tool_speeds{.lowest = slowest_tool};
 
 /// What a value names, for shell completion.
 enum class Completes { nothing, arm, file };
@@ -42,33 +45,49 @@ struct Positional {
   std::vector<std::string>* targets = nullptr;
 };
 
-/// An option of a verb. The parser, the help, the man page and the shell completions read these
-/// fields alone.
-struct Option {
-  std::string name;        ///< "--kp"
-  std::string value = {};  ///< placeholder of the value, such as N or FILE; empty for a flag
-  std::string help;        ///< one or more sentences, with the unit
-  Target target = {};
+/// What an option accepts, and with which others.
+struct OptionRules {
   bool required = false;
   std::string alias = {};                 ///< a second name
   std::vector<std::string> choices = {};  ///< the accepted values; empty: any
   bool other_values = false;              ///< the choices are not all accepted values
   Range range = {};                       ///< the accepted numbers
-  Completes completes = Completes::nothing;
   std::vector<std::string> methods = {};  ///< needs --method with one of these values
   std::string needs = {};                 ///< another option that it needs
   std::string excludes = {};              ///< an option that it cannot be combined with
   /// The library's names of what the option sets, see Error::argument(), in addition to its own
   /// name with underscores: start for --from.
   std::vector<std::string> arguments = {};
-  /// Phrases of errors about this option that do not name their argument: those of maps and
-  /// pictures.
-  std::vector<std::string> phrases = {};
+};
+
+/// An option of a verb. The parser, the help, the man page and the shell completions read these
+/// fields alone.
+struct Option : OptionRules {
+  /// `heading` is the name with the placeholder of its value: "--rate HZ"; of a flag, the name.
+  Option(const std::string& heading, std::string help, Target target, OptionRules rules = {});
+
+  std::string name;   ///< "--kp"
+  std::string value;  ///< placeholder of the value, such as N or FILE; empty for a flag
+  std::string help;   ///< one or more sentences, with the unit
+  Target target;      ///< of a flag, null if it sets nothing
+  Completes completes = Completes::nothing;  ///< file if the placeholder is a file or a folder
 };
 
 /// Sets the target from the text typed for `name`. Throws Error naming the option if the text is
 /// empty, is not such a number, or is not among the choices.
 void assign(const Option& option, const std::string& name, const std::string& text);
+
+/// Returns what `read` makes of an option's value. An Error of it begins with the option.
+template <class Read>
+auto for_option(const std::string& option, const Read& read) {
+  try {
+    return read();
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(option + ": " + error.what());
+  }
+}
 
 /// Throws Error if `text`, given for `what`, is not among the choices.
 void check_choice(const std::string& what, const std::string& text,
@@ -81,3 +100,5 @@ std::string default_text(const Option& option);
 std::string range_text(const Option& option);
 
 bool is_flag(const Option& option);
+
+}  // namespace beeline::command

@@ -4,13 +4,11 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-#include <beeline/internal/nearest_name.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/model/catalog.h>
 
-using beeline::Error;
-
+namespace beeline::command {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -36,7 +34,7 @@ Error unexpected(const Verb& verb, const std::string& word) {
     known.push_back(option.name);
     if (option.alias.size() > 2) known.push_back(option.alias);
   }
-  return Error(beeline::internal::unknown_text("option", name, known));  // the help lists them
+  return unknown_name("option", name, known, false);  // the help lists them
 }
 
 /// An option as CLI11 parses it.
@@ -85,7 +83,7 @@ void check_combination(const Option& option, const std::string& name, const Word
   }
   if (option.methods.empty() || has(option.methods, method)) return;
   throw Error(name + " has no effect with --method " + method + "; it requires --method " +
-              beeline::listed(option.methods));
+              listed(option.methods));
 }
 
 std::string method_of(const Verb& verb) {
@@ -97,9 +95,9 @@ std::string method_of(const Verb& verb) {
 
 /// Whether a text typed for a trajectory can only be an arm; a .json file may be either.
 bool is_arm(const std::string& text) {
-  const std::string ending = beeline::internal::extension(text);
-  return ending == "urdf" || ending == "xml" || beeline::is_joint_string(text) ||
-         has(beeline::built_in_names(), text);
+  const std::string ending = extension(text);
+  return ending == "urdf" || ending == "xml" || is_joint_string(text) ||
+         has(built_in_names(), text);
 }
 
 /// Throws Error if the arguments of a verb `VERB ARM FILE...` were given as `VERB FILE... ARM`.
@@ -108,7 +106,7 @@ void check_order(const Verb& verb) {
   const Positional& end = verb.arguments.back();
   if (end.completes == Completes::arm || end.targets != nullptr) return;  // two arms have no order
   const std::string &first = *verb.arguments.front().target, &last = *end.target;
-  const std::string format = beeline::internal::extension(first);
+  const std::string format = extension(first);
   if (last.empty() || !(format == "csv" || (format == "json" && is_arm(last)))) return;
   std::string order = verb.name;
   for (const Positional& argument : verb.arguments) order += " " + argument.name;
@@ -147,7 +145,7 @@ Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Wor
     refuse_repeated(*option, result, arguments);
     typed.push_back(name);
     if (auto* const* flag = std::get_if<bool*>(&option->target)) {
-      **flag = true;
+      if (*flag != nullptr) **flag = true;
     } else {
       assign(*option, name, result->results().front());
     }
@@ -193,3 +191,5 @@ std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
   set_arguments(verb, positions);
   return set_options(verb, parsed, arguments);
 }
+
+}  // namespace beeline::command

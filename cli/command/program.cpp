@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <new>
-#include <optional>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
 #include "completion.h"
 #include "help.h"
@@ -13,8 +12,7 @@
 #include "parse.h"
 #include "streams.h"
 
-using beeline::Error;
-
+namespace beeline::command {
 namespace {
 
 /// closed_pipe is what a shell reports for a program that SIGPIPE ends.
@@ -41,7 +39,7 @@ Error no_verb(const std::vector<Verb>& verbs, const Selection& selection) {
   if (!selection.arguments.empty()) {
     message = "unknown option \"" + selection.arguments.front() + "\" before a verb; ";
   }
-  return Error(message + selection.command + " needs a verb: " + beeline::listed(names));
+  return Error(message + selection.command + " needs a verb: " + listed(names));
 }
 
 /// Follows verbs of verbs, such as `batch fk`.
@@ -54,19 +52,6 @@ void select(const std::vector<Verb>& verbs, Selection& selection) {
   selection.command += " " + selection.verb->name;
   arguments.erase(arguments.begin());
   if (!selection.verb->verbs.empty()) select(selection.verb->verbs, selection);
-}
-
-/// The position of a phrase in the message, as whole words; npos if it is not there.
-std::size_t find_phrase(const std::string& message, const std::string& phrase) {
-  const auto in_word = [&message](std::size_t i) {
-    return i < message.size() &&
-           (std::isalnum(static_cast<unsigned char>(message[i])) != 0 || message[i] == '_');
-  };
-  std::size_t at = message.find(phrase);
-  while (at != std::string::npos && (in_word(at - 1) || in_word(at + phrase.size()))) {
-    at = message.find(phrase, at + 1);
-  }
-  return at;
 }
 
 /// The library's name of an option: "max_samples" of --max-samples.
@@ -83,34 +68,16 @@ bool sets(const Option& option, const std::string& argument) {
              option.arguments.end();
 }
 
-/// The message of an error that does not name its argument. Replaces the library's name of the
-/// option by `name`; if the message has one of the option's phrases, puts `name` in front. Nothing
-/// if it has neither.
-std::optional<std::string> message_by_phrase(std::string message, const Option& option,
-                                             const std::string& name) {
-  const std::string library = library_name(option);
-  const bool several_words = library.find('_') != std::string::npos;
-  const std::size_t at = several_words ? find_phrase(message, library) : std::string::npos;
-  if (at != std::string::npos) return message.replace(at, library.size(), name);
-  for (const std::string& phrase : option.phrases) {
-    if (find_phrase(message, phrase) != std::string::npos) return name + ": " + message;
-  }
-  return std::nullopt;
-}
-
 /// The message, with the typed option in place of the argument at fault.
 std::string naming_the_option(const Error& error, const Selection& selection) {
-  const std::string message = error.what(), &argument = error.argument();
-  if (selection.verb == nullptr) return message;
+  if (selection.verb == nullptr || error.argument().empty()) return error.what();
   for (const Option& option : all_options(*selection.verb)) {
     for (const std::string& name : selection.typed) {
-      if (name != option.name && name != option.alias) continue;
-      if (sets(option, argument)) return error.message_for(name);
-      if (!argument.empty()) continue;
-      if (auto found = message_by_phrase(message, option, name)) return *found;
+      const bool typed = name == option.name || name == option.alias;
+      if (typed && sets(option, error.argument())) return error.message_for(name);
     }
   }
-  return message;
+  return error.what();
 }
 
 int exit_code(const Answer& answer) {
@@ -172,9 +139,9 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
     }
     select(verbs, selection);
     return run(selection);
-  } catch (const beeline::internal::ClosedPipe&) {
+  } catch (const ClosedPipe&) {
     return static_cast<int>(Exit::closed_pipe);
-  } catch (const beeline::FileError& error) {
+  } catch (const FileError& error) {
     return fail(Exit::file, error.what());
   } catch (const Error& error) {
     return fail(Exit::usage,
@@ -185,3 +152,5 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
     return fail(Exit::usage, std::string("internal error, please report it: ") + error.what());
   }
 }
+
+}  // namespace beeline::command

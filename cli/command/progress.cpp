@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+namespace beeline::command {
 namespace {
 
 ProgressListener& listener() {
@@ -31,3 +32,10 @@ void Progress::show(double fraction) {
   percent_ = percent;
   write_stderr(fmt::format("\r{:3d} %", percent));
 }
+
+Budget Progress::of(Budget budget) {
+  budget.progress = [this](double fraction) { show(fraction); };
+  return budget;
+}
+
+}  // namespace beeline::command

@@ -2,6 +2,10 @@
 
 #include <mutex>
 
+#include <beeline/budget.h>
+
+namespace beeline::command {
+
 /// Receives the fraction that is computed, from any thread.
 using ProgressListener = void (*)(double fraction);
 
@@ -18,9 +22,13 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(double fraction);  ///< from any thread
+  /// Returns the budget of a computation that shows its progress here.
+  Budget of(Budget budget);
 
  private:
   std::mutex showing_;
   bool terminal_;
   int percent_ = -1;  ///< shown now; -1: none
 };
+
+}  // namespace beeline::command

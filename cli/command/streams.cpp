@@ -7,11 +7,12 @@
 #include <string>
 
 #include <beeline/error.h>
-#include <beeline/internal/utf8.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
 #include <fcntl.h>
 #include <unistd.h>
+
+namespace beeline::command {
 
 void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
@@ -33,7 +34,7 @@ void write_stderr(std::string_view text) {
 }
 
 void print_error(std::string_view text) {
-  write_stderr("beeline: " + beeline::internal::one_line(text) + "\n");
+  write_stderr(std::string("beeline: ") + Error(std::string(text)).what() + "\n");
 }
 
 void warn(std::string_view text) { print_error("warning: " + std::string(text)); }
@@ -41,6 +42,8 @@ void warn(std::string_view text) { print_error("warning: " + std::string(text));
 void write_stdout(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  if (errno == EPIPE) throw beeline::internal::ClosedPipe("stdout");
-  throw beeline::FileError("stdout", 0, std::string("cannot be written: ") + std::strerror(errno));
+  if (errno == EPIPE) throw ClosedPipe("stdout");
+  throw FileError("stdout", 0, std::string("cannot be written: ") + std::strerror(errno));
 }
+
+}  // namespace beeline::command

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+namespace beeline::command {
+
 /// The standard streams. An stderr that is closed or full never changes the exit code; an stdout
 /// that cannot be written does. A pipe whose reader has closed it ends the command quietly, as
 /// `head` ends other programs.
@@ -10,7 +12,7 @@
 /// ignores SIGPIPE, so that writing to a closed pipe fails instead of ending the process.
 void prepare_streams();
 
-/// Prints the line `beeline: TEXT` on stderr, made one line of UTF-8 by internal::one_line().
+/// Prints the line `beeline: TEXT` on stderr, made one line of UTF-8 as the message of an Error is.
 void print_error(std::string_view text);
 
 /// Prints the line `beeline: warning: TEXT` on stderr.
@@ -19,6 +21,8 @@ void warn(std::string_view text);
 /// Writes text on stderr without changes.
 void write_stderr(std::string_view text);
 
-/// Writes text on stdout, to the last byte. Throws internal::ClosedPipe if its reader has closed
+/// Writes text on stdout, to the last byte. Throws ClosedPipe if its reader has closed
 /// it, FileError if the write fails otherwise.
 void write_stdout(std::string_view text);
+
+}  // namespace beeline::command

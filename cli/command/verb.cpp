@@ -5,16 +5,16 @@
 
 #include <beeline/error.h>
 
+namespace beeline::command {
+
 std::vector<Option> all_options(const Verb& verb) {
-  static bool help = false;
   std::vector<Option> options = verb.options;
-  if (verb.json != nullptr) {
-    options.push_back(
-        {.name = "--json",
-         .help = "Print the answer as JSON, with its units. Numbers read back exactly.",
-         .target = verb.json});
+  if (verb.json != nullptr && verb.verbs.empty()) {
+    options.push_back(Option("--json",
+                             "Print the answer as JSON, with its units. Numbers read back exactly.",
+                             verb.json.get()));
   }
-  options.push_back({.name = "--help", .help = "Print this help.", .target = &help, .alias = "-h"});
+  options.push_back(Option("--help", "Print this help.", Target(), {.alias = "-h"}));
   return options;
 }
 
@@ -77,8 +77,10 @@ const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name) {
   }
   const std::string meant = verb_of_other_programs(name);
   if (std::find(names.begin(), names.end(), meant) != names.end()) {
-    throw beeline::Error("unknown verb \"" + name + "\"; did you mean \"" + meant +
-                         "\"? (known: " + beeline::listed(names) + ")");
+    throw Error("unknown verb \"" + name + "\"; did you mean \"" + meant +
+                "\"? (known: " + listed(names) + ")");
   }
-  throw beeline::unknown_name("verb", name, names);
+  throw unknown_name("verb", name, names);
 }
+
+}  // namespace beeline::command

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "json.h"
+#include <beeline/io/text/json.h>
+
 #include "option.h"
+
+namespace beeline::command {
 
 /// What a verb answers. The text, or with --json the document, is printed on stdout. The document
 /// of a verb with --degrees has the member "units", see with_units().
@@ -32,7 +36,8 @@ struct Verb {
   std::vector<Positional> arguments = {};
   std::vector<Option> options = {};
   std::vector<Example> examples = {};
-  bool* json = nullptr;  ///< set by --json; null for a verb without that option
+  /// Set by --json; null for a verb without that option.
+  std::shared_ptr<bool> json = std::make_shared<bool>(false);
   std::function<Answer()> run = {};
   std::vector<Verb> verbs = {};  ///< such as fk of batch; then run is empty
 };
@@ -49,3 +54,5 @@ std::string usage(const Verb& verb, const std::string& command);
 
 /// Throws Error for an unknown name, with the nearest known one or the one that is meant.
 const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name);
+
+}  // namespace beeline::command

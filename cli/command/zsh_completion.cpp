@@ -1,9 +1,8 @@
-#include "zsh_completion.h"
-
 #include <beeline/model/catalog.h>
 
 #include "completion.h"
 
+namespace beeline::command {
 namespace {
 
 /// Text inside single quotes and brackets of an _arguments specification.
@@ -32,9 +31,7 @@ std::string zsh_first_sentence(const std::string& text) {
 std::string zsh_action(Completes completes, const std::vector<std::string>& choices) {
   if (completes == Completes::arm) return "_beeline_arms";
   if (completes == Completes::file) return "_files";
-  std::string words;
-  for (const std::string& choice : choices) words += (words.empty() ? "" : " ") + choice;
-  return words.empty() ? " " : "(" + words + ")";
+  return choices.empty() ? " " : "(" + words_text(choices) + ")";
 }
 
 std::string zsh_specification(const Option& option, const std::string& name) {
@@ -86,7 +83,7 @@ std::string zsh_function(const std::string& name, const std::vector<Verb>& verbs
 
 std::string zsh_completion(const std::vector<Verb>& verbs) {
   std::string arms;
-  for (const std::string& arm : beeline::built_in_names()) arms += " " + arm;
+  for (const std::string& arm : built_in_names()) arms += " " + arm;
   std::string text =
       "#compdef beeline\n# zsh completion for beeline, printed by `beeline completion zsh`\n\n"
       "_beeline_arms() {\n  compadd --" +
@@ -98,3 +95,5 @@ std::string zsh_completion(const std::vector<Verb>& verbs) {
          "if [[ $funcstack[1] == _beeline ]]; then\n  _beeline \"$@\"\nelse\n"
          "  compdef _beeline beeline\nfi\n";
 }
+
+}  // namespace beeline::command

@@ -1,6 +1,4 @@
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/joint_limits.h>
 
 #include "arm_fields.h"
 #include "bindings.h"
@@ -287,7 +285,7 @@ void bind_constructor(nb::class_<Arm>& arm) {
         Arm result(Value<std::string>::from(name, "name"),
                    Value<std::vector<Joint>>::from(joints, "joints"), own_tool,
                    pose(base, "base").value_or(Pose::Identity()), controller);
-        internal::check_names(result);
+        check_names(result);
         new (self) Arm(std::move(result));
       },
       made, nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),

@@ -1,5 +1,4 @@
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/urdf.h>
 
 #include "arm_fields.h"
@@ -78,7 +77,8 @@ void bind_arm_files(nb::class_<Arm>& arm) {
       [](nb::handle source, nb::handle base, nb::handle tip) {
         const std::string text = path_from(source, "source");
         std::vector<ReadWarning> warnings;
-        const Arm read = internal::first_character(text) == '<'
+        const std::size_t begin = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+        const Arm read = begin != std::string::npos && text[begin] == '<'
                              ? arm_from_urdf(text, "URDF", ends_of(base, tip), &warnings)
                              : read_urdf(text, ends_of(base, tip), &warnings);
         issue(warnings);

@@ -22,7 +22,8 @@ void bind_command_line(nb::module_& module) {
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
         const LockRelease release;
-        return run_program(all_verbs(), static_cast<int>(arguments.size()), argv.data());
+        return command::run_program(command::all_verbs(), static_cast<int>(arguments.size()),
+                                    argv.data());
       },
       nb::sig("def _command_line(words: list[bytes], /) -> int"),
       "Runs the command `beeline` with these words, its own name first, and returns the exit "

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 
 #include "bindings.h"
@@ -98,7 +98,7 @@ void bind_controller_files(nb::module_& m) {
   define(
       file,
       [](const ControllerFile& self, nb::handle path) {
-        internal::write_file(path_from(path, "path"), self.text);
+        write_file(path_from(path, "path"), self.text);
       },
       save, nb::arg("path"));
   Signature endings("controller_file_endings", "list[str]",

@@ -1,6 +1,5 @@
-#include <beeline/draw/canvas.h>
-#include <beeline/draw/internal/animation_frames.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/draw/figure.h>
+#include <beeline/io/text/file.h>
 
 #include "draw_fields.h"
 
@@ -61,7 +60,7 @@ void bind_picture(nb::module_& m) {
       picture,
       [](const Picture& self, nb::handle path) {
         const std::string file = path_from(path, "path");
-        without_lock([&] { internal::write_file(file, render(self, format_of(file))); });
+        without_lock([&] { write_file(file, render(self, format_of(file))); });
       },
       save, nb::arg("path"));
   picture.def("_repr_svg_", &notebook_svg);
@@ -117,7 +116,7 @@ void bind_animation(nb::module_& m) {
 
 PlayedAnimation::PlayedAnimation(Animation made, const PlaybackOptions& options)
     : animation(std::move(made)), playback(options) {
-  internal::check_playback(animation, playback);
+  check_playback(animation, playback);
 }
 
 nb::str notebook_svg(const Picture& picture) {

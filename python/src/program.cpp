@@ -1,7 +1,7 @@
 #include <map>
 
 #include <beeline/io/program.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
 #include "bindings.h"
 #include "interruption.h"
@@ -31,7 +31,7 @@ Configuration configuration_of(const Arm& arm, const std::string& item, const Na
                                AngleUnit unit) {
   const auto named = states.find(item);
   if (named != states.end()) return named->second;
-  const std::vector<double> values = internal::parse_numbers(item, "q");
+  const std::vector<double> values = parse_numbers(item, "q");
   Configuration q = Eigen::Map<const Configuration>(values.data(), Index(values.size()));
   check_configuration(arm, q);
   for (Index k = 0; k < q.size(); ++k) {

@@ -1,5 +1,3 @@
-#include <beeline/reach/internal/positions.h>
-#include <beeline/reach/internal/slabs.h>
 #include <beeline/reach/reach_map.h>
 
 #include "bindings.h"
@@ -23,10 +21,8 @@ CellArrays cells_from(const ReachMap& map, Index first, Index last) {
     (void)map.cells(first, last);  // throws
   }
   CellWriter writer(map.grid(), last - first);
-  const internal::Slabs slabs(map.grid());
   for (Index p = first; p < last;) {
-    const Index part = p + internal::positions_at_once(map.grid());
-    const Index end = std::min({last, part, slabs.last(slabs.slab_of(p))});
+    const Index end = std::min(last, map.block_end(p));
     writer.append(read_cells(map, p, end));
     p = end;
   }
@@ -60,14 +56,9 @@ bool same_map(const ReachMap& a, const ReachMap& b) {
       !Value<MapOptions>::same(options_of(a), options_of(b))) {
     return false;
   }
-  const internal::Slabs slabs(a.grid());
-  const Index part = internal::positions_at_once(a.grid());
-  for (Index s = 0; s < slabs.count(); ++s) {
-    if (!a.slabs()[static_cast<std::size_t>(s)]) continue;
-    for (Index p = slabs.first(s); p < slabs.last(s); p += part) {
-      const Index end = std::min(p + part, slabs.last(s));
-      if (!same_cells(read_cells(a, p, end), read_cells(b, p, end))) return false;
-    }
+  for (Index p = 0, end = 0; p < a.grid().positions(); p = end) {
+    end = a.block_end(p);
+    if (a.has(p) && !same_cells(read_cells(a, p, end), read_cells(b, p, end))) return false;
   }
   return true;
 }

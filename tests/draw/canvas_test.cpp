@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/refusal.h>

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/internal/skeleton.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/so3.h>

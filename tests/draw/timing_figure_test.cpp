@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/internal/joint_charts.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/jacobian.h>

@@ -1,4 +1,4 @@
-#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/fuzz/target.h>

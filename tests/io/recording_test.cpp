@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/model/catalog.h>
 
@@ -70,9 +70,9 @@ std::string written(const Trajectory& trajectory, const Style& style) {
   const std::vector<Configuration>* const values[] = {&trajectory.positions, &trajectory.velocities,
                                                       &trajectory.accelerations};
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
-    std::vector<std::string> items{internal::exact(trajectory.times[k])};
+    std::vector<std::string> items{exact(trajectory.times[k])};
     for (int c = 0; c < columns; ++c) {
-      for (const double value : (*values[c])[k]) items.push_back(internal::exact(value));
+      for (const double value : (*values[c])[k]) items.push_back(exact(value));
     }
     if (style.decimal_comma) {
       for (std::string& item : items) std::replace(item.begin(), item.end(), '.', ',');

@@ -2,7 +2,7 @@
 
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 
 #include <tests/io/random_trajectory.h>
@@ -47,7 +47,7 @@ TEST(TrajectoryFile, WithoutAnEndingTheTextDecides) {
   const testing::TemporaryFolder folder;
   const Trajectory trajectory = testing::in_nanoseconds(testing::random_trajectory(random));
   for (const TrajectoryFormat format : {TrajectoryFormat::csv, TrajectoryFormat::json}) {
-    internal::write_file(folder.file("pipe"), trajectory_text(trajectory, format));
+    write_file(folder.file("pipe"), trajectory_text(trajectory, format));
     EXPECT_TRUE(testing::same(read_trajectory(folder.file("pipe")), trajectory));
   }
 }
@@ -65,16 +65,16 @@ TEST(TrajectoryFile, AnyLengthIsRead) {
             ("{\"positions\": [0.25], \"time_from_start\": {\"sec\": " + time) +
             ", \"nanosec\": 5}}";
   }
-  EXPECT_GT(csv.size(), internal::max_file_size / 1'400'000 * static_cast<std::size_t>(samples));
-  internal::write_file(folder.file("a.csv"), csv);
-  internal::write_file(folder.file("a.json"), json + "]}");
+  EXPECT_GT(csv.size(), max_file_size / 1'400'000 * static_cast<std::size_t>(samples));
+  write_file(folder.file("a.csv"), csv);
+  write_file(folder.file("a.json"), json + "]}");
   for (const char* name : {"a.csv", "a.json"}) {
     const Trajectory trajectory = read_trajectory(folder.file(name));
     EXPECT_EQ(trajectory.size(), samples) << name;
     EXPECT_NEAR(trajectory.times.back(), samples - 1, 1e-8);
     EXPECT_EQ(trajectory.positions.back()[0], 0.25);
   }
-  internal::write_file(folder.file("a.json"), json + "x");
+  write_file(folder.file("a.json"), json + "x");
   EXPECT_REFUSED(read_trajectory(folder.file("a.json")),
                  "a.json:" + std::to_string(samples) + ": is not JSON");
 }
@@ -95,7 +95,7 @@ TEST(TrajectoryFile, ManyJointsAreRefusedAtOnce) {
 TEST(TrajectoryFile, EndlessFilesAreRefused) {
   EXPECT_REFUSED(read_trajectory("/dev/zero"), "/dev/zero:1: has a byte of 0");
   const testing::TemporaryFolder folder;
-  internal::write_file(folder.file("a.csv"), std::string(5 << 20, '1'));
+  write_file(folder.file("a.csv"), std::string(5 << 20, '1'));
   EXPECT_REFUSED(read_trajectory(folder.file("a.csv")), "line 1 is longer than");
 }
 

@@ -29,8 +29,7 @@ TEST(JointRates, GiveTheVelocityWithTheLeastNorm) {
     const Configuration q = random.configuration(arm), some = random_rates(random, arm);
     for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
       for (const char* task : {"spatial", "position", "111110", "000111"}) {
-        const Eigen::MatrixXd j =
-            internal::selected_rows(task_named(task), jacobian(arm, q, frame));
+        const Eigen::MatrixXd j = selected_rows(task_named(task), jacobian(arm, q, frame));
         const Eigen::VectorXd velocity = j * some;
         const JointRates found =
             joint_rates(arm, q, velocity, {.task = task_named(task), .frame = frame});

@@ -9,6 +9,8 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/planning/internal/knot_sequence.h>
+#include <beeline/planning/internal/track_segment.h>
 #include <beeline/pose/se3.h>
 
 #include <tests/random.h>
@@ -208,6 +210,21 @@ inline Line random_certified_line(Random& random, const Arm& arm) {
   to.linear() =
       so3_exp(random.direction() * random.uniform(0, std::numbers::pi / 2)) * from.linear();
   return {from, to};
+}
+
+/// Whether the configurations of dense_layers(), at equal distances on the line, can be followed by
+/// a motion that is proved to keep to the line.
+inline bool can_follow(const Arm& arm, const Line& line, const std::vector<Configuration>& way) {
+  std::vector<internal::Knot> knots;
+  for (std::size_t r = 0; r < way.size(); ++r) {
+    knots.push_back({static_cast<double>(r) / static_cast<double>(way.size() - 1), way[r]});
+  }
+  const internal::KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
+  return internal::track_segment(arm, line, Task::spatial(), internal::bounds_of(arm), way.front(),
+                                 {.tolerance = {1e-4, 1e-4},
+                                  .max_samples = 100'000,
+                                  .guide = [&](double s) { return spline.at(s); }})
+      .complete();
 }
 
 }  // namespace beeline::testing

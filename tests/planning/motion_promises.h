@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/internal/rounded_number.h>
+#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/surface.h>

@@ -56,7 +56,7 @@ const char* beeline_arm_json(int arm) {
 }
 
 const char* beeline_arm_description(int arm) {
-  return web::text([&] { return arm_document(arm_of(arm), false).text(); });
+  return web::text([&] { return command::arm_document(arm_of(arm), false).text(); });
 }
 
 const char* beeline_built_in_names() {

@@ -7,6 +7,6 @@
 #include "progress.h"
 
 int beeline_command(int argc, char** argv) {
-  listen_to_progress(report_progress);
-  return run_program(all_verbs(), argc, argv);
+  beeline::command::listen_to_progress(report_progress);
+  return beeline::command::run_program(beeline::command::all_verbs(), argc, argv);
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/internal/skeleton.h>
 
 #include "arms.h"
 #include "beeline.h"
@@ -12,13 +11,13 @@ using namespace beeline;
 int beeline_skeleton(int arm, const double* q, double* numbers) {
   return web::guarded([&] {
     const Arm& model = web::arm_of(arm);
-    const internal::Skeleton line = internal::skeleton(model, web::joint_values(q, model.dof()));
+    const Skeleton line = skeleton(model, web::joint_values(q, model.dof()));
     const auto write = [&numbers](const Vector3& point) {
       Eigen::Map<Vector3>(numbers, 3) = point;
       numbers += 3;
     };
     write(line.base);
-    for (const internal::SkeletonJoint& joint : line.joints) {
+    for (const SkeletonJoint& joint : line.joints) {
       *numbers++ = static_cast<double>(joint.kind);
       for (const Vector3& point : {joint.direction, joint.enter, joint.leave, joint.centre}) {
         write(point);

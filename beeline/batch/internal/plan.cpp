@@ -4,6 +4,7 @@
 
 #include <beeline/batch/internal/plan.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 namespace {
@@ -84,8 +85,8 @@ Chain gathered(Chain chain) {
 
 template <class Real>
 BatchPlan<Real>::BatchPlan(const Arm& arm)
-    : dof(arm.dof()), in_order(arm.chain_angles().in_order), planar(arm.planar()) {
-  const Chain chain = gathered(arm.chain());
+    : dof(arm.dof()), in_order(chain_angles_of(arm).in_order), planar(arm.planar()) {
+  const Chain chain = gathered(chain_of(arm));
   double size = chain.tool.translation().norm();
   for (const Chain::Link& link : chain.links) size = std::max(size, link.translation.norm());
   base = columns_of<Real>(chain.base);

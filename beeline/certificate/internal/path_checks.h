@@ -7,10 +7,6 @@
 
 namespace beeline::internal {
 
-/// The smallest tolerance that plans accept, metres and radians: smaller ones are comparable with
-/// the rounding of samples.
-constexpr double min_tolerance = 1e-8;
-
 /// Throws Error unless step_bound() holds for the task: any task along a line, those of
 /// check_matched() along other segments.
 void check_task(const Arm& arm, const Segment& segment, const Task& task);

@@ -4,7 +4,6 @@
 
 #include <beeline/control/internal/held_limits.h>
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/limit_fraction.h>

@@ -9,6 +9,7 @@
 #include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::internal {
@@ -60,7 +61,7 @@ void find_special(const Arm& arm, std::vector<Finding>& found) {
                      .what = number(rounded.angle) + " is " + rounded.digits + ", off by " +
                              number(std::abs(rounded.angle - rounded.exact)) + " rad",
                      .cost = lost,
-                     .remedy = "write " + internal::exact(rounded.exact)});
+                     .remedy = "write " + beeline::exact(rounded.exact)});
   } else if (!lost.empty()) {
     const std::string angle = exact.angle > 0 ? number(exact.angle) +
                                                     " rad from parallel or "

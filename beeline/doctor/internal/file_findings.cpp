@@ -4,12 +4,12 @@
 
 #include <beeline/doctor/internal/findings.h>
 #include <beeline/doctor/internal/reconciliation.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_tree.h>
+#include <beeline/io/text/json.h>
 
 namespace beeline::internal {
 namespace {

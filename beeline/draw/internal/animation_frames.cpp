@@ -20,7 +20,24 @@ double loop_seconds(const Animation& animation, const PlaybackOptions& options) 
 
 }  // namespace
 
-void check_playback(const Animation& animation, const PlaybackOptions& options) {
+double fraction_at(const Animation& animation, const PlaybackOptions& options, double t) {
+  const double since = (t - animation.times.front()) / options.speed;
+  const double seconds = loop_seconds(animation, options);
+  return seconds > 0 ? std::clamp((options.rest_before + since) / seconds, 0.0, 1.0) : 0;
+}
+
+Timeline timeline_of(const Animation& animation, const PlaybackOptions& options) {
+  Timeline timeline;
+  timeline.seconds = std::max(0.01, loop_seconds(animation, options));
+  for (const double t : animation.times) {
+    timeline.frames.push_back(fraction_at(animation, options, t));
+  }
+  return timeline;
+}
+
+}  // namespace beeline::internal
+
+void beeline::check_playback(const Animation& animation, const PlaybackOptions& options) {
   if (animation.frames.empty() || animation.frames.size() != animation.times.size()) {
     throw Error("an animation has " + std::to_string(animation.frames.size()) + " frames and " +
                 std::to_string(animation.times.size()) +
@@ -44,20 +61,3 @@ void check_playback(const Animation& animation, const PlaybackOptions& options) 
                 " is too slow for it");
   }
 }
-
-double fraction_at(const Animation& animation, const PlaybackOptions& options, double t) {
-  const double since = (t - animation.times.front()) / options.speed;
-  const double seconds = loop_seconds(animation, options);
-  return seconds > 0 ? std::clamp((options.rest_before + since) / seconds, 0.0, 1.0) : 0;
-}
-
-Timeline timeline_of(const Animation& animation, const PlaybackOptions& options) {
-  Timeline timeline;
-  timeline.seconds = std::max(0.01, loop_seconds(animation, options));
-  for (const double t : animation.times) {
-    timeline.frames.push_back(fraction_at(animation, options, t));
-  }
-  return timeline;
-}
-
-}  // namespace beeline::internal

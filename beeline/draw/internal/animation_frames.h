@@ -5,10 +5,6 @@
 
 namespace beeline::internal {
 
-/// Throws Error for an animation without frames, for times that do not fit them or do not increase,
-/// and for options out of range.
-void check_playback(const Animation& animation, const PlaybackOptions& options);
-
 /// Returns when each frame is shown.
 Timeline timeline_of(const Animation& animation, const PlaybackOptions& options);
 

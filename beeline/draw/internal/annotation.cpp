@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
-#include <beeline/draw/internal/skeleton.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>

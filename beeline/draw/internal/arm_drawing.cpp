@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/arm_drawing.h>
-#include <beeline/draw/internal/skeleton.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {

@@ -5,7 +5,7 @@
 
 #include <beeline/draw/internal/movie.h>
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 
 #include <fcntl.h>
 #include <spawn.h>

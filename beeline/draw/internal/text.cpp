@@ -29,9 +29,7 @@ std::string cut(const std::string& word, double size, double width, bool bold) {
   }
   while (!kept.empty() && text_size(whole ? kept : kept + "…", size, bold).x() > width) {
     whole = false;
-    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0) == 0x80) {
-      kept.pop_back();
-    }
+    while (!kept.empty() && continues_character(kept.back())) kept.pop_back();
     if (!kept.empty()) kept.pop_back();
   }
   return whole ? kept : kept + "…";

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include <beeline/draw/internal/text_width.h>
+#include <beeline/internal/utf8.h>
 
 namespace beeline::internal {
 namespace {
@@ -51,23 +52,11 @@ double advance(char32_t character) {
   return range != std::end(ranges) && character >= range->first ? range->width : 0.7;
 }
 
-/// Returns the first character of valid UTF-8 text and removes it.
-char32_t take_character(std::string_view& text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  char32_t character = length == 1 ? first : first & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length && i < text.size(); ++i) {
-    character = character << 6 | (static_cast<unsigned char>(text[i]) & 0x3Fu);
-  }
-  text.remove_prefix(std::min(length, text.size()));
-  return character;
-}
-
 }  // namespace
 
 double text_width(std::string_view text, double size, bool bold) {
   double width = 0;
-  while (!text.empty()) width += advance(take_character(text));
+  while (!text.empty()) width += advance(take_character(text).code());
   constexpr double bold_width = 1.13;  // of the regular one, on average
   return width * size * (bold ? bold_width : 1);
 }

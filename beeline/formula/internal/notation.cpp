@@ -4,6 +4,7 @@
 
 #include <beeline/formula/internal/digits.h>
 #include <beeline/formula/internal/notation.h>
+#include <beeline/internal/utf8.h>
 
 namespace beeline::internal {
 namespace {
@@ -56,7 +57,7 @@ std::string escaped_latex(const std::string& text) {
     if (command != commands.end()) {
       result += command->second;
     } else if (static_cast<unsigned char>(c) >= 0x80) {
-      if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) result += '?';
+      if (!continues_character(c)) result += '?';
     } else {
       if (std::string("#$%&_{}").find(c) != std::string::npos) result += '\\';
       result += c;

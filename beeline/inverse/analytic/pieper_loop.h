@@ -5,7 +5,7 @@
 #include <string>
 
 #include <beeline/inverse/analytic/rigid_motion.h>
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 namespace {
@@ -111,7 +112,7 @@ bool PieperSolver::lock_first(const Chain& chain) {
 }
 
 std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task) {
-  const Chain& chain = arm.chain();
+  const Chain& chain = chain_of(arm);
   if (!supported(arm, chain)) return std::nullopt;
   PieperSolver solver;
   solver.dof_ = arm.dof();

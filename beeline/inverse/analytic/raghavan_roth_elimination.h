@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 

@@ -2,6 +2,7 @@
 
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/raghavan_roth_family.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 namespace {
@@ -15,8 +16,9 @@ bool applies_raghavan_roth(SolverState& state) {
       std::all_of(arm.joints().begin(), arm.joints().end(),
                   [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
   if (!six_revolute || state.options.lock) return false;
-  if (state.similar) state.raghavan_roth.emplace(arm.chain(), *state.similar);
-  if (!state.similar || !state.raghavan_roth->reliable()) state.raghavan_roth.emplace(arm.chain());
+  if (state.similar) state.raghavan_roth.emplace(chain_of(arm), *state.similar);
+  if (!state.similar || !state.raghavan_roth->reliable())
+    state.raghavan_roth.emplace(chain_of(arm));
   if (!state.raghavan_roth->reliable()) state.raghavan_roth.reset();
   return state.raghavan_roth.has_value();
 }

@@ -79,7 +79,7 @@ HWY_INLINE void linearise(const NumericalProblem& problem, const double* tool_po
     if (!near.free[k]) continue;
     for (int i = problem.coordinates[k].first_link; i < problem.coordinates[k].end_link; ++i) {
       const auto at = static_cast<size_t>(links[i]);
-      const Chain::Link& link = problem.chain.links[at];
+      const internal::Chain::Link& link = problem.chain.links[at];
       const double *z = &near.axes[8 * at], *p = z + 4;
       const double arm[3] = {tool_position[0] - p[0], tool_position[1] - p[1],
                              tool_position[2] - p[2]};

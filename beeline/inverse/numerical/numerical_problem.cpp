@@ -4,6 +4,7 @@
 #include <beeline/inverse/numerical/numerical_problem.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/math/revolution.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 namespace {
@@ -27,7 +28,7 @@ NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bound
   check_task(arm, task, bounds);
   NumericalProblem problem{arm, task, bounds, 1, {}, {}, {}};
   problem.length = std::exp2(std::round(std::log2(unit_of_length(arm))));
-  const Chain& chain = arm.chain();
+  const Chain& chain = chain_of(arm);
   for (int k = 0; k < arm.dof(); ++k) {
     NumericalProblem::Coordinate coordinate;
     coordinate.slides = kind(arm.joint_of(k)) == JointKind::prismatic;

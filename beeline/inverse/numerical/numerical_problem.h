@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/numerical/bounds.h>
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 

@@ -13,7 +13,7 @@ namespace {
 using namespace internal;
 
 /// Computes the tool poses (12 rows) of eight configurations, rows of q in units.
-void tools(const Chain& chain, const double* q, double* axes, double* tool) {
+void tools(const internal::Chain& chain, const double* q, double* axes, double* tool) {
   const LanePose frame = last_frame(chain, q, axes);
   const double* t = chain.tool.data();
   for (int column = 0; column < 4; ++column) {

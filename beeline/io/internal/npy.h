@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
 namespace beeline::internal {
 

@@ -12,7 +12,7 @@
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <beeline/io/internal/column_unit.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline::internal {

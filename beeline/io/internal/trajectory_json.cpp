@@ -5,10 +5,11 @@
 #include <beeline/error.h>
 #include <beeline/io/internal/recordable.h>
 #include <beeline/io/internal/trajectory_json.h>
-#include <beeline/io/text/internal/json.h>
 #include <beeline/io/text/internal/json_parse.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/json.h>
+#include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/json_parse.h>
+#include <beeline/io/text/json.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {

@@ -5,7 +5,7 @@
 #include <beeline/internal/enum_names.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/urdf.h>
@@ -50,7 +50,7 @@ std::string known_endings() {
 
 /// The format of a file that describes an arm, by its ending.
 const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (ending == "xacro") {
     throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
   }
@@ -170,7 +170,7 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWar
   }
   if (text.find_first_of("./") != std::string::npos) {
     const ArmFormat& format = format_of_file(text, ends);
-    return format.parse(internal::read_file(text), text, ends, warnings);
+    return format.parse(read_file(text), text, ends, warnings);
   }
   refuse_unknown_letters(text);
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +

@@ -3,7 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/joint_from_json.h>
 #include <beeline/io/text/internal/joint_to_json.h>
 #include <beeline/io/text/internal/json_write.h>
@@ -15,15 +15,14 @@ namespace beeline {
 namespace {
 
 using internal::check_name;
-using internal::Json;
-using internal::JsonDocument;
 
 const std::vector<std::string> descriptions{"joints", "joint_string", "dh"};
 
 std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& list) {
   std::vector<Joint> joints;
   for (const Json& item : document.items(list)) {
-    for (Joint& joint : joints_from_json(document, item)) joints.push_back(std::move(joint));
+    for (Joint& joint : internal::joints_from_json(document, item))
+      joints.push_back(std::move(joint));
   }
   return joints;
 }
@@ -43,7 +42,7 @@ std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) 
   const double angle_unit = in_degrees ? std::numbers::pi / 180 : 1;
   std::vector<Joint> joints;
   for (const Json& row : document.items(document.need(dh, "rows"))) {
-    joints.push_back(dh_joint_from_json(
+    joints.push_back(internal::dh_joint_from_json(
         document, row, text == "modified" ? DhConvention::modified : DhConvention::standard,
         angle_unit, joints.size() + 1));
   }
@@ -86,9 +85,9 @@ bool is_assumed(const JsonDocument& document, const char* key) {
 ControllerFrames controller_frames(const JsonDocument& document, const Pose& tool) {
   const Json* base = document.find(document.root(), "controller_base");
   const Json* flange = document.find(document.root(), "flange");
-  return {.base = base == nullptr ? Pose::Identity() : pose_from_json(document, *base),
+  return {.base = base == nullptr ? Pose::Identity() : internal::pose_from_json(document, *base),
           .base_assumed = is_assumed(document, "controller_base"),
-          .flange = flange == nullptr ? tool : pose_from_json(document, *flange),
+          .flange = flange == nullptr ? tool : internal::pose_from_json(document, *flange),
           .flange_assumed = is_assumed(document, "flange")};
 }
 
@@ -128,8 +127,10 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
     document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
                               std::to_string(internal::max_joints) + " are accepted");
   }
-  const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
-  const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);
+  const Pose base_pose =
+      base == nullptr ? Pose::Identity() : internal::pose_from_json(document, *base);
+  const Pose tool_pose =
+      tool == nullptr ? Pose::Identity() : internal::pose_from_json(document, *tool);
   const ControllerFrames controller = controller_frames(document, tool_pose);
   try {
     check_name(name, "the arm's name");
@@ -139,9 +140,7 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   }
 }
 
-Arm read_arm_json(const std::string& path) {
-  return arm_from_json(internal::read_file(path), path);
-}
+Arm read_arm_json(const std::string& path) { return arm_from_json(read_file(path), path); }
 
 namespace {
 
@@ -156,7 +155,7 @@ std::string frame_to_json(const std::string& key, const Pose& frame, bool assume
 }  // namespace
 
 std::string arm_to_json(const Arm& arm) {
-  internal::check_names(arm);
+  check_names(arm);
   std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
   if (!arm.base().matrix().isIdentity(0))
     text += ",\n  \"base\": " + internal::pose_to_json(arm.base());
@@ -174,8 +173,6 @@ std::string arm_to_json(const Arm& arm) {
   return text + "\n}\n";
 }
 
-void write_arm_json(const std::string& path, const Arm& arm) {
-  internal::write_file(path, arm_to_json(arm));
-}
+void write_arm_json(const std::string& path, const Arm& arm) { write_file(path, arm_to_json(arm)); }
 
 }  // namespace beeline

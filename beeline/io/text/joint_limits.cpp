@@ -1,21 +1,21 @@
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/joint_from_json.h>
 #include <beeline/io/text/internal/limits_from_yaml.h>
 #include <beeline/io/text/internal/text_encoding.h>
-#include <beeline/io/text/joint_limits.h>
 
 namespace beeline {
 namespace {
 
 bool is_json(std::string_view text, const std::string& path) {
-  const std::string ending = internal::extension(path);
+  const std::string ending = extension(path);
   if (ending == "json") return true;
   if (ending == "yaml" || ending == "yml") return false;
   return internal::first_character(text) == '{';
 }
 
 JointLimits limits_from_json_text(std::string_view text, const std::string& path, const Arm& arm) {
-  const internal::JsonDocument document(text, path);
+  const JsonDocument document(text, path);
   std::vector<std::string> names;
   for (const Joint& joint : arm.joints()) names.push_back(joint.name);
   document.check_keys(document.root(), names);
@@ -40,7 +40,7 @@ JointLimits joint_limits_from_text(std::string_view text, const std::string& pat
 }
 
 JointLimits read_joint_limits(const std::string& path, const Arm& arm) {
-  return joint_limits_from_text(internal::read_file(path), path, arm);
+  return joint_limits_from_text(read_file(path), path, arm);
 }
 
 }  // namespace beeline

@@ -5,6 +5,7 @@
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/model/joint.h>
 
@@ -12,7 +13,6 @@ namespace beeline {
 namespace {
 
 using internal::in_quotes;
-using internal::parse_number;
 using internal::printable;
 
 bool is_joint_letter(char c) {

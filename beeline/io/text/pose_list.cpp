@@ -5,11 +5,11 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/enum_names.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/pose_form.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/pose/se3.h>
 
@@ -20,7 +20,6 @@ constexpr internal::EnumNames<PoseForm::matrix> form_names("pose_form",
                                                            "rpy rotvec abc quaternion matrix");
 
 using internal::in_quotes;
-using internal::PoseColumns;
 using Names = std::vector<std::string>;
 
 constexpr std::ptrdiff_t max_rows = 4'000'000;  // an hour at 1 kHz
@@ -28,8 +27,8 @@ constexpr std::ptrdiff_t max_rows = 4'000'000;  // an hour at 1 kHz
 /// The forms of rows without a header.
 std::vector<Names> forms_without_names(const PoseFormat& format) {
   std::vector<Names> forms;
-  for (const PoseColumns& columns : internal::all_pose_columns()) {
-    if (internal::reads_without_names(columns, format)) forms.push_back(columns.names);
+  for (const PoseColumns& columns : all_pose_columns()) {
+    if (reads_without_names(columns, format)) forms.push_back(columns.names);
   }
   return forms;
 }
@@ -59,7 +58,7 @@ double to_radians(double angle, AngleUnit unit) {
 
 Pose pose_of(std::span<const double> numbers, const PoseFormat& format) {
   const PoseColumns& columns = internal::pose_columns_of(numbers.size(), format, "a pose of ");
-  return internal::written_pose(numbers, columns, format).pose;
+  return written_pose(numbers, columns, format).pose;
 }
 
 std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format) {
@@ -112,7 +111,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
     std::vector<double> values(columns.names.size());
     for (std::vector<double> row; rows.next(row);) {
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = row[column_of[i]];
-      const WrittenPose written = internal::written_pose(values, columns, format);
+      const WrittenPose written = written_pose(values, columns, format);
       list.poses.push_back(checked_pose(written.pose));
       list.lines.push_back(rows.line());
       if (std::abs(written.max_angle) > std::abs(list.max_angle))
@@ -127,14 +126,14 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
 }
 
 PoseList read_poses(const std::string& path, const PoseFormat& format) {
-  return poses_from_csv(internal::read_file(path), path, format);
+  return poses_from_csv(read_file(path), path, format);
 }
 
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format) {
-  const std::vector<double> values = internal::parse_numbers(text, "pose");
+  const std::vector<double> values = parse_numbers(text, "pose");
   const PoseColumns& columns =
       internal::pose_columns_of(values.size(), format, "pose " + in_quotes(text) + " has ");
-  return internal::written_pose(values, columns, format);
+  return written_pose(values, columns, format);
 }
 
 }  // namespace beeline

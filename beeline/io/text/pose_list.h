@@ -68,6 +68,25 @@ struct PoseList {
   std::optional<PoseForm> form = std::nullopt;  ///< none: planar or positions
 };
 
+/// The columns by which a file gives a pose, in the order in which numbers without names are.
+struct PoseColumns {
+  std::vector<std::string> names;
+  std::optional<PoseForm> form = std::nullopt;  ///< of the orientation in space
+  bool planar = false;
+  bool oriented = true;
+};
+
+/// All of them: x,y,theta first, those of each PoseForm, x,y,z and x,y last.
+const std::vector<PoseColumns>& all_pose_columns();
+
+/// Whether numbers without names may be in these columns: whether they have the orientation of
+/// format.pose_form, or by default rpy, a quaternion or a matrix, or none; of three, format.triple.
+bool reads_without_names(const PoseColumns& columns, const PoseFormat& format);
+
+/// The pose given by numbers in the order of `columns`. Throws Error as pose_of().
+WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& columns,
+                         const PoseFormat& format);
+
 /// Returns the pose given by numbers without names: 2, 3, 6, 7, 12 or 16 of them. Throws Error for
 /// any other count, for one that PoseFormat::pose_form does not have, for a quaternion whose length
 /// is not 1 to 1e-3, and for a matrix that is not a rigid motion to 1e-6.

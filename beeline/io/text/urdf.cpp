@@ -2,7 +2,7 @@
 #include <utility>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_chain.h>
 #include <beeline/io/text/internal/urdf_file.h>
@@ -105,7 +105,7 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
 }
 
 Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {
-  return arm_from_urdf(internal::read_file(path), path, ends, warnings);
+  return arm_from_urdf(read_file(path), path, ends, warnings);
 }
 
 }  // namespace beeline

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/kinematics/internal/forward_kernel.h>
+#include <beeline/model/internal/chain.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/kinematics/internal/forward_kernel.cpp"
@@ -17,8 +18,8 @@ constexpr std::size_t block = lane_count;  // links whose sines are computed tog
 /// Sines and cosines of theta of eight links from `first` on; 0 and 1 after the last link.
 HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double* sine,
                       double* cosine) {
-  const ChainAngles& angles = arm.chain_angles();
-  const std::vector<Chain::Link>& links = arm.chain().links;
+  const internal::ChainAngles& angles = internal::chain_angles_of(arm);
+  const std::vector<internal::Chain::Link>& links = internal::chain_of(arm).links;
   const std::size_t count = std::min(block, links.size() - first);
   Lanes value;
   if (angles.in_order) {
@@ -43,16 +44,16 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
 template <bool keep>
 HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t first,
                                  const Columns& frame, double* axes) {
-  static const Chain::Link identity;
-  const std::vector<Chain::Link>& links = arm.chain().links;
+  static const internal::Chain::Link identity;
+  const std::vector<internal::Chain::Link>& links = internal::chain_of(arm).links;
   const std::size_t count = std::min(block, links.size() - first), half = (count + 1) / 2;
   double sine[block], cosine[block], z[block / 2][lane_count], p[block / 2][lane_count];
   sines(arm, q, first, sine, cosine);
   Halves halves = Halves::starting_with(frame);
   for (std::size_t i = 0; i < half; ++i) {
     const std::size_t j = half + i;
-    const Chain::Link& a = links[first + i];
-    const Chain::Link& b = j < count ? links[first + j] : identity;
+    const internal::Chain::Link& a = links[first + i];
+    const internal::Chain::Link& b = j < count ? links[first + j] : identity;
     const double d_a = a.d_per_q * q[a.coordinate], d_b = b.d_per_q * q[b.coordinate];
     halves.append(a, sine[i], cosine[i], d_a, b, sine[j % block], cosine[j % block], d_b);
     if (keep) {
@@ -73,18 +74,18 @@ HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t fi
 }
 
 void forward(const Arm& arm, const double* q, double* world_T_tool) {
-  Columns frame = Columns::load(arm.chain().base.data());
-  for (std::size_t first = 0; first < arm.chain().links.size(); first += block) {
+  Columns frame = Columns::load(internal::chain_of(arm).base.data());
+  for (std::size_t first = 0; first < internal::chain_of(arm).links.size(); first += block) {
     frame = through_links<false>(arm, q, first, frame, nullptr);
   }
-  times(frame, arm.chain().tool.data()).store(world_T_tool);
+  times(frame, internal::chain_of(arm).tool.data()).store(world_T_tool);
 }
 
 /// The Jacobian's columns [theta' z x (tool - p) + d' z; theta' z] of links with axis z and origin
 /// p. This is joint_velocity() for one configuration in registers of four; chain-inl.h and batch/
 /// have it for one configuration in each lane, which is another layout of the same numbers.
-HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const double* axes,
-                              const Four& tool, double* columns) {
+HWY_INLINE void write_columns(const internal::Chain::Link* links, std::size_t count,
+                              const double* axes, const Four& tool, double* columns) {
   for (std::size_t i = 0; i < count; ++i, axes += 8, columns += 6) {
     const Four z = Four::load(axes), angular = z.times(links[i].theta_per_q);
     const Four arm = tool.plus(-1, Four::load(axes + 4));
@@ -98,12 +99,12 @@ HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const
 }
 
 void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* columns) {
-  const std::vector<Chain::Link>& links = arm.chain().links;
+  const std::vector<internal::Chain::Link>& links = internal::chain_of(arm).links;
   const std::size_t count = links.size();
   double axes[8 * block];
-  Columns frame = Columns::load(arm.chain().base.data());
+  Columns frame = Columns::load(internal::chain_of(arm).base.data());
   if (count <= block) {
-    frame = times(through_links<true>(arm, q, 0, frame, axes), arm.chain().tool.data());
+    frame = times(through_links<true>(arm, q, 0, frame, axes), internal::chain_of(arm).tool.data());
     frame.store(world_T_tool);
     return write_columns(links.data(), count, axes, frame.p, columns);
   }

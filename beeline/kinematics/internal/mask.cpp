@@ -22,13 +22,4 @@ void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns) {
   }
 }
 
-Eigen::MatrixXd selected_rows(const Task& task, const Eigen::Ref<const Jacobian>& columns) {
-  Eigen::MatrixXd kept(task.size(), columns.cols());
-  int row = 0;
-  for (int i = 0; i < 6; ++i) {
-    if (task.rows[i]) kept.row(row++) = columns.row(i);
-  }
-  return kept;
-}
-
 }  // namespace beeline::internal

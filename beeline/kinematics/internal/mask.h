@@ -10,7 +10,4 @@ Twist masked(const Task& task, Twist twist);
 Vector3 masked_position(const Task& task, Vector3 position);
 void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns);
 
-/// Only the rows that the task has, of a matrix of all six.
-Eigen::MatrixXd selected_rows(const Task& task, const Eigen::Ref<const Jacobian>& columns);
-
 }  // namespace beeline::internal

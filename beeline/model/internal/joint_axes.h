@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
 

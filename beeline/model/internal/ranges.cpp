@@ -13,9 +13,9 @@ std::string plus_minus(double largest, const char* unit) {
 
 void check_position_limit(double limit, const std::string& what) {
   if (std::isnan(limit)) throw Error(what + " has a position limit that is NaN");
-  if (std::isinf(limit) || std::abs(limit) <= max_position_limit) return;
+  if (std::isinf(limit) || std::abs(limit) <= Limits::max_position) return;
   throw Error(what + ": position limit " + number(limit) + " is outside " +
-              plus_minus(max_position_limit, "rad or m") + "; omit it if there is no limit");
+              plus_minus(Limits::max_position, "rad or m") + "; omit it if there is no limit");
 }
 
 }  // namespace
@@ -41,11 +41,11 @@ void check_limits(const Limits& limits, const std::string& what) {
   const std::pair<const char*, double> rates[] = {
       {"velocity", limits.velocity}, {"acceleration", limits.acceleration}, {"jerk", limits.jerk}};
   for (const auto& [quantity, rate] : rates) {
-    if (rate == Limits::none || (rate >= Limits::min_rate && rate <= max_rate)) continue;
-    throw Error(
-        what + ": " + quantity + " limit " + number(rate) + " is " +
-        (rate > max_rate ? "above " + number(max_rate) : "below " + number(Limits::min_rate)) +
-        "; omit it if there is no limit");
+    if (rate == Limits::none || (rate >= Limits::min_rate && rate <= Limits::max_rate)) continue;
+    throw Error(what + ": " + quantity + " limit " + number(rate) + " is " +
+                (rate > Limits::max_rate ? "above " + number(Limits::max_rate)
+                                         : "below " + number(Limits::min_rate)) +
+                "; omit it if there is no limit");
   }
 }
 

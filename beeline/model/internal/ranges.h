@@ -14,11 +14,6 @@ constexpr std::size_t max_joints = 100;
 /// Coordinates of offsets, base and tool, moments of screws, in metres; pitches, in metres per
 /// radian.
 constexpr double max_length = 1e6;
-/// Position limits that are not infinite, in radians or metres.
-constexpr double max_position_limit = 1e6;
-/// Limits of velocity, acceleration and jerk that are not infinite, in SI units; the least is
-/// Limits::min_rate.
-constexpr double max_rate = 1e10;
 /// Multiplier and offset of a mimic joint relative to the joint that leads it in the end.
 constexpr double max_mimic = 1e6;
 

@@ -1,5 +1,6 @@
 #include <beeline/error.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/path/tool_path.h>
 
 namespace beeline::internal {
 

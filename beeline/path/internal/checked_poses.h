@@ -8,9 +8,6 @@
 
 namespace beeline::internal {
 
-/// Poses of a path: planning takes about 2 ms for each.
-constexpr std::size_t max_poses = 20'000;
-
 /// Returns the poses with their rotations made orthogonal where they are so to 1e-6, as after
 /// rounding in text. Throws Error, naming the pose by `noun` and number, where one is not a rigid
 /// motion, not finite or farther away than 1e100 m, and where there are more than max_poses.

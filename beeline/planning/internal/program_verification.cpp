@@ -55,8 +55,8 @@ class ProgramVerifier {
     result_.deviation.interval_bounds = std::move(interval_bounds_);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
                                          options_.limit_tolerance);
-    if (!options_.budget.part_of->complete()) {
-      const Ending ending = options_.budget.part_of->ending();
+    const Ending ending = options_.budget.whole ? options_.budget.whole(0) : Ending::complete;
+    if (ending != Ending::complete) {
       end(ending, ended_reason(ReasonCode::ended_before_check, ending));
     }
     if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {

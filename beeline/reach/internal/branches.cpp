@@ -31,7 +31,8 @@ bool has_all_solutions(const Arm& arm) {
 
 FreeJoints free_joints(const Arm& arm, const ReachGrid& grid) {
   if (grid.orientations() == ReachOrientations::any) {
-    throw Error("a map of any orientation is one by sampling: give the number of samples");
+    throw Error::of("any_orientation",
+                    "a map of any orientation is one by sampling: give the number of samples");
   }
   check_joints(arm);
   FreeJoints free{.any_roll = grid.orientations() == ReachOrientations::directions};
@@ -47,8 +48,10 @@ FreeJoints free_joints(const Arm& arm, const ReachGrid& grid) {
   }
   if (grid.cylindrical()) {
     if (!all) {
-      throw Error("the solutions of a pose of " + arm.name() +
-                  " cannot all be computed, as a map by azimuths needs: make one without azimuths");
+      throw Error::of(
+          "azimuths",
+          "the solutions of a pose of " + arm.name() +
+              " cannot all be computed, as a map by azimuths needs: make one without azimuths");
     }
     free.base = base_joint(arm);
   }

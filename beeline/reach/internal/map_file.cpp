@@ -3,7 +3,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/temporary_file.h>
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
 

@@ -79,8 +79,9 @@ void check_grid(const Arm& arm, const ReachGrid& grid) {
     throw Error("a map by sampling has positions by x, y and z: leave out the azimuths");
   }
   if (grid.orientations() == ReachOrientations::fixed) {
-    throw Error("no sample has exactly the orientation of the map: give directions of " +
-                arm.name() + ", or any orientation");
+    throw Error::of("orientation",
+                    "no sample has exactly the orientation of the map: give directions of " +
+                        arm.name() + ", or any orientation");
   }
 }
 

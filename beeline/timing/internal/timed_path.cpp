@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/path/tool_path.h>
 #include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/timed_path.h>
 #include <beeline/trajectory/internal/sample_rate.h>

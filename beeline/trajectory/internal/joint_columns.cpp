@@ -187,16 +187,6 @@ JointColumns mapped_columns(const Arm& arm, const Names& names, const Index& ind
 
 }  // namespace
 
-std::vector<Names> joint_namings(const Arm& arm) {
-  std::vector<Names> namings{arm.joint_names()};
-  for (const BuiltInArm& about : built_in_arms()) {
-    if (about.name != arm.name()) continue;
-    if (built_in(about.name).joint_names() != namings.front()) continue;
-    namings.insert(namings.end(), about.joint_names.begin(), about.joint_names.end());
-  }
-  return namings;
-}
-
 bool names_all_joints(const Arm& arm, const Names& columns) {
   const Names lower = lower_case(columns);
   const std::vector<Names> namings = joint_namings(arm);
@@ -235,3 +225,13 @@ JointColumns joint_columns(const Arm& arm, const Names& names, const JointMap& j
 }
 
 }  // namespace beeline::internal
+
+std::vector<std::vector<std::string>> beeline::joint_namings(const Arm& arm) {
+  std::vector<std::vector<std::string>> namings{arm.joint_names()};
+  for (const BuiltInArm& about : built_in_arms()) {
+    if (about.name != arm.name()) continue;
+    if (built_in(about.name).joint_names() != namings.front()) continue;
+    namings.insert(namings.end(), about.joint_names.begin(), about.joint_names.end());
+  }
+  return namings;
+}

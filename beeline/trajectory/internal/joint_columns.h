@@ -14,9 +14,6 @@ struct JointColumns {
   std::vector<Eigen::Index> velocities, accelerations;  ///< empty where there are none
 };
 
-/// The lists of names that an arm's joints have: its own, and, of a built-in arm, the makers'.
-std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
-
 /// Whether each joint of one of these lists is part of the name of a column, in any case.
 bool names_all_joints(const Arm& arm, const std::vector<std::string>& columns);
 

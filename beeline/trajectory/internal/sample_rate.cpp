@@ -2,6 +2,7 @@
 
 #include <beeline/error.h>
 #include <beeline/trajectory/internal/sample_rate.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
 

@@ -4,8 +4,6 @@
 
 namespace beeline::internal {
 
-constexpr double lowest_rate = 1e-3;  // samples per second
-
 /// Throws Error for a rate below the lowest or not finite. `zero` is what a rate of 0 means, where
 /// it is allowed: "the recorded samples".
 void check_rate(double rate, const std::string& zero = "");

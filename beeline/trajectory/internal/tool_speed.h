@@ -5,9 +5,6 @@
 
 namespace beeline::internal {
 
-/// The smallest limit of the tool's speed that options, routes and moves accept, metres per second.
-constexpr double slowest_tool = 1e-8;
-
 /// A proved bound on the speed of the tool's origin, metres per second, at all times of the motion
 /// that the columns mean; they are in the arm's order. Between two samples the velocity is compared
 /// with its cubic Hermite polynomial, whose Bernstein coefficients bound it: the difference is at

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include <beeline/draw/canvas.h>
+#include <beeline/draw/figure.h>
 #include <beeline/draw/internal/curve_thinning.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/sheet.h>

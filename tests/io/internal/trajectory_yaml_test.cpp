@@ -2,7 +2,7 @@
 
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/internal/trajectory_yaml.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/numbers.h>
 
 #include <tests/io/random_trajectory.h>

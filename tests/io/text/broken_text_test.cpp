@@ -4,7 +4,6 @@
 
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/srdf_file.h>
-#include <beeline/io/text/joint_limits.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>

@@ -2,7 +2,6 @@
 #include <numbers>
 
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/joint_limits.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/io/text/limits_samples.h>

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
@@ -24,7 +25,7 @@ std::vector<PoseForm> all_forms() {
 
 std::string typed_text(const Numbers& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ",") + internal::exact(value);
+  for (const double value : values) text += (text.empty() ? "" : ",") + exact(value);
   return text;
 }
 

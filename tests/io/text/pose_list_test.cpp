@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/pose/se3.h>
 
@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 std::string row(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ",") + internal::exact(value);
+  for (const double value : values) text += (text.empty() ? "" : ",") + exact(value);
   return text;
 }
 
@@ -60,7 +60,7 @@ TEST(PoseList, ColumnsMayBeInAnyOrder) {
 
 TEST(PoseList, DegreesTouchAnglesOnly) {
   EXPECT_TRUE(parse_pose("90,0,0,0,0,90", {.unit = AngleUnit::degrees})
-                  .pose.isApprox(parse_pose("90,0,0,0,0," + internal::exact(pi / 2)).pose, 1e-15));
+                  .pose.isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)).pose, 1e-15));
   EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", {.unit = AngleUnit::degrees}).pose.matrix(),
             parse_pose("1,2,3,1,0,0,0").pose.matrix());
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se3.h>
@@ -13,7 +13,6 @@
 namespace beeline {
 namespace {
 
-using internal::exact;
 using testing::joint;
 using testing::link;
 using testing::robot;

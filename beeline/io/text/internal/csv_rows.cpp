@@ -5,11 +5,13 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/text_encoding.h>
+#include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/json.h>
 #include <beeline/model/joint.h>
 
 namespace beeline::internal {

@@ -7,7 +7,6 @@
 #include <beeline/io/text/internal/joint_from_yaml.h>
 #include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/pose_list.h>
 
 namespace beeline::internal {
@@ -155,7 +154,7 @@ class YamlJoint {
   /// A limit of at least Limits::min_rate.
   std::optional<double> rate_at(const char* key) const {
     const std::optional<double> value = number_at(key);
-    if (value && *value > max_rate) return Limits::none;
+    if (value && *value > Limits::max_rate) return Limits::none;
     if (!value || *value >= Limits::min_rate) return value;
     refuse(find(key)->line, key,
            "must be at least " + number(Limits::min_rate) + ", not " + number(*value));

@@ -5,6 +5,7 @@
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/pose_json.h>
 #include <beeline/io/text/internal/rounded.h>
+#include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
 namespace {

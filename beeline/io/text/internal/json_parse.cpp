@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/json_parse.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/io/text/internal/file_stream.h>
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/json.h>
 
 namespace beeline::internal {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 #include <beeline/model/internal/ranges.h>
 
 namespace beeline::internal {
@@ -19,8 +19,8 @@ ElementFault read_limit(std::string_view text, double& value);
 /// `1e999`. Throws Error, which begins with `what`, for anything else.
 double parse_limit(std::string_view text, std::string_view what);
 
-inline bool no_lower_limit(double value) { return value < -max_position_limit; }
-inline bool no_upper_limit(double value) { return value > max_position_limit; }
-inline bool no_rate_limit(double value) { return std::abs(value) > max_rate; }
+inline bool no_lower_limit(double value) { return value < -Limits::max_position; }
+inline bool no_upper_limit(double value) { return value > Limits::max_position; }
+inline bool no_rate_limit(double value) { return std::abs(value) > Limits::max_rate; }
 
 }  // namespace beeline::internal

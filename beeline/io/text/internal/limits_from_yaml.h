@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/io/text/joint_limits.h>
+#include <beeline/io/text/arm.h>
 
 namespace beeline::internal {
 

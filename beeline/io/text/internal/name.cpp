@@ -20,26 +20,12 @@ std::string shell_word(std::string_view text) {
   return word + "'";
 }
 
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
 std::string printable(std::string_view text) {
   constexpr std::size_t max_shown = 80;
   std::string shown;
   while (!text.empty() && shown.size() < max_shown) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0 || is_control(text[0])) {
-      shown += '?';
-    } else {
-      shown += text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
+    const auto [bytes, valid] = take_character(text);
+    shown += valid && !is_control(bytes.front()) ? bytes : "?";
   }
   return text.empty() ? shown : shown + "...";
 }
@@ -50,15 +36,14 @@ std::string with_escaped_bytes(std::string_view text) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string escaped;
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0) {
-      const auto byte = static_cast<unsigned char>(text[0]);
+    const auto [bytes, valid] = take_character(text);
+    if (valid) {
+      escaped += bytes;
+    } else {
+      const auto byte = static_cast<unsigned char>(bytes.front());
       escaped += "\\x";
       escaped += {digits[byte / 16], digits[byte % 16]};
-    } else {
-      escaped += text.substr(0, length);
     }
-    text.remove_prefix(length == 0 ? 1 : length);
   }
   return escaped;
 }
@@ -77,12 +62,12 @@ void check_name(std::string_view name, std::string_view what) {
   if (fault != ElementFault::none) throw Error(std::string(what) + " " + clause(fault, name));
 }
 
-void check_names(const Arm& arm) {
-  check_name(arm.name(), "the arm's name");
+}  // namespace beeline::internal
+
+void beeline::check_names(const Arm& arm) {
+  internal::check_name(arm.name(), "the arm's name");
   for (const Joint& joint : arm.joints()) {
-    check_name(joint.name, "a joint's name");
-    if (!joint.link.empty()) check_name(joint.link, "a link's name");
+    internal::check_name(joint.name, "a joint's name");
+    if (!joint.link.empty()) internal::check_name(joint.link, "a link's name");
   }
 }
-
-}  // namespace beeline::internal

@@ -4,7 +4,6 @@
 #include <string_view>
 
 namespace beeline {
-class Arm;
 enum class ElementFault;
 }  // namespace beeline
 
@@ -21,8 +20,6 @@ std::string in_quotes(std::string_view text);
 /// it has only letters, digits and `_ - . / : + @ %`.
 std::string shell_word(std::string_view text);
 
-bool is_utf8(std::string_view text);
-
 /// Returns a text with each byte that is not UTF-8 written as `\xfc`.
 std::string with_escaped_bytes(std::string_view text);
 
@@ -32,8 +29,5 @@ ElementFault name_fault(std::string_view name);
 /// Checks a name of an arm, a joint or a link: not empty, UTF-8, no control characters, at most
 /// 1000 bytes. Throws Error that begins with `what` otherwise.
 void check_name(std::string_view name, std::string_view what);
-
-/// Checks the names of the arm, its joints and its links.
-void check_names(const Arm& arm);
 
 }  // namespace beeline::internal

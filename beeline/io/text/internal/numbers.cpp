@@ -4,9 +4,8 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
-#include <beeline/io/text/internal/text_fault.h>
+#include <beeline/io/text/numbers.h>
 
 #include <fast_float/fast_float.h>
 
@@ -47,36 +46,9 @@ ElementFault read_number(std::string_view text, double& value) {
   return std::isfinite(value) ? ElementFault::none : ElementFault::not_finite;
 }
 
-double parse_number(std::string_view text, std::string_view what) {
-  double value = 0;
-  const ElementFault fault = read_number(text, value);
-  if (fault != ElementFault::none) throw Error(std::string(what) + ": " + clause(fault, text));
-  return value;
-}
-
-std::vector<double> parse_numbers(std::string_view text, std::string_view what) {
-  std::vector<double> values;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    const std::string_view item = text.substr(0, comma);
-    double& value = values.emplace_back(0);
-    if (const ElementFault fault = read_number(item, value); fault != ElementFault::none) {
-      throw Error("", what, ": item " + std::to_string(values.size()) + ": " + clause(fault, item));
-    }
-    if (comma == std::string_view::npos) return values;
-    text.remove_prefix(comma + 1);
-  }
-}
-
 char* write_double(char* first, double value) {
   if (std::isnan(value)) return std::copy_n("nan", 3, first);  // fmt writes -nan too
   return fmt::format_to(first, FMT_COMPILE("{}"), value);
-}
-
-std::string exact(double value) {
-  if (value == 0) return std::signbit(value) ? "-0.0" : "0";
-  char buffer[max_number_length];
-  return {buffer, write_double(buffer, value)};
 }
 
 std::string with_point(double value) {

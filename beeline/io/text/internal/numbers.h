@@ -26,24 +26,12 @@ std::from_chars_result parse_double(const char* first, const char* last, double&
 /// not defined.
 ElementFault read_number(std::string_view text, double& value);
 
-/// Parses a finite number such as `1`, `-2.5`, `+.5` or `3e-1`; blanks around it are allowed.
-/// Throws Error, which begins with `what`, for anything else, for nan and inf, and for numbers
-/// outside the range of a double.
-double parse_number(std::string_view text, std::string_view what);
-
-/// Parses numbers separated by commas: `1,2,-3e-1`. Throws Error that names the item.
-std::vector<double> parse_numbers(std::string_view text, std::string_view what);
-
 /// No text of write_double() is longer: `-2.2250738585072014e-308`.
 constexpr std::size_t max_number_length = 24;
 
 /// Writes the shortest digits that read back as exactly `value`, at most `max_number_length`
 /// characters; any NaN is `nan`. Returns the end of the text.
 char* write_double(char* first, double value);
-
-/// Returns the text of write_double(), with `-0.0` for negative zero: JSON readers take `-0` for
-/// an integer, and lose its sign.
-std::string exact(double value);
 
 /// Returns the text of exact() with a decimal point, `1.0e-07`: readers of YAML 1.1, as those of
 /// ROS, take `1e-07` for text.

@@ -106,35 +106,11 @@ double largest(std::span<const double> numbers) {
 
 }  // namespace
 
-const std::vector<PoseColumns>& all_pose_columns() {
-  static const std::vector<PoseColumns> all = [] {
-    std::vector<PoseColumns> columns{{.names = {"x", "y", "theta"}, .planar = true}};
-    for (const PoseForm form :
-         {PoseForm::rpy, PoseForm::quaternion, PoseForm::rotvec, PoseForm::abc}) {
-      columns.push_back({pose_columns(form), form});
-    }
-    const Names& matrix = pose_columns(PoseForm::matrix);
-    columns.push_back({{matrix.begin(), matrix.begin() + 12}, PoseForm::matrix});
-    columns.push_back({matrix, PoseForm::matrix});
-    columns.push_back({.names = {"x", "y", "z"}, .oriented = false});
-    columns.push_back({.names = {"x", "y"}, .planar = true, .oriented = false});
-    return columns;
-  }();
-  return all;
-}
-
 const std::string& known_pose_columns() {
   static const std::string text =
       "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz or x,y,z,A,B,C or "
       "m11,m12,...,m44, and positions x,y,z or x,y";
   return text;
-}
-
-bool reads_without_names(const PoseColumns& columns, const PoseFormat& format) {
-  if (columns.names.size() == 3) return columns.planar == (format.triple == Triple::planar);
-  if (!columns.form) return true;
-  if (format.pose_form) return *columns.form == *format.pose_form;
-  return columns.names.size() != 6 || *columns.form == PoseForm::rpy;
 }
 
 const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
@@ -210,6 +186,34 @@ bool names_pose(const Names& header) {
   }
 }
 
+}  // namespace beeline::internal
+
+namespace beeline {
+
+const std::vector<PoseColumns>& all_pose_columns() {
+  static const std::vector<PoseColumns> all = [] {
+    std::vector<PoseColumns> columns{{.names = {"x", "y", "theta"}, .planar = true}};
+    for (const PoseForm form :
+         {PoseForm::rpy, PoseForm::quaternion, PoseForm::rotvec, PoseForm::abc}) {
+      columns.push_back({pose_columns(form), form});
+    }
+    const std::vector<std::string>& matrix = pose_columns(PoseForm::matrix);
+    columns.push_back({{matrix.begin(), matrix.begin() + 12}, PoseForm::matrix});
+    columns.push_back({matrix, PoseForm::matrix});
+    columns.push_back({.names = {"x", "y", "z"}, .oriented = false});
+    columns.push_back({.names = {"x", "y"}, .planar = true, .oriented = false});
+    return columns;
+  }();
+  return all;
+}
+
+bool reads_without_names(const PoseColumns& columns, const PoseFormat& format) {
+  if (columns.names.size() == 3) return columns.planar == (format.triple == Triple::planar);
+  if (!columns.form) return true;
+  if (format.pose_form) return *columns.form == *format.pose_form;
+  return columns.names.size() != 6 || *columns.form == PoseForm::rpy;
+}
+
 WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& columns,
                          const PoseFormat& format) {
   WrittenPose written{.pose = Pose::Identity(),
@@ -218,11 +222,12 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
                       .form = columns.form};
   const std::span<const double> rest = numbers.subspan(std::min<std::size_t>(numbers.size(), 3));
   if (columns.form == PoseForm::matrix) {
-    written.pose = pose_from_matrix(numbers);
+    written.pose = internal::pose_from_matrix(numbers);
   } else if (columns.form) {
     written.pose = make_pose({numbers[0], numbers[1], numbers[2]},
-                             rotation_in(*columns.form, rest, format.unit));
-    if (columns.form == PoseForm::rpy) written.max_angle = to_radians(largest(rest), format.unit);
+                             internal::rotation_in(*columns.form, rest, format.unit));
+    if (columns.form == PoseForm::rpy)
+      written.max_angle = to_radians(internal::largest(rest), format.unit);
     if (columns.form == PoseForm::rotvec)
       written.max_angle = Vector3(rest[0], rest[1], rest[2]).stableNorm();
   } else if (columns.planar) {
@@ -235,4 +240,4 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
   return written;
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <beeline/io/text/internal/json.h>
+#include <beeline/io/text/json.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::internal {

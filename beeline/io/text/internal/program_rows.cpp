@@ -2,10 +2,9 @@
 #include <array>
 
 #include <beeline/error.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/file.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/pose_form.h>
 #include <beeline/io/text/pose_list.h>
 
@@ -35,7 +34,7 @@ bool has(const Columns& names, const std::string& name) {
 struct ProgramColumns {
   std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
-  const internal::PoseColumns* form = nullptr;      ///< none: all rows have joint values
+  const PoseColumns* form = nullptr;                ///< none: all rows have joint values
 };
 
 ProgramColumns program_columns_of(const Columns& header) {
@@ -74,7 +73,7 @@ std::optional<double> optional_number(internal::CsvRows& rows, const std::string
 }
 
 /// The number of leading columns of a form that give the position, if others give the orientation.
-std::size_t position_size(const internal::PoseColumns& form) {
+std::size_t position_size(const PoseColumns& form) {
   if (!form.oriented || form.form == PoseForm::matrix) return form.names.size();
   return form.planar ? 2 : 3;
 }
@@ -99,7 +98,7 @@ std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<st
     numbers.resize(columns.pose.size());
     if (columns.form->form == PoseForm::quaternion) numbers[3] = 1;
   }
-  WrittenPose written = internal::written_pose(numbers, *columns.form, format);
+  WrittenPose written = written_pose(numbers, *columns.form, format);
   written.pose = checked_pose(written.pose);
   return written;
 }
@@ -190,7 +189,7 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
 }
 
 ProgramRows read_program_rows(const std::string& path, const PoseFormat& format) {
-  return program_rows_from_csv(internal::read_file(path), path, format);
+  return program_rows_from_csv(read_file(path), path, format);
 }
 
 }  // namespace beeline

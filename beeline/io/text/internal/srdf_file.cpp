@@ -2,7 +2,7 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/xml.h>
 #include <beeline/io/text/internal/xml_elements.h>
 #include <beeline/io/text/urdf.h>
@@ -85,6 +85,6 @@ Srdf srdf_from_text(std::string_view text, const std::string& path) {
   return srdf;
 }
 
-Srdf read_srdf(const std::string& path) { return srdf_from_text(internal::read_file(path), path); }
+Srdf read_srdf(const std::string& path) { return srdf_from_text(read_file(path), path); }
 
 }  // namespace beeline

@@ -3,7 +3,7 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/srdf_file.h>
 #include <beeline/io/text/internal/urdf_chain.h>
@@ -125,12 +125,12 @@ ChainEnds internal::group_ends(const Srdf& srdf, const std::string& group, std::
 }
 
 ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path) {
-  const std::string ending = internal::extension(urdf_path);
+  const std::string ending = extension(urdf_path);
   if (ending != "urdf" && ending != "xml") {
     throw Error("a group selects a chain of a URDF file; " + internal::in_quotes(urdf_path) +
                 " is not one");
   }
-  return internal::group_ends(srdf, group, internal::read_file(urdf_path), urdf_path);
+  return internal::group_ends(srdf, group, read_file(urdf_path), urdf_path);
 }
 
 }  // namespace beeline

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
 namespace beeline::internal {
 

@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_file.h>

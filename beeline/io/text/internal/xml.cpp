@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/internal/xml.h>

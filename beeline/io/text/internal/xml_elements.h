@@ -6,7 +6,6 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
-#include <beeline/io/text/internal/numbers.h>
 #include <beeline/pose/so3.h>
 
 namespace tinyxml2 {

@@ -8,6 +8,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/internal/yaml.h>

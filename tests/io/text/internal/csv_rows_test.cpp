@@ -2,7 +2,7 @@
 
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -7,6 +7,7 @@
 #include <random>
 
 #include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/numbers.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

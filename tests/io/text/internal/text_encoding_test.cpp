@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <beeline/internal/utf8.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
-#include <beeline/io/text/joint_limits.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
@@ -140,7 +140,7 @@ TEST(TextEncoding, Latin1IsNamedWhereItMatters) {
 TEST(TextEncoding, FilesThatAreReadInBlocksBeginAlike) {
   const testing::TemporaryFolder folder;
   const auto begin = [&](const std::string& bytes) {
-    internal::InputFile file(folder.write("a", bytes));
+    InputFile file(folder.write("a", bytes));
     internal::begin_text(file);
     std::string text(64, '\0');
     text.resize(file.read(text.data(), text.size()));

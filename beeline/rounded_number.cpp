@@ -5,9 +5,8 @@
 #include <sstream>
 
 #include <beeline/error.h>
-#include <beeline/internal/rounded_number.h>
 
-namespace beeline::internal {
+namespace beeline {
 namespace {
 
 std::string with_digits(double value, int digits) {
@@ -74,4 +73,4 @@ std::string number_apart(double value, double reference) {
   return with_digits(value, digits);
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <beeline/pose/se3.h>
+#include <beeline/model/arm.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// An arm in the form that the kernels use. Every joint rotates about the z axis of its own frame,
 /// translates along it, or does both, so one formula holds for all joint types:
@@ -46,9 +46,19 @@ struct ChainAngles {
 };
 ChainAngles angles_of(const Chain& chain);
 
-class Arm;
+/// What an arm holds for the kernels.
+struct ArmChain {
+  Chain chain;
+  ChainAngles angles;
+
+  static const ArmChain& of(const Arm& arm) { return *arm.kernel_form_.chain; }
+};
 
 /// Returns the chain of the arm. Both give the same poses, to rounding.
-Chain chain_of(const Arm& arm);
+inline const Chain& chain_of(const Arm& arm) { return ArmChain::of(arm).chain; }
+inline const ChainAngles& chain_angles_of(const Arm& arm) { return ArmChain::of(arm).angles; }
 
-}  // namespace beeline
+/// Computes the chain of an arm under construction.
+Chain make_chain(const Arm& arm);
+
+}  // namespace beeline::internal

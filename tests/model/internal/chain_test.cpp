@@ -2,7 +2,7 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/model/chain.h>
+#include <beeline/model/internal/chain.h>
 #include <beeline/model/internal/joint_axes.h>
 
 #include <tests/random_arm.h>

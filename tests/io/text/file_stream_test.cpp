@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
 #include <sys/stat.h>
 #include <tests/refusal.h>

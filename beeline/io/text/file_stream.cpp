@@ -4,13 +4,14 @@
 #include <system_error>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/temporary_file.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace beeline::internal {
+namespace beeline {
 namespace {
 
 FileError refused(const std::string& path, const std::string& what, int reason) {
@@ -177,4 +178,4 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

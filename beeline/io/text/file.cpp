@@ -2,10 +2,9 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/text/internal/file.h>
-#include <beeline/io/text/internal/file_stream.h>
+#include <beeline/io/text/file.h>
 
-namespace beeline::internal {
+namespace beeline {
 namespace {
 
 /// The new content of a file, written beside it but not yet renamed. A device has no file beside
@@ -60,7 +59,7 @@ void write_files(const std::vector<NewFile>& files) {
 std::string extension(std::string_view path) {
   const std::string_view name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.find_last_of('.');
-  return dot == std::string_view::npos ? "" : lower_case(name.substr(dot + 1));
+  return dot == std::string_view::npos ? "" : internal::lower_case(name.substr(dot + 1));
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include <beeline/model/arm.h>
+#include <beeline/model/internal/chain.h>
 #include <beeline/model/internal/joint_axes.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 bool slides(const Joint& joint) { return kind(joint) == JointKind::prismatic; }
@@ -43,14 +43,14 @@ ChainAngles angles_of(const Chain& chain) {
   return angles;
 }
 
-Chain chain_of(const Arm& arm) {
+Chain make_chain(const Arm& arm) {
   const std::size_t n = arm.joints().size();
   std::vector<Pose> world_T_link(n + 1);
   world_T_link[0] = arm.base();
   for (std::size_t i = 0; i < n; ++i) {
     world_T_link[i + 1] = world_T_link[i] * joint_transform(arm.joints()[i], arm.drives()[i].shift);
   }
-  std::vector<internal::JointAxis> axes;
+  std::vector<JointAxis> axes;
   Vector3 origin = world_T_link[1].translation();
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = arm.joints()[i];
@@ -62,7 +62,7 @@ Chain chain_of(const Arm& arm) {
     }
     axes.push_back({direction, origin});
   }
-  Chain chain = internal::chain_along(axes, world_T_link[n] * arm.tool());
+  Chain chain = chain_along(axes, world_T_link[n] * arm.tool());
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::Drive& drive = arm.drives()[i];
@@ -73,4 +73,4 @@ Chain chain_of(const Arm& arm) {
   return chain;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,10 +5,36 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <beeline/error.h>
 
-namespace beeline::internal {
+namespace beeline {
+
+/// Limit on files that are read as a whole. Descriptions of arms and lists of poses take kilobytes;
+/// trajectories and tables of any length are read row by row.
+constexpr std::size_t max_file_size = std::size_t{64} << 20;
+
+/// Returns the content of a file. Throws FileError when the file cannot be read, is a folder, or is
+/// larger than `max_file_size`.
+std::string read_file(const std::string& path);
+
+/// Writes a temporary file beside `path`, then renames it: a reader finds the old content or the
+/// new one, never a part. Throws FileError when the folder is missing or not writable, and leaves
+/// no temporary file then.
+void write_file(const std::string& path, std::string_view content);
+
+struct NewFile {
+  std::string path;
+  std::string content;
+};
+
+/// Writes all files or none: all are written beside their paths before the first is renamed.
+void write_files(const std::vector<NewFile>& files);
+
+/// Returns the part of the file's name after its last dot, in lower case: "urdf"; empty when there
+/// is no dot.
+std::string extension(std::string_view path);
 
 /// The meaning of the path "-": a file of that name, or the standard input or output.
 enum class Dash { file, standard };
@@ -51,14 +77,6 @@ class InputFile {
   std::optional<std::uint64_t> size_;
 };
 
-/// Returns the file that a rename to `path` should replace: the target of symbolic links, so that
-/// the link stays; it need not exist.
-std::string file_replaced_at(const std::string& path);
-
-/// Returns the path of a temporary file beside the target that no other writer uses, of this
-/// machine or another that shares the folder.
-std::string temporary_beside(const std::string& target);
-
 /// Writes a temporary file in blocks; commit() then renames it to `path`: a reader finds the old
 /// content or the new one, never a part. Without commit() the temporary file is deleted. Pipes,
 /// devices and the standard output are written directly.
@@ -84,4 +102,4 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-}  // namespace beeline::internal
+}  // namespace beeline

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/io/text/internal/json.h>
 #include <beeline/io/text/internal/json_write.h>
-#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/json.h>
+#include <beeline/io/text/numbers.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

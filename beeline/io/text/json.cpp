@@ -1,17 +1,18 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/json.h>
 #include <beeline/io/text/internal/json_parse.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/json.h>
 
-namespace beeline::internal {
+namespace beeline {
 namespace {
 
 const char* kind_of(const Json& json) {
-  constexpr std::array<const char*, 6> kinds{"null", "true or false", "a number",
-                                             "text", "a list",        "an object"};
+  constexpr std::array<const char*, 7> kinds{"null",   "true or false", "a number", "text",
+                                             "a list", "an object",     "a number"};
   return kinds[json.value.index()];
 }
 
@@ -28,7 +29,7 @@ bool find_value_path(const Json& from, const Json& target, std::string& value_pa
     }
   } else if (const auto* members = std::get_if<Json::Members>(&from.value)) {
     for (const auto& [key, value] : *members) {
-      value_path += (value_path.empty() ? "" : ".") + printable(key);
+      value_path += (value_path.empty() ? "" : ".") + internal::printable(key);
       if (find_value_path(value, target, value_path)) return true;
       value_path.resize(length);
     }
@@ -47,8 +48,59 @@ const Value& get(const JsonDocument& document, const Json& json, const char* wan
 
 }  // namespace
 
-JsonDocument::JsonDocument(std::string_view text, std::string path)
-    : path_(std::move(path)), root_(parse_json(text, path_)) {}
+Json::Json(std::nullptr_t) {}
+
+Json::Json(bool truth) : value(truth) {}
+
+Json::Json(double number) {
+  if (std::isfinite(number)) value = number;
+}
+
+Json::Json(const char* text) : value(std::string(text)) {}
+
+Json::Json(std::string text) : value(std::move(text)) {}
+
+Json::Json(const std::vector<std::string>& texts) : value(Items(texts.begin(), texts.end())) {}
+
+Json::Json(const Eigen::VectorXd& numbers) : value(Items(numbers.begin(), numbers.end())) {}
+
+Json::Json(std::initializer_list<Member> members) : value(Members{}) {
+  for (const Member& member : members) add(member.key, member.value);
+}
+
+Json Json::object() { return Json(std::initializer_list<Member>{}); }
+
+Json Json::list() {
+  Json json;
+  json.value = Items();
+  return json;
+}
+
+void Json::append(Json item) {
+  if (std::holds_alternative<std::nullptr_t>(value)) value = Items();
+  std::get<Items>(value).push_back(std::move(item));
+}
+
+void Json::add(std::string key, Json member) {
+  if (std::holds_alternative<std::nullptr_t>(value)) value = Members();
+  Members& members = std::get<Members>(value);
+  const auto same = std::find_if(members.begin(), members.end(),
+                                 [&key](const Member& other) { return other.key == key; });
+  if (same == members.end()) {
+    members.push_back({std::move(key), std::move(member)});
+  } else {
+    same->value = std::move(member);
+  }
+}
+
+void Json::add(const Json& members) {
+  if (std::holds_alternative<std::nullptr_t>(members.value)) return;
+  for (const auto& [key, member] : std::get<Members>(members.value)) add(key, member);
+}
+
+Json JsonDocument::parse(std::string_view text, const std::string& path) {
+  return internal::parse_json(text, path);
+}
 
 JsonDocument::JsonDocument(Json root, std::string path, std::string place)
     : path_(std::move(path)), place_(std::move(place)), root_(std::move(root)) {}
@@ -103,7 +155,7 @@ void JsonDocument::check_keys(const Json& object, const std::vector<std::string>
   for (const auto& [key, value] : members(object)) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string value_path = place_of(object);
-    const std::string error = unknown_name("key", printable(key), known).what();
+    const std::string error = unknown_name("key", internal::printable(key), known).what();
     throw FileError(path_, value.line, value_path.empty() ? error : value_path + ": " + error);
   }
 }
@@ -114,4 +166,4 @@ void JsonDocument::refuse(const Json& at, const std::string& message) const {
                   (value_path.empty() ? "the document" : value_path) + " " + message);
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include <beeline/draw/internal/skeleton.h>
+#include <beeline/draw/arm_figure.h>
 #include <beeline/kinematics/forward.h>
 
-namespace beeline::internal {
+namespace beeline {
 namespace {
 
 /// The axis of a joint, a line in the world. For a prismatic joint, the line that the origin of its
@@ -110,4 +110,4 @@ Skeleton skeleton(const Arm& arm, const ConfigurationRef& q) {
   return bones;
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline

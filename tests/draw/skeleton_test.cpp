@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <beeline/draw/internal/skeleton.h>
+#include <beeline/draw/arm_figure.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
