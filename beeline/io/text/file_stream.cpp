@@ -40,7 +40,7 @@ int open_nameless(const std::string& target) {
 
 }  // namespace
 
-std::string file_replaced_at(const std::string& path) {
+std::string internal::file_replaced_at(const std::string& path) {
   std::error_code unresolved;
   const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
   if (!unresolved) return target.string();
@@ -49,7 +49,7 @@ std::string file_replaced_at(const std::string& path) {
   return unresolved ? path : (link.parent_path() / there).string();
 }
 
-std::string temporary_beside(const std::string& target) {
+std::string internal::temporary_beside(const std::string& target) {
   static std::atomic<unsigned> written{0};
   char host[65] = "";
   ::gethostname(host, sizeof host - 1);
@@ -126,10 +126,10 @@ OutputFile::OutputFile(const std::string& path, Dash dash)
   if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
     throw refused(path_, "cannot be written", errno);
   }
-  target_ = file_replaced_at(path);
+  target_ = internal::file_replaced_at(path);
   descriptor_ = open_nameless(target_);
   if (descriptor_ < 0) {
-    temporary_ = temporary_beside(target_);
+    temporary_ = internal::temporary_beside(target_);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw refused(path_, "cannot be written", errno);
   }
@@ -161,7 +161,7 @@ void OutputFile::overwrite_front(std::string_view bytes) {
 
 void OutputFile::commit() {
   if (replaces_ && temporary_.empty()) {
-    const std::string temporary = temporary_beside(target_);
+    const std::string temporary = internal::temporary_beside(target_);
     if (::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, temporary.c_str(),
                  AT_SYMLINK_FOLLOW) != 0) {
       throw refused(path_, "cannot be written", errno);
