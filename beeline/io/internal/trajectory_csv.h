@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/io/internal/column_unit.h>
+#include <beeline/io/text/internal/column_unit.h>
 #include <beeline/io/text/internal/file_stream.h>
 #include <beeline/io/trajectory_file.h>
 
@@ -25,8 +25,9 @@ struct TableOptions {
 };
 
 struct TableRecording {
-  Recording recording;      ///< as written
-  RecordedColumns columns;  ///< of the trajectory's joints
+  Recording recording;     ///< as written
+  ColumnsInUnits columns;  ///< of the trajectory's joints
+  StatedUnits stated;      ///< by comments
 };
 
 /// Parses columns of times (time_columns()), then the joints' names, and NAME_vel, NAME_acc where
