@@ -19,25 +19,25 @@ namespace {
 
 using testing::Random;
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double one_degree = std::numbers::pi / 180;
 
 Arm turn_and_slide() {
   return {"pair", {composite_joint('R', "turn").front(), composite_joint('P', "slide").front()}};
 }
 
-Recording read(const std::string& text, const RecordingOptions& options = {}) {
+Recording pair_recording(const std::string& text, const RecordingOptions& options = {}) {
   return parse_recording(text, "a.csv", turn_and_slide(), options);
 }
 
 /// The units as the recording was read: radians, metres and seconds per unit.
 void expect_units(const std::string& text, double turn, double slide, double second) {
-  const Recording recording = read(text);
+  const Recording recording = pair_recording(text);
   EXPECT_NEAR(recording.trajectory.positions.at(1)[0], turn * 3, 1e-12) << text;
   EXPECT_NEAR(recording.trajectory.positions.at(1)[1], slide * 5, 1e-12) << text;
   EXPECT_NEAR(recording.trajectory.times.at(1), second * 7, 1e-12) << text;
 }
 
-const char* const rows = "0,1,2\n7,3,5\n";
+const char* const two_rows = "0,1,2\n7,3,5\n";
 
 TEST(StatedUnits, CommentsGiveUnits) {
   struct Case {
@@ -45,89 +45,93 @@ TEST(StatedUnits, CommentsGiveUnits) {
     double turn, slide, second;
   };
   for (const auto& [comment, turn, slide, second] :
-       {Case{"# units: degrees", degree, 1, 1},
+       {Case{"# units: degrees", one_degree, 1, 1},
         {"# unit: rad", 1, 1, 1},
-        {"% Unit = DEG", degree, 1, 1},
-        {"# angles in deg", degree, 1, 1},
-        {"# Joint angles are given in degrees", degree, 1, 1},
-        {"#angle_unit: deg", degree, 1, 1},
-        {"# all angles (\xc2\xb0), times (ms)", degree, 1, 1e-3},
-        {"# units: deg, mm, ms", degree, 1e-3, 1e-3},
-        {"# units: deg/s, deg", degree, 1, 1},
-        {"# degrees", degree, 1, 1},
-        {"# in degrees", degree, 1, 1},
+        {"% Unit = DEG", one_degree, 1, 1},
+        {"# angles in deg", one_degree, 1, 1},
+        {"# Joint angles are given in degrees", one_degree, 1, 1},
+        {"#angle_unit: deg", one_degree, 1, 1},
+        {"# all angles (\xc2\xb0), times (ms)", one_degree, 1, 1e-3},
+        {"# units: deg, mm, ms", one_degree, 1e-3, 1e-3},
+        {"# units: deg/s, deg", one_degree, 1, 1},
+        {"# degrees", one_degree, 1, 1},
+        {"# in degrees", one_degree, 1, 1},
         {"# positions: mm", 1, 1e-3, 1},
-        {"# time in us\n# units: deg", degree, 1, 1e-6},
-        {"# recorded by a robot\n# angles: degrees\n# with care", degree, 1, 1},
+        {"# time in us\n# units: deg", one_degree, 1, 1e-6},
+        {"# recorded by a robot\n# angles: degrees\n# with care", one_degree, 1, 1},
         {"# converted from degrees", 1, 1, 1},
         {"# joint degrees of freedom: 2", 1, 1, 1},
         {"# angles not in deg", 1, 1, 1},
         {"# 12 deg above zero", 1, 1, 1},
         {"# unit 5 deg", 1, 1, 1}}) {
-    expect_units(std::string(comment) + "\nt,turn,slide\n" + rows, turn, slide, second);
+    expect_units(std::string(comment) + "\nt,turn,slide\n" + two_rows, turn, slide, second);
   }
-  const Recording noted = read("# units: deg\nt,turn,slide\n0,1,2\n");
+  const Recording noted = pair_recording("# units: deg\nt,turn,slide\n0,1,2\n");
   ASSERT_EQ(noted.notes.size(), 1u);
   EXPECT_EQ(sentence(noted.notes[0]),
             "a.csv: columns without a unit are read in deg, as a comment says");
   // Without a header, too.
-  expect_units(std::string("# units: deg, mm\n") + rows, degree, 1e-3, 1);
+  expect_units(std::string("# units: deg, mm\n") + two_rows, one_degree, 1e-3, 1);
 }
 
 TEST(StatedUnits, ContradictionsAreRefused) {
-  const std::string table = std::string("t,turn,slide\n") + rows;
-  EXPECT_REFUSED(read("# units: rad\n" + table, {.match = {.angle_unit = degree}}),
+  const std::string table = std::string("t,turn,slide\n") + two_rows;
+  EXPECT_REFUSED(pair_recording("# units: rad\n" + table, {.match = {.angle_unit = one_degree}}),
                  "a.csv: a comment gives angles in rad, but the option angle_unit (--angle-unit)");
-  EXPECT_REFUSED(read("# units: deg\n" + table, {.angle_unit_is_known = true}),
+  EXPECT_REFUSED(pair_recording("# units: deg\n" + table, {.angle_unit_is_known = true}),
                  "a.csv: a comment gives angles in deg, but the option angle_unit");
-  EXPECT_EQ(read("# units: deg\n" + table, {.match = {.angle_unit = degree}}).trajectory.positions,
-            read("# units: deg\n" + table).trajectory.positions);
-  EXPECT_REFUSED(read("# units: deg\nt,turn_rad,slide\n0,1,2\n"),
+  EXPECT_EQ(pair_recording("# units: deg\n" + table, {.match = {.angle_unit = one_degree}})
+                .trajectory.positions,
+            pair_recording("# units: deg\n" + table).trajectory.positions);
+  EXPECT_REFUSED(pair_recording("# units: deg\nt,turn_rad,slide\n0,1,2\n"),
                  "a.csv: column \"turn_rad\" is in rad, but a comment says deg");
-  EXPECT_REFUSED(read("# units: s\ntime_ms,turn,slide\n0,1,2\n"),
+  EXPECT_REFUSED(pair_recording("# units: s\ntime_ms,turn,slide\n0,1,2\n"),
                  "a.csv: column time_ms is in ms, but a comment gives times in s");
-  EXPECT_REFUSED(read("# units: ms\n" + table, {.time_unit = TimeUnit::seconds}),
+  EXPECT_REFUSED(pair_recording("# units: ms\n" + table, {.time_unit = TimeUnit::seconds}),
                  "a.csv: column t is in s, but a comment gives times in ms");
-  EXPECT_REFUSED(read("# units: deg\n# angles in rad\n" + table),
+  EXPECT_REFUSED(pair_recording("# units: deg\n# angles in rad\n" + table),
                  "the comments give angles in deg and in rad");
-  EXPECT_REFUSED(read("# units: deg, rad/s\n" + table),
+  EXPECT_REFUSED(pair_recording("# units: deg, rad/s\n" + table),
                  "the comments give angles and their rates in deg and in rad");
-  EXPECT_REFUSED(read("t,turn_deg,slide\ns,rad,m\n0,1,2\n"),
+  EXPECT_REFUSED(pair_recording("t,turn_deg,slide\ns,rad,m\n0,1,2\n"),
                  "column turn_deg [rad] is in deg and in rad");
   EXPECT_REFUSED(parse_trajectory("# units: deg\n" + table, "a.csv"),
                  "a comment gives values in deg; they are read in this unit with an arm only");
   // A joint map gives the unit of its joints itself.
   const RecordingOptions mapped{.match = {.joint_map = {{"turn", 1, 0, 1}, {"slide", 1, 0, 1}}}};
-  EXPECT_EQ(read("# units: deg\n" + table, mapped).trajectory.positions[0], Eigen::Vector2d(1, 2));
+  EXPECT_EQ(pair_recording("# units: deg\n" + table, mapped).trajectory.positions[0],
+            Eigen::Vector2d(1, 2));
 }
 
 TEST(StatedUnits, ARowOfUnitsIsBelowTheHeader) {
   for (const char* row :
        {"s,deg,mm", "[s],[deg],[mm]", "(s),(\xc2\xb0),(mm)", "\"s\",\"deg\",\"mm\"", "S,DEG,MM",
         "sec,degrees,millimetres", "-,deg,mm", ",deg,mm"}) {
-    expect_units(std::string("t,turn,slide\n") + row + "\n" + rows, degree, 1e-3, 1);
+    expect_units(std::string("t,turn,slide\n") + row + "\n" + two_rows, one_degree, 1e-3, 1);
   }
-  expect_units(std::string("t,turn,slide\nms,rad,m\n") + rows, 1, 1, 1e-3);
-  expect_units(std::string("# t,turn,slide\n# ms,deg,m\n") + rows, degree, 1, 1e-3);
-  expect_units(std::string("# t,turn,slide\nms,deg,m\n") + rows, degree, 1, 1e-3);
-  expect_units("t turn slide\ns deg mm\n0 1 2\n7 3 5\n", degree, 1e-3, 1);
-  const Recording rates =
-      read("t,turn,slide,turn_vel,slide_vel,turn_effort\ns,deg,mm,rad/s,m/s,Nm\n0,90,2,1,3,4\n");
+  expect_units(std::string("t,turn,slide\nms,rad,m\n") + two_rows, 1, 1, 1e-3);
+  expect_units(std::string("# t,turn,slide\n# ms,deg,m\n") + two_rows, one_degree, 1, 1e-3);
+  expect_units(std::string("# t,turn,slide\nms,deg,m\n") + two_rows, one_degree, 1, 1e-3);
+  expect_units("t turn slide\ns deg mm\n0 1 2\n7 3 5\n", one_degree, 1e-3, 1);
+  const Recording rates = pair_recording(
+      "t,turn,slide,turn_vel,slide_vel,turn_effort\ns,deg,mm,rad/s,m/s,Nm\n0,90,2,1,3,4\n");
   EXPECT_NEAR(rates.trajectory.velocities.at(0)[0], 1, 1e-12);
   EXPECT_NEAR(rates.trajectory.velocities.at(0)[1], 3, 1e-12);
-  EXPECT_REFUSED(read("t,turn,slide\ns,deg,cm\n0,1,2\n"),
+  EXPECT_REFUSED(pair_recording("t,turn,slide\ns,deg,cm\n0,1,2\n"),
                  "a.csv:2: column t: \"s\" is not a number");
-  EXPECT_REFUSED(read("t,turn,slide\ns,mm,mm\n0,1,2\n"), "but joint turn turns: rad or deg");
-  EXPECT_REFUSED(read("t,turn,slide\ns,deg,mm\n"), "a.csv: has a header but no rows below it");
-  EXPECT_REFUSED(read("t,turn,slide\ns,deg,mm\n0,1\n"), "a.csv:3: this row has 2 items");
-  EXPECT_REFUSED(read("t,turn,slide\n0,1,x\n"), "a.csv:2: column slide");
+  EXPECT_REFUSED(pair_recording("t,turn,slide\ns,mm,mm\n0,1,2\n"),
+                 "but joint turn turns: rad or deg");
+  EXPECT_REFUSED(pair_recording("t,turn,slide\ns,deg,mm\n"),
+                 "a.csv: has a header but no rows below it");
+  EXPECT_REFUSED(pair_recording("t,turn,slide\ns,deg,mm\n0,1\n"), "a.csv:3: this row has 2 items");
+  EXPECT_REFUSED(pair_recording("t,turn,slide\n0,1,x\n"), "a.csv:2: column slide");
 }
 
 TEST(StatedUnits, NamesMayHaveAUnitBehindASlash) {
-  expect_units(std::string("t/ms,turn/deg,slide/mm\n") + rows, degree, 1e-3, 1e-3);
-  expect_units(std::string("time/s,turn [deg],slide [mm]\n") + rows, degree, 1e-3, 1);
-  expect_units(std::string("time_from_start,turn,slide\n") + rows, 1, 1, 1);
-  expect_units(std::string("time_from_start [ms],turn,slide\n") + rows, 1, 1, 1e-3);
+  expect_units(std::string("t/ms,turn/deg,slide/mm\n") + two_rows, one_degree, 1e-3, 1e-3);
+  expect_units(std::string("time/s,turn [deg],slide [mm]\n") + two_rows, one_degree, 1e-3, 1);
+  expect_units(std::string("time_from_start,turn,slide\n") + two_rows, 1, 1, 1);
+  expect_units(std::string("time_from_start [ms],turn,slide\n") + two_rows, 1, 1, 1e-3);
 }
 
 TEST(StatedUnits, PosesHaveThem) {
@@ -172,7 +176,7 @@ TEST(StatedUnits, RowsOfNumbersAreConverted) {
   Random random;
   const testing::TemporaryFolder folder;
   const RowForms forms{{"turn", "slide"}};
-  const std::pair<const char*, double> angles[] = {{"rad", 1}, {"deg", degree}},
+  const std::pair<const char*, double> angles[] = {{"rad", 1}, {"deg", one_degree}},
                                        lengths[] = {{"m", 1}, {"mm", 1e-3}};
   for (int i = 0; i < testing::cases(200); ++i) {
     const auto &angle = angles[random.integer(0, 1)], &length = lengths[random.integer(0, 1)];

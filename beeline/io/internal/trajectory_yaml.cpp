@@ -53,7 +53,7 @@ std::string_view without_separator(std::string_view text, const std::string& pat
     throw FileError(path,
                     static_cast<int>(std::count(
                         text.begin(), text.begin() + static_cast<std::ptrdiff_t>(next), '\n')) +
-                        2,
+                        3,
                     "has a second message; a file has one JointTrajectory, or many JointState");
   }
   return text;

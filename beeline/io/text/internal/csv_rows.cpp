@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -106,14 +105,6 @@ std::string form_text(const Names& form) {
               (choices.empty() ? ""
                                : "; it has " + std::to_string(count) +
                                      " numbers, and a row without a header has one of " + choices));
-}
-
-/// The whole number that the text is; none for another text.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 int line_number(std::int64_t count) {
@@ -287,7 +278,7 @@ void CsvRows::parse(double* numbers) {
       digits = item_;
     }
     if (index < columns_.size()) numbers[index] = value;
-    for (Counted& counted : counted_) {
+    for (CountedColumn& counted : counted_) {
       if (counted.column != index) continue;
       counted.item = digits;
       counted.value = value;
@@ -371,20 +362,6 @@ void CsvRows::count_from_first(const std::vector<std::size_t>& columns) {
   for (const std::size_t column : columns) counted_.push_back({.column = column});
 }
 
-/// Sets Counted::from_first by the number of the row, or by its whole number of these units.
-void CsvRows::count(Counted& counted, std::optional<std::int64_t> whole, double unit) {
-  using Whole = std::numeric_limits<std::int64_t>;
-  if (!counted.first) {
-    counted.first = counted.value;
-    counted.first_whole = whole;
-  }
-  counted.from_first = counted.value - *counted.first;
-  if (!whole || !counted.first_whole) return;
-  const std::int64_t first = *counted.first_whole;
-  const bool overflows = first < 0 ? *whole > Whole::max() + first : *whole < Whole::min() + first;
-  if (!overflows) counted.from_first = static_cast<double>(*whole - first) / unit;
-}
-
 /// Throws Error for dates beside numbers, and with a zone beside those without.
 void CsvRows::count_all() {
   const std::string column = "column " + printable(columns_[counted_.front().column]);
@@ -393,14 +370,14 @@ void CsvRows::count_all() {
     throw Error(column + " has dates and numbers; write one of them throughout");
   }
   if (!date_) {
-    for (Counted& counted : counted_) count(counted, whole_number(trimmed(counted.item)), 1);
+    for (CountedColumn& counted : counted_) counted.count();
     return;
   }
   if (zoned_.value_or(date_->has_zone) != date_->has_zone) {
     throw Error(column + " has dates with and without a zone; write one of them throughout");
   }
   zoned_ = date_->has_zone;
-  count(counted_.front(), date_->nanoseconds, 1e9);
+  counted_.front().count(date_->nanoseconds, 1e9);
 }
 
 int CsvRows::line() const { return empty_ ? header_line_ : line_number(lines_.number()); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <beeline/io/text/internal/column_unit.h>
+#include <beeline/io/text/internal/counted_column.h>
 #include <beeline/io/text/internal/csv_lines.h>
 #include <beeline/io/text/internal/date.h>
 
@@ -78,16 +79,6 @@ class CsvRows {
     bool points = false, commas = false;
   };
 
-  /// A column that is counted from the first row.
-  struct Counted {
-    std::size_t column = 0;
-    std::string item = {};                      ///< of the row
-    double value = 0;                           ///< of the row
-    std::optional<double> first = {};           ///< of the first row
-    std::optional<std::int64_t> first_whole{};  ///< the same, if it is a whole number
-    double from_first = 0;
-  };
-
   void read_columns(std::string_view first, const CsvForms& forms);
   bool has_names_in_comment(std::size_t count, const CsvForms& forms);
   void read_units();
@@ -95,7 +86,6 @@ class CsvRows {
   double number_or_date(const std::string& item, std::size_t index, DecimalMarks& marks);
   double number_in(std::string item, const std::string& column, DecimalMarks& marks) const;
   void keep(const DecimalMarks& marks);
-  static void count(Counted& counted, std::optional<std::int64_t> whole, double unit);
   void count_all();
   [[noreturn]] void refuse_count(std::size_t count) const;
 
@@ -113,7 +103,7 @@ class CsvRows {
   std::string item_;   ///< of parse(), whose memory is reused
   bool empty_ = true;  ///< no row has been reached
   std::vector<bool> ignored_;
-  std::vector<Counted> counted_;
+  std::vector<CountedColumn> counted_;
   bool has_dates_ = false;
   std::optional<Date> date_;   ///< of the row
   std::optional<bool> zoned_;  ///< whether the dates have a zone

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 
 #include <beeline/io/text/internal/urdf_joint_faults.h>
-#include <beeline/math/revolution.h>
 #include <beeline/model/internal/axis_direction.h>
 #include <beeline/pose/se3.h>
 
@@ -126,10 +126,11 @@ void fix_constant_joints(UrdfFile& file, const Leaders& leaders) {
   }
   for (const auto& [j, value] : constant) {
     UrdfFile::Joint& joint = file.joints[j];
-    joint.origin = joint.origin *
-                   (joint.type == "prismatic"
-                        ? se3_exp(translation_screw(joint.axis) * value)
-                        : se3_exp(rotation_screw(joint.axis) * std::remainder(value, revolution)));
+    joint.origin =
+        joint.origin *
+        (joint.type == "prismatic"
+             ? se3_exp(translation_screw(joint.axis) * value)
+             : se3_exp(rotation_screw(joint.axis) * std::remainder(value, 2 * std::numbers::pi)));
     joint.type = "fixed";
     joint.mimic.reset();
   }
