@@ -20,7 +20,8 @@ constexpr std::size_t first_time_unit = 4;  // in all_units()
 
 bool is_time(std::string_view name) {
   constexpr std::string_view known[] = {
-      "t", "time", "timestamp", "time_stamp", "stamp", "time_from_start", "elapsed_time"};
+      "t",    "time",     "timestamp", "time_stamp",      "stamp",
+      "date", "datetime", "date_time", "time_from_start", "elapsed_time"};
   return std::find(std::begin(known), std::end(known), name) != std::end(known);
 }
 

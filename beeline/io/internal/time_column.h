@@ -21,10 +21,10 @@ struct TimeColumns {
 
 /// Returns the columns of times by their names:
 ///   - `t`; then all other columns are joints, except one of its remainder
-///   - t, time, timestamp, time_stamp, stamp, time_from_start or elapsed_time, in any case, as the
-///     last part of a name with / or . between its parts, without % or _ in front; a unit may
-///     follow, as in time_ns, t[ms], t/ms and Time (s). T, which may be a joint, only if there is
-///     no other.
+///   - t, time, timestamp, time_stamp, stamp, date, datetime, date_time, time_from_start or
+///     elapsed_time, in any case, as the last part of a name with / or . between its parts, without
+///     % or _ in front; a unit may follow, as in time_ns, t[ms], t/ms and Time (s). T, which may be
+///     a joint, only if there is no other.
 ///   - sec or secs, alone or with a finer unit such as nanosec or usec of the same message; also
 ///     with the name of a time in front, as in stamp_sec and stamp_nanosec
 /// A column of the same time in a finer unit, as time_ns or nanosec beside time_s, is `finer`.

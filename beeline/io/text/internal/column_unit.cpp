@@ -160,21 +160,30 @@ class CommentReader {
   void read(const std::string& comment) {
     constexpr const char* subjects =
         "unit units angle angles angular position positions joint joints length lengths distance "
-        "distances time times timestamp timestamps value values angle_unit angle_units "
-        "length_unit time_unit";
+        "distances time times timestamp timestamps value values column columns coordinates "
+        "orientation orientations rotation rotations translation translations roll pitch yaw q "
+        "angle_unit angle_units length_unit time_unit";
     constexpr const char* fillers =
         "a all and are as data expressed for given in is measured of recorded stored the written";
+    // With one of these, a unit does not count behind other words.
+    constexpr const char* others =
+        "acceleration accelerations celsius converted from limit limits max maximum no not "
+        "resolution speed speeds step to velocities velocity";
     const std::vector<std::string> words = words_of(comment);
-    const bool alone = std::all_of(words.begin(), words.end(), [](const std::string& word) {
+    const auto is_known = [](const std::string& word) {
       return is_one_of(word, fillers) || unit_called(word).unit != nullptr;
+    };
+    const bool plain = std::none_of(words.begin(), words.end(), [](const std::string& word) {
+      return is_one_of(word, others);
     });
-    bool active = alone;
+    bool active = std::all_of(words.begin(), words.end(), is_known), any_subject = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
       const NameInUnit found = unit_called(words[i]);
       const bool counts = i + 1 < words.size() && words[i + 1] == "of";  // degrees of freedom
+      const bool behind_in = any_subject && plain && i > 0 && words[i - 1] == "in";
       if (is_one_of(words[i], subjects)) {
-        active = true;
-      } else if (found.unit != nullptr && active && !counts) {
+        active = any_subject = true;
+      } else if (found.unit != nullptr && !counts && (active || (behind_in && found.power == 0))) {
         add(found);
       } else if (!is_one_of(words[i], fillers)) {
         active = false;

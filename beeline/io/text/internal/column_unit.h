@@ -65,7 +65,8 @@ struct StatedUnits {
 };
 
 /// Returns the units in comments such as `units: degrees`, `unit = mm, deg`, `angles in deg`, or a
-/// unit alone. Text in which other words stand between the quantity and the unit gives none.
+/// unit alone. Other words between the quantity and `in deg` count only where they do not tell of
+/// rates, limits or conversions.
 /// Throws Error for two units of one quantity.
 StatedUnits stated_units(const std::vector<std::string>& comments);
 
