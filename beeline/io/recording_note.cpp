@@ -20,7 +20,8 @@ const char* choice_after(RecordingNoteKind kind, OptionStyle style) {
       return command ? "; --degrees reads degrees" : "; angle_unit=\"degrees\" reads degrees";
     case RecordingNoteKind::read_in_radians:
     case RecordingNoteKind::many_revolutions:
-      return command ? "; --angle-unit deg reads degrees" : "; angle_unit=\"degrees\" reads degrees";
+      return command ? "; --angle-unit deg reads degrees"
+                     : "; angle_unit=\"degrees\" reads degrees";
     case RecordingNoteKind::likely_millimetres:
       return command ? "; the unit mm in a --joint-map file reads millimetres"
                      : "; the unit 0.001 in a joint_map reads millimetres";

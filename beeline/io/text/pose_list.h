@@ -125,8 +125,8 @@ bool is_program(std::string_view text);
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
 /// neither a pose nor joint values, with both, or with a part of a pose, except a via row with a
 /// position only; and as read_poses().
-/// Speeds, blends and the travel of prismatic joints stay in metres. A comment that gives other units
-/// than `format` is refused.
+/// Speeds, blends and the travel of prismatic joints stay in metres. A comment that gives other
+/// units than `format` is refused.
 ProgramRows read_program_rows(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
