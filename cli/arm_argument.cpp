@@ -95,8 +95,11 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
     warn_of_distance("--tcp", offset_in_millimetres(described, tool_T_tcp), unit);
     arm = with_tcp(arm, tool_T_tcp);
   }
-  if (!mount.empty())
-    arm = with_mount(arm, parse_frame_option(described, "--mount", mount, unit).pose);
+  if (!mount.empty()) {
+    const Pose world_T_base = parse_frame_option(described, "--mount", mount, unit).pose;
+    warn_of_mount(world_T_base, unit);
+    arm = with_mount(arm, world_T_base);
+  }
   if (limits.empty()) return arm;
   const JointLimits file = read_joint_limits(limits, arm);
   for (const std::string& note : file.notes) warn(note);

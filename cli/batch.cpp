@@ -38,7 +38,7 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   const auto start = std::chrono::steady_clock::now();
   BatchReport report;
   report.bad.skip = arguments.skip_bad;
-  RowReader reader(arguments.in, work.forms);
+  RowReader reader(arguments.in, work.forms, work.units);
   if (!reader.has_header() && reader.form() >= work.forms_without_header) {
     throw FileError(reader.path(), 0,
                     fmt::format("rows of {} numbers without a header are not of --pose-form {}",
@@ -158,12 +158,13 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
 
 constexpr const char* configurations_help =
     "Configurations, one in each row: .csv, with the joints' names in any order as header or "
-    "without a header; .npy of shape (N, joints), dtype '<f8' or '<f4'; or - for CSV on stdin.";
+    "without a header, or with units behind them, as joint1_deg; .npy of shape (N, joints), dtype "
+    "'<f8' or '<f4'; or - for CSV on stdin.";
 constexpr const char* poses_help =
     "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
-    "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, 16 "
-    "numbers or the first 12; or x,y,theta (planar arms). Without a header, as many numbers in "
-    "this order; of six, those of --pose-form.";
+    "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, "
+    "16 numbers or the first 12; or x,y,theta (planar arms); with units behind the names or not, "
+    "as x_mm. Without a header, as many numbers in this order; of six, those of --pose-form.";
 
 /// The arguments and options that all verbs `batch NAME` have.
 Verb common(const std::shared_ptr<BatchArguments>& shared, const char* name, const char* rows,

@@ -81,6 +81,16 @@ class Configurations {
   Eigen::ArrayXd angles_;  ///< 1 for each angle, 0 for each length
 };
 
+/// The units in which configurations are taken, for each list of the joints' names.
+RowUnits joint_units(const BatchArguments& arguments, const Arm& arm) {
+  std::vector<std::string> units;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+    units.emplace_back(slides ? "m" : arguments.unit.degrees ? "deg" : "rad");
+  }
+  return RowUnits(joint_namings(arm).size(), units);
+}
+
 /// The columns of poses that `arm` can have, first those of rows without a header.
 std::vector<PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
   std::vector<PoseColumns> all;
@@ -192,6 +202,7 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
     rows.check(block, results, bad);
   };
   return {.forms = joint_namings(arm),
+          .units = joint_units(arguments, arm),
           .columns = output.columns,
           .forms_without_header = 1,
           .step = step};
@@ -199,7 +210,11 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
 
 BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
   const Task task = arguments.jacobian.read(arm);
-  BatchWork work{.forms = joint_namings(arm), .columns = {}, .forms_without_header = 1, .step = {}};
+  BatchWork work{.forms = joint_namings(arm),
+                 .units = joint_units(arguments, arm),
+                 .columns = {},
+                 .forms_without_header = 1,
+                 .step = {}};
   std::vector<Eigen::Index> source;  // of each number of the output, the matrix row by row
   for (const std::string& row : row_names({task.rows, Frame::base})) {
     for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);
@@ -233,11 +248,18 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
-  BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
+  BatchWork work{
+      .forms = {}, .units = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   if (arguments.status) work.columns.insert(work.columns.end(), {"status", "residual"});
   const PoseFormat format = arguments.unit.pose_format(triple_of(arm));
   const std::vector<PoseColumns> goals_by_form = goal_columns(arm, format);
-  for (const PoseColumns& columns : goals_by_form) work.forms.push_back(columns.names);
+  for (const PoseColumns& columns : goals_by_form) {
+    work.forms.push_back(columns.names);
+    std::vector<std::string>& units = work.units.emplace_back();
+    for (const std::string& column : columns.names) {
+      units.push_back(unit_of_column(column, format));
+    }
+  }
   work.forms_without_header = static_cast<std::size_t>(
       std::count_if(goals_by_form.begin(), goals_by_form.end(),
                     [&](const auto& columns) { return reads_without_names(columns, format); }));

@@ -58,6 +58,7 @@ struct BatchCounts {
 /// reports bad rows to `bad` and removes them from the block.
 struct BatchWork {
   RowForms forms;
+  RowUnits units;  ///< in which the step takes the numbers
   std::vector<std::string> columns;
   /// Only the first of the forms may be those of rows without a header.
   std::size_t forms_without_header = std::numeric_limits<std::size_t>::max();

@@ -91,6 +91,16 @@ void warn_of_positions(const std::string& option, const Arm& arm, std::span<cons
   }
 }
 
+void warn_of_mount(const Pose& world_T_base, const UnitArgument& unit) {
+  constexpr double far = 100;  // metres
+  const double distance = world_T_base.translation().norm();
+  if (unit.millimetres || distance <= far) return;
+  warn(
+      fmt::format("--mount: the arm stands {} m from the world's origin; --millimetres reads "
+                  "millimetres",
+                  number(distance)));
+}
+
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
   if (written.planar && !arm.planar()) {
     throw Error(std::string(written.oriented ? "x,y,theta" : "x,y") + " is for planar arms; " +

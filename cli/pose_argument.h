@@ -49,6 +49,10 @@ void warn_of_distance(const std::string& option, double distance, const UnitArgu
 void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
                        const UnitArgument& unit);
 
+/// Warns on stderr that the position of --mount is rather in millimetres, if it is more than 100 m
+/// from the world's origin.
+void warn_of_mount(const beeline::Pose& world_T_base, const UnitArgument& unit);
+
 /// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
 /// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar
 /// arm, whose height and tilt would be ignored.

@@ -21,7 +21,7 @@ print(motion)
 # %%
 # Results are true if they are solved. Both are confirmed here independently.
 assert found and motion
-assert np.allclose(beeline.forward_kinematics(arm, found.q), pose)
+assert np.allclose(beeline.forward_kinematics(arm, found.solutions[0]), pose)
 assert beeline.verify(arm, motion.trajectory, [pose])
 
 beeline.draw(arm, motion, waypoints=[pose]).save("00_ten_lines.svg")

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/io/internal/column_unit.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/column_unit.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/text_fault.h>
@@ -13,14 +13,11 @@
 namespace beeline {
 namespace {
 
-
 /// Radians or metres per unit. Throws Error for a unit that the joint does not have.
 double unit_named(const std::string& name, const Joint& joint) {
-  using enum JointUnit;
+  using enum internal::Quantity;
   const bool slides = kind(joint) == JointKind::prismatic;
-  const std::vector<JointUnit> choices = slides ? std::vector<JointUnit>{metres, millimetres}
-                                                : std::vector<JointUnit>{radians, degrees};
-  return internal::si_per(internal::unit_among(choices, name, "unit of joint " + joint.name));
+  return internal::unit_among(slides ? length : angle, name, "unit of joint " + joint.name).si;
 }
 
 MappedJoint joint_from_json(const JsonDocument& document, const Json& json, const Joint& joint) {

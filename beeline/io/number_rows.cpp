@@ -17,20 +17,22 @@ namespace internal {
 /// Rows of a CSV file, whose columns are those of a form in any order. "-" is the standard input.
 class CsvNumbers {
  public:
-  CsvNumbers(const std::string& path, const RowForms& forms)
+  CsvNumbers(const std::string& path, const RowForms& forms, const RowUnits& units)
       : file_(path, Dash::standard),
         lines_(file_, max_line(forms)),
-        rows_(lines_, file_.path(), {forms, [&forms](const auto& names) {
+        rows_(lines_, file_.path(), {forms, [&](const auto& names) {
                                        return std::any_of(
-                                           forms.begin(), forms.end(), [&names](const auto& form) {
-                                             return positions_of(names, form).has_value();
+                                           forms.begin(), forms.end(), [&](const auto& form) {
+                                             return match(names, form, !units.empty()).has_value();
                                            });
                                      }}) {
     for (; form_ < forms.size(); ++form_) {
-      const auto positions = positions_of(rows_.columns(), forms[form_]);
-      if (!positions) continue;
-      if (!std::is_sorted(positions->begin(), positions->end())) position_of_ = *positions;
-      row_.resize(positions->size());
+      const auto found = match(rows_.columns(), forms[form_], !units.empty());
+      if (!found) continue;
+      const auto& [columns, positions] = *found;
+      if (!units.empty()) set_factors(columns, positions, units[form_]);
+      if (!std::is_sorted(positions.begin(), positions.end())) position_of_ = positions;
+      row_.resize(positions.size());
       return;
     }
     std::vector<std::string> quoted;
@@ -56,11 +58,44 @@ class CsvNumbers {
         continue;
       }
       for (std::size_t k = 0; k < position_of_.size(); ++k) numbers[position_of_[k]] = row_[k];
+      for (std::size_t k = 0; k < factors_.size(); ++k) numbers[k] *= factors_[k];
       block.positions.push_back(position);
     }
   }
 
  private:
+  /// The columns of a table, and the position of each in a form.
+  using Match = std::pair<ColumnsInUnits, std::vector<std::size_t>>;
+
+  /// The columns are the form's, or they are once the units in their names are split off.
+  static std::optional<Match> match(const std::vector<std::string>& names,
+                                    const std::vector<std::string>& form, bool in_units) {
+    ColumnsInUnits columns{.names = names, .given = names, .units = {}, .sources = {}};
+    columns.units.resize(names.size());
+    auto positions = positions_of(names, form);
+    if (!positions && in_units) {
+      columns = columns_in_units(names, form);
+      positions = positions_of(columns.names, form);
+    }
+    if (!positions) return std::nullopt;
+    return Match(std::move(columns), std::move(*positions));
+  }
+
+  void set_factors(const ColumnsInUnits& columns, const std::vector<std::size_t>& positions,
+                   const std::vector<std::string>& units) {
+    std::vector<std::string> wanted;
+    for (const std::size_t position : positions) wanted.push_back(units[position]);
+    try {
+      const std::vector<double> factors = factors_to(wanted, columns, rows_.stated());
+      const auto is_one = [](double factor) { return factor == 1; };
+      if (std::all_of(factors.begin(), factors.end(), is_one)) return;
+      factors_.resize(factors.size());
+      for (std::size_t i = 0; i < factors.size(); ++i) factors_[positions[i]] = factors[i];
+    } catch (const Error& error) {
+      throw FileError(file_.path(), rows_.line(), error.what());
+    }
+  }
+
   /// Max length of a line of the forms, including spaces between its numbers.
   static std::size_t max_line(const RowForms& forms) {
     std::size_t width = 0;
@@ -74,6 +109,7 @@ class CsvNumbers {
   std::size_t form_ = 0;
   std::vector<std::size_t> position_of_;  ///< of each column in the form; empty: in its order
   std::vector<double> row_;               ///< in the order of the file
+  std::vector<double> factors_;           ///< of each number of the form; empty: 1
   std::int64_t count_ = 0;                ///< rows reached
 };
 
@@ -173,9 +209,10 @@ RowFormat source_format(const std::string& path) {
   }
 }
 
-std::unique_ptr<RowSource> open_source(const std::string& path, const RowForms& forms) {
+std::unique_ptr<RowSource> open_source(const std::string& path, const RowForms& forms,
+                                       const RowUnits& units) {
   if (source_format(path) == RowFormat::csv) {
-    return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(csv, path, forms)});
+    return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(csv, path, forms, units)});
   }
   return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(npy, path, forms)});
 }
@@ -217,8 +254,8 @@ RowFormat row_format(const std::string& path) {
   throw Error("tables of numbers are .csv or .npy files, not " + in_quotes(path));
 }
 
-RowReader::RowReader(const std::string& path, const RowForms& forms)
-    : source_(open_source(path, forms)) {}
+RowReader::RowReader(const std::string& path, const RowForms& forms, const RowUnits& units)
+    : source_(open_source(path, forms, units)) {}
 
 RowReader::~RowReader() = default;
 

@@ -45,6 +45,9 @@ struct BadRows {
 /// The columns that a table may have: one of several lists of names, each of another length.
 using RowForms = std::vector<std::vector<std::string>>;
 
+/// The unit of each number of each form, by its name: rad, deg, m or mm; empty for none.
+using RowUnits = RowForms;
+
 /// Returns the forms for a message: `a, b or c, d, e`.
 std::string described(const RowForms& forms);
 
@@ -59,11 +62,12 @@ enum class RowFormat { csv, npy };
 RowFormat row_format(const std::string& path);
 
 /// Reads a table of any length block by block: rows of finite numbers, in the order of one of the
-/// forms. The columns of a CSV file may be in any order, their names in upper or lower case. All
-/// functions throw FileError.
+/// forms. The columns of a CSV file may be in any order, their names in upper or lower case, and in
+/// another unit than `units` if their names, a row of units below them or a comment gives it, as in
+/// recordings. Without `units` the names of columns have no units. All functions throw FileError.
 class RowReader {
  public:
-  RowReader(const std::string& path, const RowForms& forms);
+  RowReader(const std::string& path, const RowForms& forms, const RowUnits& units = {});
   ~RowReader();
 
   std::size_t form() const;  ///< index of the file's form

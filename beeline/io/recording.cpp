@@ -4,13 +4,14 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
-#include <beeline/io/internal/column_unit.h>
+#include <beeline/io/internal/joint_states.h>
 #include <beeline/io/internal/recorded_units.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
 #include <beeline/io/internal/trajectory_yaml.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/column_unit.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/trajectory_file.h>
@@ -22,11 +23,12 @@ namespace {
 /// A recording as the file has it.
 struct Content {
   Recording recording;
-  internal::RecordedColumns columns;  ///< of the trajectory's joints; empty without an arm
-  bool table = false;                 ///< otherwise a message of ROS
+  internal::ColumnsInUnits columns;  ///< of the trajectory's joints; empty without an arm
+  bool table = false;                ///< otherwise messages of ROS
+  internal::StatedUnits stated = {};
 };
 
-Content message(Trajectory trajectory, const std::string& path,
+Content message(Recording recording, const std::string& path,
                 const internal::TableOptions& options) {
   const bool seconds = options.time_unit == TimeUnit::seconds;
   if (options.time_unit && !seconds && !options.time_unit_is_optional) {
@@ -34,7 +36,8 @@ Content message(Trajectory trajectory, const std::string& path,
         path, 0,
         std::string("has times in seconds and nanoseconds; ") + internal::time_unit_refusal);
   }
-  Content content{{.trajectory = std::move(trajectory), .in_time_unit = seconds}, {}, false};
+  Content content{std::move(recording), {}, false};
+  content.recording.in_time_unit = seconds;
   if (!options.joint_names.empty()) {
     Trajectory& read = content.recording.trajectory;
     content.columns = internal::columns_in_units(read.joint_names, options.joint_names);
@@ -44,37 +47,41 @@ Content message(Trajectory trajectory, const std::string& path,
 }
 
 Content table(internal::TableRecording read) {
-  return {std::move(read.recording), std::move(read.columns), true};
+  return {std::move(read.recording), std::move(read.columns), true, read.stated};
+}
+
+/// The content of a source, which is a text and its path or a file, that begins with `front`.
+template <class... Source>
+Content content_from(const std::string& path, std::string_view front,
+                     const internal::TableOptions& options, Source&&... source) {
+  switch (trajectory_format(path, front)) {
+    case TrajectoryFormat::json:
+      return message({.trajectory = internal::trajectory_from_json(source...)}, path, options);
+    case TrajectoryFormat::yaml:
+      return message(internal::begins_with_joint_state(front)
+                         ? internal::recording_from_joint_states(source...)
+                         : Recording{.trajectory = internal::trajectory_from_yaml(source...)},
+                     path, options);
+    default:
+      return table(internal::recording_from_csv(source..., options));
+  }
 }
 
 Content content_of_file(const std::string& path, const internal::TableOptions& options) {
   trajectory_format(path, "");  // refuses another ending before the file is read
   InputFile file(path);
-  constexpr std::size_t begin = 4096;  // of a file without an ending
-  switch (trajectory_format(path, file.peek(begin))) {
-    case TrajectoryFormat::json:
-      return message(internal::trajectory_from_json(file), path, options);
-    case TrajectoryFormat::yaml:
-      return message(internal::trajectory_from_yaml(file), path, options);
-    default:
-      return table(internal::recording_from_csv(file, options));
-  }
+  constexpr std::size_t begin = 65536;
+  const std::string front(file.peek(begin));
+  return content_from(path, front, options, file);
 }
 
 Content content_of(std::string_view text, const std::string& path,
                    const internal::TableOptions& options) {
-  switch (trajectory_format(path, text)) {
-    case TrajectoryFormat::json:
-      return message(internal::trajectory_from_json(text, path), path, options);
-    case TrajectoryFormat::yaml:
-      return message(internal::trajectory_from_yaml(text, path), path, options);
-    default:
-      return table(internal::recording_from_csv(text, path, options));
-  }
+  return content_from(path, text, options, text, path);
 }
 
 /// The column of the recording that a name of the joint map means; none if there is none.
-std::optional<std::size_t> mapped_column(const internal::RecordedColumns& columns,
+std::optional<std::size_t> mapped_column(const internal::ColumnsInUnits& columns,
                                          const std::string& name) {
   for (const auto* names : {&columns.given, &columns.names}) {
     const auto found = std::find(names->begin(), names->end(), name);
@@ -94,7 +101,7 @@ std::optional<std::size_t> mapped_column(const internal::RecordedColumns& column
 /// Whether the columns, in a comment, are a header: they have all joints, by name or by the map.
 bool is_header(const Arm& arm, const JointMap& joint_map, const std::vector<std::string>& names) {
   if (internal::names_all_joints(arm, names)) return true;
-  const internal::RecordedColumns columns = internal::columns_in_units(names, arm.joint_names());
+  const internal::ColumnsInUnits columns = internal::columns_in_units(names, arm.joint_names());
   return !joint_map.empty() &&
          std::all_of(joint_map.begin(), joint_map.end(), [&columns](const MappedJoint& joint) {
            return mapped_column(columns, joint.name).has_value();
@@ -113,66 +120,94 @@ internal::TableOptions table_options(const Arm& arm, const RecordingOptions& opt
           .needs_times = options.needs_times};
 }
 
-/// The columns of a joint's position and rates that give no unit get the one that another gives.
-void complete_units(const internal::JointColumns& order, internal::RecordedColumns& recorded) {
-  const auto lists = {&order.positions, &order.velocities, &order.accelerations};
-  for (std::size_t k = 0; k < order.positions.size(); ++k) {
-    std::optional<std::size_t> known;
-    for (const auto* columns : lists) {
-      if (known || columns->empty()) continue;
-      const auto i = static_cast<std::size_t>((*columns)[k]);
-      if (recorded.units[i]) known = i;
-    }
-    if (!known) continue;
-    for (const auto* columns : lists) {
-      if (columns->empty()) continue;
-      const auto i = static_cast<std::size_t>((*columns)[k]);
-      if (recorded.units[i]) continue;
-      recorded.units[i] = recorded.units[*known];
-      recorded.sources[i] = recorded.sources[*known];
-    }
-  }
-}
+/// The unit of a joint's values.
+struct JointUnitSource {
+  const internal::Unit* unit = nullptr;
+  std::string column = {};  ///< whose name gives it; empty: a comment does
+};
 
 /// Throws Error for a unit that the joint does not have.
-void check_unit(const Joint& joint, const std::string& column, JointUnit unit) {
+void check_unit(const Joint& joint, const std::string& column, const internal::Unit& unit) {
   const bool slides = kind(joint) == JointKind::prismatic;
-  if (slides != internal::is_angle(unit)) return;
-  throw Error("column " + internal::in_quotes(column) + " is in " + name(unit) + ", but joint " +
+  if (slides != (unit.quantity == internal::Quantity::angle)) return;
+  throw Error("column " + internal::in_quotes(column) + " is in " + name_of(unit) + ", but joint " +
               joint.name + (slides ? " slides: m or mm" : " turns: rad or deg"));
 }
 
-/// Sets the units of the columns that give one, with a note for each unit. Returns the joint map
-/// with these units, for the evidence of others.
-JointMap set_named_units(const Arm& arm, const std::string& path,
-                         internal::RecordedColumns recorded, MatchOptions& match,
-                         std::vector<RecordingNote>& notes) {
+/// The unit that the columns of joint k or a comment give. The columns that give none get it.
+JointUnitSource complete_unit(const Joint& joint, const internal::JointColumns& order,
+                              std::size_t k, const internal::StatedUnits& stated,
+                              internal::ColumnsInUnits& recorded) {
+  std::vector<std::size_t> own;
+  for (const auto* columns : {&order.positions, &order.velocities, &order.accelerations}) {
+    if (!columns->empty()) own.push_back(static_cast<std::size_t>((*columns)[k]));
+  }
+  JointUnitSource found;
+  for (const std::size_t i : own) {
+    if (found.unit == nullptr && recorded.units[i] != nullptr) {
+      found = {recorded.units[i], recorded.sources[i]};
+    }
+  }
+  const bool slides = kind(joint) == JointKind::prismatic;
+  const internal::Unit* const by_comment = slides ? stated.length : stated.angle;
+  if (found.unit != nullptr && by_comment != nullptr && found.unit != by_comment) {
+    throw Error("column " + internal::in_quotes(found.column) + " is in " + name_of(*found.unit) +
+                ", but a comment says " + name_of(*by_comment));
+  }
+  if (found.unit == nullptr) found.unit = by_comment;
+  for (const std::size_t i : own) {
+    if (recorded.units[i] == nullptr) recorded.units[i] = found.unit;
+  }
+  return found;
+}
+
+/// Throws Error if a comment contradicts the unit of angles that the options state.
+void check_stated(const internal::StatedUnits& stated, const RecordingOptions& options) {
+  const double given = options.match.angle_unit;
+  const bool known = options.angle_unit_is_known || given != 1;
+  if (!known || stated.angle == nullptr || stated.angle->si == given) return;
+  throw Error("a comment gives angles in " + name_of(*stated.angle) +
+              ", but the option angle_unit (--angle-unit) gives another unit");
+}
+
+/// Adds a note on the unit to those from the first one on.
+void add_note(const JointUnitSource& source, const std::string& path, std::size_t first,
+              std::vector<RecordingNote>& notes) {
+  const auto unit = static_cast<JointUnit>(source.unit - &internal::all_units().front());
+  auto note = std::find_if(notes.begin() + static_cast<std::ptrdiff_t>(first), notes.end(),
+                           [&](const RecordingNote& other) {
+                             return other.joint_unit == unit &&
+                                    other.columns.empty() == source.column.empty();
+                           });
+  if (note == notes.end()) {
+    notes.push_back({.kind = RecordingNoteKind::named_unit, .path = path, .joint_unit = unit});
+    note = std::prev(notes.end());
+  }
+  if (!source.column.empty()) note->columns.push_back(source.column);
+}
+
+/// Sets the units of the columns that names or comments give, with a note for each unit. Returns
+/// the joint map with these units, for the evidence of others.
+JointMap set_known_units(const Arm& arm, const std::string& path, const Content& content,
+                         MatchOptions& match, std::vector<RecordingNote>& notes) {
+  internal::ColumnsInUnits recorded = content.columns;
   const internal::JointColumns order =
       internal::joint_columns(arm, recorded.names, match.joint_map);
-  complete_units(order, recorded);
-  const std::vector<std::optional<JointUnit>>& units = recorded.units;
-  for (const std::optional<JointUnit>& unit : units) {
-    match.column_units.push_back(unit ? std::optional(internal::si_per(*unit)) : std::nullopt);
-  }
   JointMap known = match.joint_map;
   known.resize(order.positions.size());
   const std::size_t first_note = notes.size();
   for (std::size_t k = 0; k < known.size(); ++k) {
-    const auto i = static_cast<std::size_t>(order.positions[k]);
-    if (known[k].unit || !units[i]) continue;
-    check_unit(arm.joint_of(static_cast<Eigen::Index>(k)), recorded.sources[i], *units[i]);
-    known[k].unit = internal::si_per(*units[i]);
-    const auto note =
-        std::find_if(notes.begin() + static_cast<std::ptrdiff_t>(first_note), notes.end(),
-                     [&](const RecordingNote& other) { return other.joint_unit == units[i]; });
-    if (note != notes.end()) {
-      note->columns.push_back(recorded.sources[i]);
-    } else {
-      notes.push_back({.kind = RecordingNoteKind::named_unit,
-                       .path = path,
-                       .columns = {recorded.sources[i]},
-                       .joint_unit = units[i]});
-    }
+    const Joint& joint = arm.joint_of(static_cast<Eigen::Index>(k));
+    const bool mapped = known[k].unit.has_value();
+    const JointUnitSource source =
+        complete_unit(joint, order, k, mapped ? internal::StatedUnits() : content.stated, recorded);
+    if (mapped || source.unit == nullptr) continue;
+    check_unit(joint, source.column, *source.unit);
+    known[k].unit = source.unit->si;
+    add_note(source, path, first_note, notes);
+  }
+  for (const internal::Unit* unit : recorded.units) {
+    match.column_units.push_back(unit != nullptr ? std::optional(unit->si) : std::nullopt);
   }
   return known;
 }
@@ -187,7 +222,7 @@ RecordingNote note_on(const internal::UnitEvidence& evidence, const Arm& arm,
 
 /// Whether the recording has all columns of a planned motion that this library has written, and so
 /// is in radians.
-bool is_planned_motion(const Arm& arm, const internal::RecordedColumns& columns,
+bool is_planned_motion(const Arm& arm, const internal::ColumnsInUnits& columns,
                        const Trajectory& recorded) {
   return columns.given == arm.joint_names() && !recorded.accelerations.empty();
 }
@@ -195,9 +230,10 @@ bool is_planned_motion(const Arm& arm, const internal::RecordedColumns& columns,
 /// Matches `recorded` to the arm: in degrees where only degrees are possible and the options ask
 /// for it. Adds notes on units.
 void match_in_units(const Arm& arm, const std::string& path, const Trajectory& recorded,
-                    const internal::RecordedColumns& columns, MatchOptions match,
-                    const RecordingOptions& options, Recording& recording) {
-  const JointMap known = set_named_units(arm, path, columns, match, recording.notes);
+                    const Content& content, MatchOptions match, const RecordingOptions& options,
+                    Recording& recording) {
+  check_stated(content.stated, options);
+  const JointMap known = set_known_units(arm, path, content, match, recording.notes);
   recording.trajectory = matched_to(arm, recorded, match);
   const auto add = [&](const internal::UnitEvidence& evidence, RecordingNoteKind kind) {
     recording.notes.push_back(note_on(evidence, arm, path, kind));
@@ -215,7 +251,7 @@ void match_in_units(const Arm& arm, const std::string& path, const Trajectory& r
       add(*degrees, RecordingNoteKind::likely_degrees);
     } else if (revolutions) {
       add(*revolutions, RecordingNoteKind::many_revolutions);
-    } else if (options.detect_degrees && !is_planned_motion(arm, columns, recorded) &&
+    } else if (options.detect_degrees && !is_planned_motion(arm, content.columns, recorded) &&
                internal::may_be_in_degrees(arm, found, known)) {
       recording.notes.push_back({.kind = RecordingNoteKind::read_in_radians, .path = path});
     }
@@ -225,7 +261,7 @@ void match_in_units(const Arm& arm, const std::string& path, const Trajectory& r
 }
 
 /// The joint map with the names of the columns that it means, unless it is for another file.
-JointMap map_of_file(const internal::RecordedColumns& columns, const RecordingOptions& options) {
+JointMap map_of_file(const internal::ColumnsInUnits& columns, const RecordingOptions& options) {
   JointMap joint_map = options.match.joint_map;
   bool any = false;
   for (MappedJoint& joint : joint_map) {
@@ -244,7 +280,7 @@ Recording matched(Content content, const std::string& path, const Arm& arm,
   match.joint_map = map_of_file(content.columns, options);
   recording.mapped = !match.joint_map.empty();
   try {
-    match_in_units(arm, path, recorded, content.columns, std::move(match), options, recording);
+    match_in_units(arm, path, recorded, content, std::move(match), options, recording);
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }

@@ -1,5 +1,6 @@
 #include <beeline/error.h>
 #include <beeline/internal/enum_names.h>
+#include <beeline/io/internal/time_column.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/trajectory_file.h>
 
@@ -16,10 +17,11 @@ const char* choice_after(RecordingNoteKind kind, OptionStyle style) {
   const bool command = style == OptionStyle::command;
   switch (kind) {
     case RecordingNoteKind::likely_degrees:
-      return command ? "; --degrees reads degrees" : "; unit=\"degrees\" reads degrees";
+      return command ? "; --degrees reads degrees" : "; angle_unit=\"degrees\" reads degrees";
     case RecordingNoteKind::read_in_radians:
     case RecordingNoteKind::many_revolutions:
-      return command ? "; --angle-unit deg reads degrees" : "; unit=\"degrees\" reads degrees";
+      return command ? "; --angle-unit deg reads degrees"
+                     : "; angle_unit=\"degrees\" reads degrees";
     case RecordingNoteKind::likely_millimetres:
       return command ? "; the unit mm in a --joint-map file reads millimetres"
                      : "; the unit 0.001 in a joint_map reads millimetres";
@@ -30,10 +32,13 @@ const char* choice_after(RecordingNoteKind kind, OptionStyle style) {
   }
 }
 
-/// `s`, or `s and ns` where a second column has the nanoseconds.
+/// `s`, or `s and ns` where a second column refines the first one.
 std::string text_of_unit(const RecordingNote& note) {
   const std::string unit = name(note.time_unit.value_or(TimeUnit::seconds));
-  return note.columns.size() == 1 ? unit : unit + " and " + name(TimeUnit::nanoseconds);
+  if (note.columns.size() == 1) return unit;
+  const auto columns = internal::time_columns(note.columns);
+  const bool known = columns && columns->finer;
+  return unit + " and " + (known ? name_of(*columns->finer_unit) : name(TimeUnit::nanoseconds));
 }
 
 /// The note without the choice that the user has.
@@ -46,10 +51,18 @@ std::string observation(const RecordingNote& note) {
     case RecordingNoteKind::no_header:
       return note.path + " has no header; its columns are read as " + listed(columns);
     case RecordingNoteKind::times_since_1970:
+      if (!note.time_unit) {
+        return note.path + ": column " + listed(columns) +
+               " has dates; times count from the first sample";
+      }
       return note.path + ": " + (one ? "column " : "columns ") + listed(columns) +
              (one ? " has" : " have") + " times since 1970 in " + text_of_unit(note) +
              ", which count from the first sample";
     case RecordingNoteKind::named_unit:
+      if (columns.empty()) {
+        return note.path + ": columns without a unit are read in " +
+               name(note.joint_unit.value_or(JointUnit::radians)) + ", as a comment says";
+      }
       return note.path + ": " + (one ? "column " : "columns ") + listed(columns) +
              (one ? " is" : " are") + " read in " +
              name(note.joint_unit.value_or(JointUnit::radians)) +
@@ -74,6 +87,10 @@ std::string observation(const RecordingNote& note) {
 }
 
 }  // namespace
+
+std::string name(JointUnit unit) {
+  return name_of(internal::all_units()[static_cast<std::size_t>(unit)]);
+}
 
 std::string name(RecordingNoteKind kind) { return note_names.of(kind); }
 

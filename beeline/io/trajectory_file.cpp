@@ -4,6 +4,7 @@
 #include <beeline/io/internal/controller_form.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
+#include <beeline/io/internal/joint_states.h>
 #include <beeline/io/internal/program_frames.h>
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_csv.h>
@@ -70,11 +71,14 @@ TrajectoryFormat trajectory_format(const std::string& path) {
 
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
   const std::string ending = extension(path);
+  const auto table = [&] {
+    return internal::begins_with_joint_state(text) ? TrajectoryFormat::yaml : TrajectoryFormat::csv;
+  };
   if (ending.empty()) {
-    return internal::first_character(text) == '{' ? TrajectoryFormat::json : TrajectoryFormat::csv;
+    return internal::first_character(text) == '{' ? TrajectoryFormat::json : table();
   }
-  for (const char* const table : {"txt", "tsv", "dat", "log"}) {
-    if (ending == table) return TrajectoryFormat::csv;
+  for (const char* const other : {"txt", "tsv", "dat", "log"}) {
+    if (ending == other) return table();
   }
   try {
     return trajectory_format(path);

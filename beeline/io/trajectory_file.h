@@ -16,14 +16,17 @@ namespace beeline {
 /// exactly, times of .json and .yaml to the nanosecond.
 ///   .csv          columns t, then the joints' names, and NAME_vel, NAME_acc where known;
 ///                 .txt, .tsv, .dat and .log are read so too
-///   .json, .yaml  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
+///   .json, .yaml  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds;
+///                 read also messages sensor_msgs/JointState as .yaml, as `ros2 topic echo` prints
+///                 them, with lines --- between
 enum class TrajectoryFormat { csv, json, yaml };
 
 /// Throws Error for an ending with which no file is written.
 TrajectoryFormat trajectory_format(const std::string& path);
 
 /// Returns the format of a file that was read. A file without an ending, such as a pipe, is .json
-/// if its text begins with a brace and otherwise .csv. Throws FileError for another ending.
+/// if its text begins with a brace and otherwise .csv; one of JointState messages, also with the
+/// ending .txt or .log, is .yaml. Throws FileError for another ending.
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text);
 
 /// Returns the content of a file of this format. Throws Error for a trajectory that is not valid
@@ -84,8 +87,10 @@ struct RecordingOptions {
 /// How a recording was read where the file does not say, and what its numbers suggest.
 enum class RecordingNoteKind {
   no_header,            ///< the columns of a table without a header are read as `columns`
-  times_since_1970,     ///< the times in `columns`, in `unit`, count from the first sample
-  named_unit,           ///< `columns` are in `joint_unit`, as their names say
+  times_since_1970,     ///< the times in `columns`, in `time_unit`, or dates where there is none,
+                        ///< count from the first sample
+  named_unit,           ///< `columns` are in `joint_unit`, as their names say; if there are none,
+                        ///< a comment gives the unit of the joints' other columns
   read_in_degrees,      ///< because `joint` is at `value`: RecordingOptions::detect_degrees
   read_in_radians,      ///< though degrees are possible too: RecordingOptions::detect_degrees
   likely_degrees,       ///< `joint` is at `value`, out of range in radians but not in degrees
@@ -100,7 +105,7 @@ struct RecordingNote {
   RecordingNoteKind kind = RecordingNoteKind::no_header;
   std::string path = {};  ///< of the file
   std::vector<std::string> columns = {};
-  /// Of times since 1970 in the first of `columns`; a second one has nanoseconds.
+  /// Of times since 1970 in the first of `columns`; a second one refines it.
   std::optional<TimeUnit> time_unit = std::nullopt;
   std::optional<JointUnit> joint_unit = std::nullopt;  ///< of a named unit
   std::string joint = {};                              ///< of the arm
@@ -121,14 +126,16 @@ struct Recording {
 };
 
 /// Reads a recording of an arm. A .csv file may have any of these:
-///   - times in a column t, time, timestamp or stamp, seconds and nanoseconds in two columns sec,
-///     nanosec, or a unit in the name; times since 1970 in a smaller unit than seconds count from
-///     the first
+///   - times in a column t, time, timestamp, stamp or time_from_start, with a unit in the name or
+///     not, or dates of ISO 8601; seconds and the remainder, or the same times, in a finer unit in
+///     two columns, as sec and nanosec or time_s and time_us; dates, and times since 1970 in a
+///     smaller unit than seconds, count from the first
 ///   - semicolons, tabs or blanks between the items, with decimal commas
 ///   - no header, a column of times first, then the joints in the arm's order; or a header in a
 ///     comment, which names all joints
 ///   - joints as matched_to() finds them, with a unit of JointUnit behind the name, as joint1_deg,
-///     joint1 (mm) or joint1_vel [deg/s], or of angles in front, as deg_joint1
+///     joint1 (mm), joint1/deg or joint1_vel [deg/s], or of angles in front, as deg_joint1
+///   - units in a row below the header, `s,deg,deg`, or in a comment before it, `# units: deg`
 ///   - rates in columns such as joint1_velocity and acceleration_joint1, and efforts, which are not
 ///     read
 /// Throws as read_trajectory() and, as FileError, matched_to() do.

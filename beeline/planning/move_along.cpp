@@ -8,6 +8,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/planning/internal/nearby_path_work.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_path.h>
@@ -23,7 +24,7 @@ constexpr double planned_fraction = 0.9;  // of the tolerance; timing may use th
 
 constexpr std::int64_t max_suggestion_work = 400'000;  // of all suggestions of a refusal
 // Of one nearby_path(): less than its own limit, so that its end is known here.
-constexpr std::int64_t max_nearby_path_work = 90'000;
+constexpr std::int64_t max_suggested_path_work = max_nearby_path_work / 10 * 9;
 
 /// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
 void check_options(const PathMotionOptions& options) {
@@ -104,7 +105,7 @@ Suggestions suggestions(const Arm& arm, const std::optional<Configuration>& star
   }
   for (const bool rotate : {false, true}) {
     Budget part = budget.part();
-    part.max_work = max_nearby_path_work;
+    part.max_work = max_suggested_path_work;
     BudgetMeter search(part);
     BranchOptions searched = planning;
     searched.budget = search.part();

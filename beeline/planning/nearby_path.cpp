@@ -3,6 +3,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/planning/internal/nearby_path_work.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/move_along.h>
 
@@ -14,8 +15,6 @@ constexpr double min_translation = 4e-3, max_translation = 0.256;  // metres
 constexpr double min_rotation = 1e-2, max_rotation = 0.64;         // radians
 constexpr double ratio = 4;
 constexpr int bisections = 5;  // to 3/128 of the size that was found
-// Max work of the search, in units of Budget: it bounds the time of a negative answer.
-constexpr std::int64_t max_work = 100'000;
 
 /// A translation in world axes and a rotation in tool axes, applied to poses and segments.
 struct Change {
@@ -155,7 +154,8 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   const bool ends_at_corner = internal::all_lines(path) || corner_at(path, 1);
   if (start && !(line_first && ends_at_corner)) return {};
   Budget all = options.budget;
-  if (!all.max_work || *all.max_work > max_work) all.max_work = max_work;
+  constexpr std::int64_t most = internal::max_nearby_path_work;
+  if (!all.max_work || *all.max_work > most) all.max_work = most;
   internal::BudgetMeter budget(all);
   InverseSolver solver(
       arm, {.task = options.task, .grid = 16, .max_restarts = 32, .budget = budget.part()});

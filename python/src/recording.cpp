@@ -23,6 +23,13 @@ JointMap joint_map_from(const Arm& arm, nb::handle value) {
   return map;
 }
 
+/// The unit of angles: radians by default. `unit` is the former name of the keyword.
+AngleUnit angle_unit_from(nb::handle angle_unit, nb::handle unit) {
+  if (!unit.is_none()) throw nb::type_error("the keyword unit is called angle_unit");
+  return Value<std::optional<AngleUnit>>::from(angle_unit, "angle_unit")
+      .value_or(AngleUnit::radians);
+}
+
 /// The category of warnings about recordings.
 nb::object recording_warning() {
   static PyObject* const type = PyErr_NewExceptionWithDoc(
@@ -50,11 +57,12 @@ Recording recording_in(const std::string& file, const Arm& arm, const RecordingO
 
 /// The keywords of a reader of recordings.
 struct ReadingKeywords {
-  nb::handle joint_map, unit, time_unit;
+  nb::handle joint_map, angle_unit, time_unit, unit;
 
   RecordingOptions options(const Arm& arm) const {
-    return {.match = matching(arm, joint_map, unit),
-            .time_unit = Value<std::optional<TimeUnit>>::from(time_unit, "time_unit")};
+    return {.match = matching(arm, joint_map, angle_unit, unit),
+            .time_unit = Value<std::optional<TimeUnit>>::from(time_unit, "time_unit"),
+            .angle_unit_is_known = !angle_unit.is_none()};
   }
 };
 
@@ -71,8 +79,8 @@ Trajectory loaded(const std::string& file, nb::handle arm, const ReadingKeywords
   if (!arm.is_none() && !nb::try_cast<const Arm*>(arm, known)) raise_type("arm", "an Arm", arm);
   if (known != nullptr) return recording_in(file, *known, keywords.options(*known)).trajectory;
   const bool plain = keywords.joint_map.is_none() && keywords.time_unit.is_none() &&
-                     Value<AngleUnit>::from(keywords.unit, "unit") == AngleUnit::radians;
-  if (!plain) throw Error("joint_map, unit and time_unit need an arm");
+                     angle_unit_from(keywords.angle_unit, keywords.unit) == AngleUnit::radians;
+  if (!plain) throw Error("joint_map, angle_unit and time_unit need an arm");
   const LockRelease release;
   return read_trajectory(file);
 }
@@ -84,9 +92,10 @@ constexpr const char* tables =
 
 }  // namespace
 
-MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle unit) {
+MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle angle_unit,
+                      nb::handle unit) {
   return {.joint_map = joint_map_from(arm, joint_map),
-          .angle_unit = to_radians(1, Value<AngleUnit>::from(unit, "unit"))};
+          .angle_unit = to_radians(1, angle_unit_from(angle_unit, unit))};
 }
 
 void takes_matching(Signature& signature) {
@@ -96,8 +105,9 @@ void takes_matching(Signature& signature) {
              "opposite direction, as a list or separated by commas, or a .json file; other columns "
              "are dropped. None: by name.",
              "None")
-      .takes("unit", Value<AngleUnit>::type(),
-             "Of angles in the trajectory, unless the names in a file say another.", "'radians'");
+      .takes("angle_unit", Value<std::optional<AngleUnit>>::argument_type(),
+             "Of angles in the trajectory, unless the names in a file say another. None: radians.",
+             "None");
 }
 
 void bind_loading(nb::class_<Trajectory>& trajectory) {
@@ -116,13 +126,13 @@ void bind_loading(nb::class_<Trajectory>& trajectory) {
   takes_reading(load);
   define_static(
       trajectory,
-      [](nb::handle path, nb::handle arm, nb::handle joint_map, nb::handle unit,
-         nb::handle time_unit) {
-        return loaded(path_from(path, "path"), arm, {joint_map, unit, time_unit});
+      [](nb::handle path, nb::handle arm, nb::handle joint_map, nb::handle angle_unit,
+         nb::handle time_unit, nb::handle unit) {
+        return loaded(path_from(path, "path"), arm, {joint_map, angle_unit, time_unit, unit});
       },
       load, nb::arg("path"), nb::arg("arm") = nb::none(), nb::kw_only(),
-      nb::arg("joint_map") = nb::none(), nb::arg("unit") = "radians",
-      nb::arg("time_unit") = nb::none());
+      nb::arg("joint_map") = nb::none(), nb::arg("angle_unit") = nb::none(),
+      nb::arg("time_unit") = nb::none(), nb::arg("unit") = nb::none());
 }
 
 void bind_recordings(nb::module_& m) {
@@ -147,16 +157,18 @@ void bind_recordings(nb::module_& m) {
              "True");
   define(
       m,
-      [](nb::handle path, const Arm& arm, nb::handle joint_map, nb::handle unit,
-         nb::handle time_unit, nb::handle detect_degrees, nb::handle needs_times) {
-        RecordingOptions options = ReadingKeywords{joint_map, unit, time_unit}.options(arm);
+      [](nb::handle path, const Arm& arm, nb::handle joint_map, nb::handle angle_unit,
+         nb::handle time_unit, nb::handle detect_degrees, nb::handle needs_times, nb::handle unit) {
+        RecordingOptions options =
+            ReadingKeywords{joint_map, angle_unit, time_unit, unit}.options(arm);
         options.detect_degrees = Value<bool>::from(detect_degrees, "detect_degrees");
         options.needs_times = Value<bool>::from(needs_times, "needs_times");
         return recording_in(path_from(path, "path"), arm, options);
       },
       read, nb::arg("path"), nb::arg("arm"), nb::kw_only(), nb::arg("joint_map") = nb::none(),
-      nb::arg("unit") = "radians", nb::arg("time_unit") = nb::none(),
-      nb::arg("detect_degrees") = false, nb::arg("needs_times") = true);
+      nb::arg("angle_unit") = nb::none(), nb::arg("time_unit") = nb::none(),
+      nb::arg("detect_degrees") = false, nb::arg("needs_times") = true,
+      nb::arg("unit") = nb::none());
 }
 
 }  // namespace beeline::python

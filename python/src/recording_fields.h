@@ -8,7 +8,7 @@
 namespace beeline::python {
 
 /// The keywords joint_map and unit, and their place in a signature.
-MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle unit);
+MatchOptions matching(const Arm& arm, nb::handle joint_map, nb::handle angle_unit, nb::handle unit);
 void takes_matching(Signature& signature);
 
 void bind_loading(nb::class_<Trajectory>& trajectory);
@@ -38,7 +38,7 @@ struct Fields<RecordingNote> {
         field("columns", &RecordingNote::columns,
               "Names of all columns, of those with times, or of those in a unit."),
         field("time_unit", &RecordingNote::time_unit,
-              "Of times since 1970; a second column has nanoseconds."),
+              "Of times since 1970; a second column refines them."),
         field("joint_unit", &RecordingNote::joint_unit, "Of the columns."),
         field("joint", &RecordingNote::joint, "Of the arm, whose value suggests a unit."),
         field("value", &RecordingNote::value,

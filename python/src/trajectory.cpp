@@ -88,11 +88,12 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
   takes_matching(matched);
   define(
       trajectory,
-      [](const Trajectory& self, const Arm& arm, nb::handle joint_map, nb::handle unit) {
-        return matched_to(arm, self, matching(arm, joint_map, unit));
+      [](const Trajectory& self, const Arm& arm, nb::handle joint_map, nb::handle angle_unit,
+         nb::handle unit) {
+        return matched_to(arm, self, matching(arm, joint_map, angle_unit, unit));
       },
       matched, nb::arg("arm"), nb::kw_only(), nb::arg("joint_map") = nb::none(),
-      nb::arg("unit") = "radians");
+      nb::arg("angle_unit") = nb::none(), nb::arg("unit") = nb::none());
 
   Signature turned("unwrapped", "Unwrapped",
                    "Returns the trajectory, matched to the arm, without the jumps of sensors whose "

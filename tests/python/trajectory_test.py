@@ -181,14 +181,19 @@ def test_recordings_of_other_programs(tmp_path, rng):
     path = tmp_path / "log.txt"
     rows = [" ".join(map(repr, map(float, [1000 * k, *np.degrees(row)]))) for k, row in enumerate(q)]
     path.write_text("\n".join(["time " + " ".join(UR_NAMES), *rows]) + "\n")
-    read = beeline.Trajectory.load(path, arm, unit="degrees", time_unit="ms")
+    read = beeline.Trajectory.load(path, arm, angle_unit="degrees", time_unit="ms")
     assert np.array_equal(read.times, range(4)) and read.joint_names == arm.joint_names
     assert np.abs(read.positions - q).max() < 1e-14
     raw = beeline.Trajectory.load(path)
     assert raw.joint_names == UR_NAMES
-    assert np.array_equal(raw.matched_to(arm, unit="degrees").positions, read.positions)
-    with pytest.raises(beeline.Error, match="joint_map, unit and time_unit need an arm"):
-        beeline.Trajectory.load(path, unit="degrees")
+    assert np.array_equal(raw.matched_to(arm, angle_unit="degrees").positions, read.positions)
+    for call in (beeline.Trajectory.load, beeline.read_recording):
+        with pytest.raises(TypeError, match="the keyword unit is called angle_unit"):
+            call(path, arm, unit="degrees")
+    with pytest.raises(TypeError, match="the keyword unit is called angle_unit"):
+        raw.matched_to(arm, unit="degrees")
+    with pytest.raises(beeline.Error, match="joint_map, angle_unit and time_unit need an arm"):
+        beeline.Trajectory.load(path, angle_unit="degrees")
 
 
 def test_joint_maps(tmp_path, rng):
@@ -226,7 +231,7 @@ def test_notes_of_recordings_are_data_and_warnings(tmp_path):
     assert degrees.joint == "joint1" and degrees.value == -91
     assert [warning.message.note for warning in issued] == recording.notes
     assert "count from the first sample" in str(issued[0].message)
-    assert str(issued[1].message).endswith('out of range in radians but not in degrees; unit="degrees" reads degrees')
+    assert str(issued[1].message).endswith('out of range in radians but not in degrees; angle_unit="degrees" reads degrees')
     assert recording.has_times and not recording.mapped and not recording.in_time_unit
     with pytest.warns(beeline.RecordingWarning) as issued:
         loaded = beeline.Trajectory.load(path, arm)
@@ -234,7 +239,7 @@ def test_notes_of_recordings_are_data_and_warnings(tmp_path):
     with pytest.warns(beeline.RecordingWarning, match="is read in degrees"):
         detected = beeline.read_recording(path, arm, detect_degrees=True)
     with pytest.warns(beeline.RecordingWarning) as issued:
-        given = beeline.read_recording(path, arm, unit="degrees")
+        given = beeline.read_recording(path, arm, angle_unit="degrees")
     assert [note.kind for note in given.notes] == ["times_since_1970"]
     assert np.allclose(given.trajectory.positions, detected.trajectory.positions, rtol=0, atol=1e-15)
     with pytest.raises(beeline.FileError, match="sec and nanosec are seconds and nanoseconds"):
@@ -249,14 +254,14 @@ def test_units_in_names_of_columns(tmp_path, rng):
     given.save(path)
     for unit in ("radians", "degrees"):
         with pytest.warns(beeline.RecordingWarning, match="are read in deg, as their names say"):
-            read = beeline.read_recording(path, arm, unit=unit)
+            read = beeline.read_recording(path, arm, angle_unit=unit)
         (note,) = read.notes
         assert note.kind == "named_unit" and note.joint_unit == "deg" and note.columns == given.joint_names
         assert np.allclose(read.trajectory.positions, np.radians(q), rtol=0, atol=1e-15)
         assert np.allclose(read.trajectory.velocities, np.radians(2 * q), rtol=0, atol=1e-15)
     assert beeline.Trajectory.load(path) == given
     beeline.Trajectory(arm.joint_names, range(3), q).save(path)
-    with pytest.warns(beeline.RecordingWarning, match='; unit="degrees" reads degrees'):
+    with pytest.warns(beeline.RecordingWarning, match='; angle_unit="degrees" reads degrees'):
         (note,) = beeline.read_recording(path, arm, detect_degrees=True).notes
     assert note.kind == "read_in_radians"
 

@@ -113,6 +113,8 @@ std::string remedy_for(const ReadWarning& warning) {
       return "write the name of a joint of the file, or delete <mimic>";
     case ReadWarningKind::leader_cycle:
       return "delete <mimic> of the joint that leads the others";
+    case ReadWarningKind::constant_mimic:
+      return "give the leader a type that moves, or make the joint fixed too";
     case ReadWarningKind::further_faults:
       return "mend those above first";
     default:
@@ -150,12 +152,9 @@ void append_faults(const std::string& path, std::string (*text)(const ReadWarnin
   constexpr std::size_t most = 100;
   const UrdfFile file = parse_urdf(read_file(path), path);
   const std::vector<UrdfFault> faults = faults_by_line(file);
-  const std::size_t listed = std::min(most, faults.size());
-  for (std::size_t i = 0; i < listed; ++i) {
-    const ReadWarning warning = warning_of(file, faults[i]);
-    found.push_back(finding_of(warning, text(warning)));
-  }
-  const std::size_t further = faults.size() - listed + file.further_faults;
+  const std::vector<ReadWarning> listed = warnings_of(file, faults, most);
+  for (const ReadWarning& warning : listed) found.push_back(finding_of(warning, text(warning)));
+  const std::size_t further = faults.size() - listed.size() + file.further_faults;
   if (further == 0) return;
   found.push_back(
       finding_of({.kind = ReadWarningKind::further_faults, .path = path, .count = further},

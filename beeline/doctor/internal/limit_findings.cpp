@@ -53,8 +53,8 @@ void find_range(const Arm& arm, AngleUnit unit, std::vector<Finding>& found) {
          .joint = only(fixed),
          .place = joints_text(arm, fixed),
          .what = "lower and upper limit are both " + number(value) + ": no motion is within limits",
-         .remedy = "write both limits (URDF takes a missing one as 0), a joint that "
-                   "turns for ever is continuous"});
+         .remedy = "write both limits (URDF takes a missing one as 0); use the type continuous "
+                   "for unlimited rotation"});
   }
   const Joints turning = joints_that(arm, [](const Joint& joint) { return !slides(joint); });
   constexpr double twice = 0.12;  // rad: 360 degrees converted to radians twice are 0.11

@@ -1,168 +1,221 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/time_column.h>
+#include <beeline/io/text/internal/name.h>
 
 namespace beeline {
 namespace {
 
-struct UnitNames {
-  TimeUnit unit;
-  double seconds;
-  std::array<std::string_view, 7> names;  // the first is that of --time-unit; some are empty
-};
+using internal::TimeColumns;
+using internal::Unit;
 
-constexpr UnitNames units[] = {
-    {TimeUnit::seconds, 1, {"s", "sec", "secs", "second", "seconds", "", ""}},
-    {TimeUnit::milliseconds,
-     1e-3,
-     {"ms", "msec", "msecs", "millis", "millisecond", "milliseconds", ""}},
-    {TimeUnit::microseconds,
-     1e-6,
-     {"us", "usec", "usecs", "micros", "microsecond", "microseconds", "\xc2\xb5s"}},
-    {TimeUnit::nanoseconds,
-     1e-9,
-     {"ns", "nsec", "nsecs", "nanos", "nanosec", "nanosecond", "nanoseconds"}}};
-
-const UnitNames& names_of(TimeUnit unit) { return units[static_cast<std::size_t>(unit)]; }
-
-std::optional<TimeUnit> unit_called(std::string_view name) {
-  if (name.empty()) return std::nullopt;
-  for (const UnitNames& unit : units) {
-    if (std::find(unit.names.begin(), unit.names.end(), name) != unit.names.end()) return unit.unit;
-  }
-  return std::nullopt;
-}
-
-/// A name as its message and the last part, in lower case: `/joint_states/header/` and `stamp`.
-std::pair<std::string, std::string> parts_of(const std::string& name) {
-  const std::string text = internal::lower_case(name);
-  const std::size_t end = text.find_last_of("/.");
-  std::string last = end == std::string::npos ? text : text.substr(end + 1);
-  last.erase(0, std::min(last.find_first_not_of("%_ "), last.size()));
-  return {end == std::string::npos ? "" : text.substr(0, end), last};
-}
+constexpr std::size_t first_time_unit = 4;  // in all_units()
 
 bool is_time(std::string_view name) {
-  constexpr std::string_view known[] = {"t", "time", "timestamp", "time_stamp", "stamp"};
+  constexpr std::string_view known[] = {
+      "t",    "time",     "timestamp", "time_stamp",      "stamp",
+      "date", "datetime", "date_time", "time_from_start", "elapsed_time"};
   return std::find(std::begin(known), std::end(known), name) != std::end(known);
 }
 
-/// A column of times as its name says.
-struct NamedTime {
-  bool times = false;
-  std::optional<TimeUnit> unit = std::nullopt;
+/// Whether the last word of a name is a time: `header_stamp`.
+bool ends_in_time(const std::string& name) {
+  return is_time(name) || is_time(std::string_view(name).substr(name.find_last_of('_') + 1));
+}
+
+/// A column of times, or of a part of them, as its name says.
+struct TimeName {
+  std::string clock;    ///< columns of one time agree: `/joint_states/header/stamp`
+  std::string message;  ///< in front of the last part: `/joint_states/header`
+  const Unit* unit = nullptr;
+  bool says_time = false;  ///< otherwise the column is one of times only beside others
 };
 
-NamedTime named_time(const std::string& name) {
-  if (name == "T") return {};
-  const std::string last = parts_of(name).second;
-  if (is_time(last)) return {.times = true};
-  const std::size_t begin = last.find_last_of("_ [(");
-  if (begin == std::string::npos) return {};
-  std::string_view stem(last.data(), begin), unit(last.data() + begin + 1, last.size() - begin - 1);
-  if (unit.ends_with(']') || unit.ends_with(')')) unit.remove_suffix(1);
-  while (!stem.empty() && (stem.back() == ' ' || stem.back() == '_')) stem.remove_suffix(1);
-  const std::optional<TimeUnit> known = unit_called(unit);
-  return is_time(stem) && known ? NamedTime{true, known} : NamedTime{};
+TimeName with_clock(const std::string& message, const std::string& last, const Unit* unit,
+                    bool says_time) {
+  return {message.empty() || last.empty() ? message + last : message + '/' + last, message, unit,
+          says_time};
 }
 
-/// The message and the unit of a part of a time: `/joint_states/header/stamp` and `sec`, also where
-/// the name is `stamp_sec`.
-std::pair<std::string, std::string> message_and_unit(const std::string& name) {
-  auto [message, last] = parts_of(name);
-  const std::size_t unit = last.find_last_of('_');
-  if (unit == std::string::npos) return {message, last};
-  const std::string stem = last.substr(0, unit);
-  const std::size_t word = stem.find_last_of('_');
-  if (!is_time(word == std::string::npos ? stem : stem.substr(word + 1))) return {message, last};
-  return {message + '/' + stem, last.substr(unit + 1)};
-}
-
-/// The columns of seconds and nanoseconds of one message of ROS, such as sec and nanosec.
-std::optional<internal::TimeColumns> stamp_columns(const std::vector<std::string>& names) {
-  using internal::TimeColumns;
-  std::unordered_map<std::string, std::size_t> nanoseconds;  // the column of each message
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [message, unit] = message_and_unit(names[i]);
-    if (unit_called(unit) == TimeUnit::nanoseconds) nanoseconds.emplace(message, i);
+std::optional<TimeName> time_name(const std::string& name) {
+  if (name == "T") return std::nullopt;
+  const internal::NameInUnit outer = internal::split_at_time_unit(name);
+  const internal::NameInUnit inner = internal::split_at_time_unit(outer.stem);
+  if (inner.unit != nullptr && outer.unit != nullptr && inner.unit != outer.unit) {
+    throw Error("column " + internal::printable(name) + " is in " + name_of(*inner.unit) +
+                " and in " + name_of(*outer.unit));
   }
-  std::optional<TimeColumns> alone;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [message, unit] = message_and_unit(names[i]);
-    if (unit_called(unit) != TimeUnit::seconds || unit == "s") continue;
-    const auto found = nanoseconds.find(message);
-    if (found != nanoseconds.end()) {
-      return TimeColumns{.index = i, .nanoseconds = found->second, .unit = TimeUnit::seconds};
+  // A name and its unit, also where that is the last part of several, as in stamp/sec.
+  const internal::NameInUnit& split = inner.unit != nullptr ? inner : outer;
+  const std::string text = internal::lower_case(split.stem);
+  const std::size_t end = text.find_last_of("/.");
+  const std::string message = end == std::string::npos ? "" : text.substr(0, end);
+  std::string last = end == std::string::npos ? text : text.substr(end + 1);
+  last.erase(0, std::min(last.find_first_not_of("%_ "), last.size()));
+  if (is_time(last)) return with_clock(message, last, split.unit, true);
+  if (split.unit != nullptr) {
+    if (ends_in_time(last)) return with_clock(message, last, split.unit, false);
+    const bool is_part = name.find_last_of("/.") == split.stem.size();
+    if (is_part) return TimeName{text, text, split.unit, false};
+    return std::nullopt;
+  }
+  const internal::NameInUnit alone = internal::split_at_time_unit("x " + last);
+  if (alone.unit == nullptr || alone.stem != "x") return std::nullopt;
+  return TimeName{message, message, alone.unit, false};
+}
+
+bool is_finer(const Unit* unit, const Unit* than) {
+  return unit != nullptr && unit->si < (than == nullptr ? 1 : than->si);
+}
+
+/// The columns of times of a table.
+class TimeTable {
+ public:
+  explicit TimeTable(const std::vector<std::string>& names) : names_(names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      times_.push_back(time_name(names[i]));
+      if (times_[i]) of_clock_[times_[i]->clock].push_back(i);
     }
-    if (!alone) alone = TimeColumns{.index = i, .unit = TimeUnit::seconds};
   }
-  return alone;
-}
 
-bool contains(const std::vector<std::size_t>& columns, std::size_t column) {
-  return std::find(columns.begin(), columns.end(), column) != columns.end();
-}
+  /// Column i, and the one that has the same time in a finer unit.
+  TimeColumns with_finer(std::size_t i) const {
+    const TimeName& own = *times_[i];
+    TimeColumns found{.index = i, .unit = own.unit};
+    for (const std::size_t k : columns_of(own.clock)) add_finer(k, own, found);
+    if (own.clock == own.message || has_seconds(own.message)) return found;
+    for (const std::size_t k : columns_of(own.message)) {
+      // Beside `t` all columns are joints, which may have the short names.
+      const bool joint = names_[i] == "t" && names_[k].size() <= 2;
+      if (!times_[k]->says_time && !joint) add_finer(k, own, found);
+    }
+    return found;
+  }
 
-/// Whether the column is one of the two of a time in seconds and nanoseconds.
-bool is_part(const internal::TimeColumns& stamp, std::size_t column) {
-  return stamp.nanoseconds && (column == stamp.index || column == *stamp.nanoseconds);
-}
+  /// The first column that says time, or else the first pair of seconds and a finer unit, or else
+  /// the first of seconds alone.
+  std::optional<TimeColumns> main_columns() const {
+    for (const std::optional<TimeName>& time : times_) {
+      if (time && time->says_time) return with_finer(coarsest(time->clock));
+    }
+    std::optional<TimeColumns> alone;
+    std::unordered_set<std::string> seen;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!times_[i] || times_[i]->unit->si != 1 || !seen.insert(times_[i]->clock).second) continue;
+      const TimeColumns found = with_finer(i);
+      if (found.finer) return found;
+      if (!alone && may_be_alone(i)) alone = found;
+    }
+    return alone;
+  }
+
+  /// The columns of times besides the main ones.
+  std::vector<std::size_t> others(const TimeColumns& main) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!times_[i] || i == main.index || i == main.finer) continue;
+      const bool is_part = has_seconds(times_[i]->clock) && columns_of(times_[i]->clock).size() > 1;
+      if (times_[i]->says_time || is_part || may_be_alone(i)) found.push_back(i);
+    }
+    return found;
+  }
+
+ private:
+  using Indices = std::vector<std::size_t>;
+
+  const Indices& columns_of(const std::string& clock) const {
+    static const Indices none;
+    const auto found = of_clock_.find(clock);
+    return found == of_clock_.end() ? none : found->second;
+  }
+
+  /// Whether the first columns of a time have seconds.
+  bool has_seconds(const std::string& clock) const {
+    const Indices& columns = columns_of(clock);
+    constexpr std::ptrdiff_t most = 16;  // spellings
+    const auto end = columns.begin() + std::min(most, std::ssize(columns));
+    return std::any_of(columns.begin(), end, [&](std::size_t k) {
+      return times_[k]->unit == nullptr || times_[k]->unit->si == 1;
+    });
+  }
+
+  std::size_t coarsest(const std::string& clock) const {
+    const Indices& columns = columns_of(clock);
+    return *std::min_element(columns.begin(), columns.end(), [&](std::size_t a, std::size_t b) {
+      return is_finer(times_[b]->unit, times_[a]->unit);
+    });
+  }
+
+  void add_finer(std::size_t k, const TimeName& own, TimeColumns& found) const {
+    if (k == found.index || !is_finer(times_[k]->unit, own.unit)) return;
+    if (found.finer) {
+      throw Error("columns " + internal::printable(names_[*found.finer]) + " and " +
+                  internal::printable(names_[k]) + " both refine the times in column " +
+                  internal::printable(names_[found.index]) + "; keep one of them");
+    }
+    found.finer = k;
+    found.finer_unit = times_[k]->unit;
+  }
+
+  /// Whether a column that does not say time is one if it is alone, as `sec`. `s` may be a joint.
+  bool may_be_alone(std::size_t i) const {
+    const std::string text = internal::lower_case(names_[i]);
+    const bool letter = text.ends_with('s') &&
+                        (text.size() == 1 || std::string_view("/._ [(").find(
+                                                 text[text.size() - 2]) != std::string_view::npos);
+    return times_[i]->unit != nullptr && times_[i]->unit->si == 1 && !letter;
+  }
+
+  const std::vector<std::string>& names_;
+  std::vector<std::optional<TimeName>> times_;
+  std::unordered_map<std::string, Indices> of_clock_;
+};
 
 }  // namespace
 
-std::string name(TimeUnit unit) { return std::string(names_of(unit).names.front()); }
+std::string name(TimeUnit unit) { return name_of(internal::unit_of(unit)); }
 
 std::vector<std::string> time_unit_names() {
   std::vector<std::string> names;
-  for (const UnitNames& unit : units) names.emplace_back(unit.names.front());
+  for (const Unit& unit : internal::all_units()) {
+    if (unit.quantity == internal::Quantity::time) names.push_back(name_of(unit));
+  }
   return names;
 }
 
 TimeUnit time_unit_named(const std::string& name) {
-  for (const UnitNames& unit : units) {
-    if (unit.names.front() == name) return unit.unit;
-  }
-  throw unknown_name("unit of time", name, time_unit_names());
+  return internal::time_unit_of(
+      internal::unit_among(internal::Quantity::time, name, "unit of time"));
 }
 
 namespace internal {
 
+const Unit& unit_of(TimeUnit unit) {
+  return all_units()[first_time_unit + static_cast<std::size_t>(unit)];
+}
+
+TimeUnit time_unit_of(const Unit& unit) {
+  return static_cast<TimeUnit>(&unit - &all_units()[first_time_unit]);
+}
+
 std::optional<TimeColumns> time_columns(const std::vector<std::string>& names) {
-  const auto plain = std::find(names.begin(), names.end(), "t");
-  if (plain != names.end()) {
-    return TimeColumns{.index = static_cast<std::size_t>(plain - names.begin())};
-  }
-  std::optional<TimeColumns> found;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [times, unit] = named_time(names[i]);
-    if (!times) continue;
-    if (found) {
-      found->others.push_back(i);
-    } else {
-      found = TimeColumns{.index = i, .unit = unit};
-    }
-  }
-  std::optional<TimeColumns> stamp = stamp_columns(names);
-  if (!found && !stamp) {
-    const auto upper = std::find(names.begin(), names.end(), "T");
-    if (upper == names.end()) return std::nullopt;
-    return TimeColumns{.index = static_cast<std::size_t>(upper - names.begin())};
-  }
-  if (!found || !stamp) return found ? found : stamp;
-  if (is_part(*stamp, found->index)) {
-    for (const std::size_t i : found->others) {
-      if (!is_part(*stamp, i)) stamp->others.push_back(i);
-    }
-    return stamp;
-  }
-  for (const std::optional<std::size_t> i : {std::optional(stamp->index), stamp->nanoseconds}) {
-    if (i && !contains(found->others, *i) && *i != found->index) found->others.push_back(*i);
+  const TimeTable table(names);
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  if (const std::size_t plain = column("t"); plain < names.size()) return table.with_finer(plain);
+  std::optional<TimeColumns> found = table.main_columns();
+  if (found) {
+    found->others = table.others(*found);
+  } else if (const std::size_t upper = column("T"); upper < names.size()) {
+    found = TimeColumns{.index = upper};
   }
   return found;
 }
@@ -174,15 +227,13 @@ bool is_since_1970(double seconds) {
   return std::abs(seconds) >= year_1973;
 }
 
-TimeUnit unit_of_times(double first) {
+const Unit& unit_of_times(double first) {
   // Times since 1970 of the years 1973 to 5138, the ranges of the units do not overlap.
   const double size = std::abs(first);
-  if (size >= 1e17) return TimeUnit::nanoseconds;
-  if (size >= 1e14) return TimeUnit::microseconds;
-  return size >= 1e11 ? TimeUnit::milliseconds : TimeUnit::seconds;
+  if (size >= 1e17) return unit_of(TimeUnit::nanoseconds);
+  if (size >= 1e14) return unit_of(TimeUnit::microseconds);
+  return unit_of(size >= 1e11 ? TimeUnit::milliseconds : TimeUnit::seconds);
 }
-
-double seconds_per(TimeUnit unit) { return names_of(unit).seconds; }
 
 }  // namespace internal
 }  // namespace beeline

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
 #include <utility>
 
@@ -7,6 +6,7 @@
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/internal/recordable.h>
+#include <beeline/io/internal/row_times.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/text/internal/csv_items.h>
@@ -38,87 +38,6 @@ struct Layout {
   /// What the values of each column are multiplied by: of rates that have another unit than their
   /// joint. Empty: 1.
   std::vector<double> factors = {};
-};
-
-/// Throws Error for a time unit where the table's columns give another one, or there are no times.
-void check_time_unit(const Layout& layout, const TableOptions& options,
-                     const std::vector<std::string>& header) {
-  if (!options.time_unit || options.time_unit_is_optional) return;
-  if (layout.times && !layout.times->nanoseconds) return;
-  if (!layout.times) throw Error(std::string("has no times; ") + time_unit_refusal);
-  if (*options.time_unit == TimeUnit::seconds) return;
-  throw Error("columns " + printable(header[layout.times->index]) + " and " +
-              printable(header[*layout.times->nanoseconds]) + " are seconds and nanoseconds; " +
-              time_unit_refusal);
-}
-
-/// The times of the rows of a table.
-class RowTimes {
- public:
-  RowTimes(const std::optional<TimeColumns>& columns, const TableOptions& options, CsvRows& rows)
-      : columns_(columns), rows_(rows), given_(options.time_unit) {
-    if (!columns_) return;
-    if (!given_) given_ = columns_->unit;
-    if (columns_->nanoseconds) given_ = TimeUnit::seconds;
-    rows_.count_from_first(columns_->index);
-  }
-
-  /// Decides by the first row how times are read.
-  void start(const std::vector<double>& row, const std::string& path,
-             std::vector<RecordingNote>& notes) {
-    if (!columns_) return;
-    const std::string& column = rows_.columns()[columns_->index];
-    const double first = row[columns_->index];
-    unit_ = given_.value_or(column == "t" ? TimeUnit::seconds : unit_of_times(first));
-    // The digits of a double do not suffice for a time since 1970 in small units.
-    const bool small = unit_ != TimeUnit::seconds || columns_->nanoseconds;
-    counts_ = small && is_since_1970(first * seconds_per(unit_));
-    if (!counts_) return;
-    if (columns_->nanoseconds) first_nanoseconds_ = row[*columns_->nanoseconds];
-    RecordingNote note{.kind = RecordingNoteKind::times_since_1970,
-                       .path = path,
-                       .columns = {column},
-                       .time_unit = unit_};
-    if (columns_->nanoseconds) note.columns.push_back(rows_.columns()[*columns_->nanoseconds]);
-    notes.push_back(note);
-  }
-
-  /// The time of the last row that was read, in seconds.
-  double time(const std::vector<double>& row, std::size_t sample) const {
-    if (!columns_) return static_cast<double>(sample);
-    const double value = counts_ ? rows_.from_first() : row[columns_->index];
-    if (columns_->nanoseconds) {
-      check_parts(row[columns_->index], row[*columns_->nanoseconds]);
-      return (value * 1e9 + (row[*columns_->nanoseconds] - first_nanoseconds_)) / 1e9;
-    }
-    if (unit_ == TimeUnit::seconds) return value;
-    return value / std::round(1 / seconds_per(unit_));
-  }
-
- private:
-  /// Throws Error unless they are whole seconds and the rest of them: two columns may also have the
-  /// same time in two units.
-  void check_parts(double seconds, double nanoseconds) const {
-    const auto refuse = [this](std::size_t column, double value, const std::string& choices) {
-      throw Error("column " + printable(rows_.columns()[column]) + ": " + exact(value) +
-                  " must be " + choices);
-    };
-    if (seconds != std::floor(seconds)) {
-      refuse(columns_->index, seconds,
-             "whole seconds, as column " + printable(rows_.columns()[*columns_->nanoseconds]) +
-                 " has the nanoseconds");
-    }
-    if (std::abs(nanoseconds) >= 1e9) {
-      refuse(*columns_->nanoseconds, nanoseconds, "below 1e9, nanoseconds of a second");
-    }
-  }
-
-  std::optional<TimeColumns> columns_;
-  CsvRows& rows_;
-  std::optional<TimeUnit> given_;
-  TimeUnit unit_ = TimeUnit::seconds;
-  bool counts_ = false;           ///< times count from the first
-  double first_nanoseconds_ = 0;  ///< of the first sample, where times count from it
 };
 
 void append_row(const std::vector<double>& row, double time, const Layout& layout,
@@ -194,7 +113,7 @@ Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
   for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
   if (times) {
     columns.erase(header[times->index]);
-    if (times->nanoseconds) columns.erase(header[*times->nanoseconds]);
+    if (times->finer) columns.erase(header[*times->finer]);
     for (const std::size_t i : times->others) columns.erase(header[i]);
   }
   // Beside a column `t`, as in files of this library, all columns are joints.
@@ -210,33 +129,32 @@ Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
 
 /// Gives each joint one unit: the one of its positions, else of its rates, which are converted to
 /// it.
-void use_one_unit(Layout& layout, RecordedColumns& all) {
-  std::vector<std::optional<JointUnit>>& units = all.units;
+void use_one_unit(Layout& layout, ColumnsInUnits& all) {
+  std::vector<const Unit*>& units = all.units;
   for (std::size_t k = 0; k < layout.positions.size(); ++k) {
-    std::optional<JointUnit>& unit = units[layout.positions[k]];
+    const Unit*& unit = units[layout.positions[k]];
     for (const Indices* rates : {&layout.velocities, &layout.accelerations}) {
       if (rates->empty()) continue;
-      const std::optional<JointUnit> own = units[(*rates)[k]];
-      if (own && !unit) {
+      const Unit* const own = units[(*rates)[k]];
+      if (own != nullptr && unit == nullptr) {
         unit = own;
         all.sources[layout.positions[k]] = all.sources[(*rates)[k]];
       }
-      if (!own || own == unit) continue;
+      if (own == nullptr || own == unit) continue;
       layout.factors.resize(units.size(), 1);
-      layout.factors[(*rates)[k]] = si_per(*own) / si_per(*unit);
+      layout.factors[(*rates)[k]] = own->si / unit->si;
     }
   }
 }
 
 /// Reads the header of a trajectory, whose joints' columns are `joints` then.
-Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& joints) {
+Layout layout_of(CsvRows& rows, const TableOptions& options, ColumnsInUnits& joints) {
   const bool has_arm = !options.joint_names.empty();
-  RecordedColumns all{.names = rows.columns(), .given = rows.columns(), .sources = rows.columns()};
+  ColumnsInUnits all{.names = rows.columns(), .given = rows.columns(), .sources = rows.columns()};
   all.units.resize(all.names.size());
   if (has_arm) all = columns_in_units(rows.columns(), options.joint_names);
   std::vector<std::string> header = with_known_suffixes(all.names);
   Layout layout{.times = times_in(rows.columns(), options)};
-  check_time_unit(layout, options, rows.columns());
   if (!layout.times && options.needs_times) {
     throw Error(
         "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
@@ -286,6 +204,16 @@ bool is_header(const std::vector<std::string>& names, const TableOptions& option
   return options.is_header ? options.is_header(names) : names_times(names);
 }
 
+/// Without an arm it is not known which joints turn.
+void check_stated(const StatedUnits& stated, const TableOptions& options) {
+  if (!options.joint_names.empty()) return;
+  for (const Unit* const unit : {stated.angle, stated.length}) {
+    if (unit == nullptr || unit->si == 1) continue;
+    throw Error("a comment gives values in " + name_of(*unit) +
+                "; they are read in this unit with an arm only");
+  }
+}
+
 TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
                                     const TableOptions& options) {
   CsvRows rows(
@@ -305,15 +233,14 @@ TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
     const Layout layout = layout_of(rows, options, table.columns);
     trajectory.joint_names = table.columns.names;
     recording.has_times = layout.times.has_value();
-    recording.in_time_unit =
-        options.time_unit && layout.times &&
-        (!layout.times->nanoseconds || *options.time_unit == TimeUnit::seconds);
     const std::string column = layout.times ? rows.columns()[layout.times->index] : "";
     RowTimes times(layout.times, options, rows);
+    recording.in_time_unit = times.in_given_unit();
+    table.stated = rows.stated();
+    check_stated(table.stated, options);
     for (std::vector<double> row; rows.next(row);) {
       line = rows.line();
-      if (trajectory.size() == 0) times.start(row, path, recording.notes);
-      append_row(row, times.time(row, trajectory.size()), layout, column, trajectory);
+      append_row(row, times.next(row, path, recording.notes), layout, column, trajectory);
     }
     line = 0;
     check_recordable(trajectory);

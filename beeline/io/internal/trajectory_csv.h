@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include <beeline/io/internal/column_unit.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/column_unit.h>
 #include <beeline/io/trajectory_file.h>
 
 namespace beeline::internal {
@@ -25,8 +25,9 @@ struct TableOptions {
 };
 
 struct TableRecording {
-  Recording recording;      ///< as written
-  RecordedColumns columns;  ///< of the trajectory's joints
+  Recording recording;     ///< as written
+  ColumnsInUnits columns;  ///< of the trajectory's joints
+  StatedUnits stated;      ///< by comments
 };
 
 /// Parses columns of times (time_columns()), then the joints' names, and NAME_vel, NAME_acc where

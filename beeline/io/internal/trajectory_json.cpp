@@ -19,14 +19,8 @@ constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 /// Reads a duration of ROS: whole seconds, rounded down, and nanoseconds. The result is the double
 /// nearest to it: a time of k / 1e9 s is read as it was written.
 double duration_from_json(const JsonDocument& document, const Json& json) {
-  const bool ros_1 = document.find(json, "secs") != nullptr;
-  const char* const keys[] = {ros_1 ? "secs" : "sec", ros_1 ? "nsecs" : "nanosec"};
-  document.check_keys(json, {keys[0], keys[1]});
-  const Json& nanosec = document.need(json, keys[1]);
-  const double nanoseconds = document.number(nanosec);
-  if (!(nanoseconds >= 0 && nanoseconds < 1e9))
-    document.refuse(nanosec, "must be at least 0 and below 1e9");
-  return (document.number(document.need(json, keys[0])) * 1e9 + nanoseconds) / 1e9;
+  const auto [seconds, nanoseconds] = seconds_and_nanoseconds(document, json);
+  return (seconds * 1e9 + nanoseconds) / 1e9;
 }
 
 std::int64_t in_nanoseconds(double time) {
@@ -89,6 +83,17 @@ void append_member(std::string& text, const char* key, const std::vector<Configu
 }
 
 }  // namespace
+
+std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, const Json& json) {
+  const bool ros_1 = document.find(json, "secs") != nullptr;
+  const char* const keys[] = {ros_1 ? "secs" : "sec", ros_1 ? "nsecs" : "nanosec"};
+  document.check_keys(json, {keys[0], keys[1]});
+  const Json& nanosec = document.need(json, keys[1]);
+  const double nanoseconds = document.number(nanosec);
+  if (!(nanoseconds >= 0 && nanoseconds < 1e9))
+    document.refuse(nanosec, "must be at least 0 and below 1e9");
+  return {document.number(document.need(json, keys[0])), nanoseconds};
+}
 
 Trajectory PointReader::finish(Json root) {
   const JsonDocument document(std::move(root), path_);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/json_parse.h>
@@ -27,6 +28,10 @@ class PointReader {
   std::size_t joints_ = 0;
   Trajectory trajectory_;
 };
+
+/// Returns the seconds and the nanoseconds of a time of ROS: sec and nanosec, or of ROS 1 secs and
+/// nsecs.
+std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, const Json& json);
 
 /// Hands the points of a message to the reader, which must outlive the result.
 JsonItemSink sink_of(PointReader& reader);

@@ -24,26 +24,6 @@ Json scalar(const std::string& text, const std::string& tag) {
   return {text};
 }
 
-/// The same value as JSON.
-Json json_of(Yaml&& yaml) {
-  Json json;
-  if (auto* text = std::get_if<std::string>(&yaml.value)) {
-    json = scalar(*text, yaml.tag);
-  } else if (auto* items = std::get_if<Yaml::Items>(&yaml.value)) {
-    Json::Items list;
-    for (Yaml& item : *items) list.push_back(json_of(std::move(item)));
-    json.value = std::move(list);
-  } else {
-    Json::Members members;
-    for (YamlMember& member : std::get<Yaml::Members>(yaml.value)) {
-      members.push_back({std::move(member.key), json_of(std::move(member.value))});
-    }
-    json.value = std::move(members);
-  }
-  json.line = yaml.line;
-  return json;
-}
-
 Yaml* member_of(Yaml& yaml, std::string_view key) {
   auto* members = std::get_if<Yaml::Members>(&yaml.value);
   if (members == nullptr) return nullptr;
@@ -62,16 +42,25 @@ Yaml& message_in(Yaml& root) {
   return root;
 }
 
-/// Returns the text without a line `---` at its end, which separates messages.
-std::string_view without_separator(std::string_view text) {
+/// Returns the text without a line `---` at its end, which separates messages. Throws FileError if
+/// another message follows one.
+std::string_view without_separator(std::string_view text, const std::string& path) {
   const std::size_t end = text.find_last_not_of(" \t\r\n");
   text = text.substr(0, end == std::string_view::npos ? 0 : end + 1);
   if (text.ends_with("\n---")) text.remove_suffix(3);
+  const std::size_t next = text.find("\n---\n", text.find_first_not_of("- \t\r\n"));
+  if (next != std::string_view::npos && text.find("\npoints:") < next) {
+    throw FileError(path,
+                    static_cast<int>(std::count(
+                        text.begin(), text.begin() + static_cast<std::ptrdiff_t>(next), '\n')) +
+                        3,
+                    "has a second message; a file has one JointTrajectory, or many JointState");
+  }
   return text;
 }
 
 Trajectory trajectory_from_values(std::string_view text, const std::string& path) {
-  Yaml root = parse_yaml(without_separator(text), path, trajectory_bounds);
+  Yaml root = parse_yaml(without_separator(text, path), path, trajectory_bounds);
   Yaml& message = message_in(root);
   if (!std::holds_alternative<Yaml::Members>(message.value)) {
     throw FileError(path, message.line, "is no map with the keys joint_names and points");
@@ -101,6 +90,25 @@ bool is_in_braces(std::string_view text) {
 }
 
 }  // namespace
+
+Json json_of(Yaml&& yaml) {
+  Json json;
+  if (auto* text = std::get_if<std::string>(&yaml.value)) {
+    json = scalar(*text, yaml.tag);
+  } else if (auto* items = std::get_if<Yaml::Items>(&yaml.value)) {
+    Json::Items list;
+    for (Yaml& item : *items) list.push_back(json_of(std::move(item)));
+    json.value = std::move(list);
+  } else {
+    Json::Members members;
+    for (YamlMember& member : std::get<Yaml::Members>(yaml.value)) {
+      members.push_back({std::move(member.key), json_of(std::move(member.value))});
+    }
+    json.value = std::move(members);
+  }
+  json.line = yaml.line;
+  return json;
+}
 
 Trajectory trajectory_from_yaml(std::string_view text, const std::string& path) {
   if (!is_in_braces(text)) return trajectory_from_values(text, path);

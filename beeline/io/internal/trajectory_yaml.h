@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/yaml.h>
+#include <beeline/io/text/json.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -14,5 +16,8 @@ namespace beeline::internal {
 /// 300,000 values. Throws FileError that names the line and the value.
 Trajectory trajectory_from_yaml(std::string_view text, const std::string& path);
 Trajectory trajectory_from_yaml(InputFile& file);
+
+/// The same value as JSON; plain scalars are numbers where they can be.
+Json json_of(Yaml&& yaml);
 
 }  // namespace beeline::internal

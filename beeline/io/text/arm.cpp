@@ -98,7 +98,8 @@ std::string name(ReadWarningKind kind) {
       "warning",
       "tip_among_frames tip_among_branches before_gripper below_free_joint malformed "
       "xacro_tag unknown_link two_parents cycle repeated_name unconnected_link unknown_type "
-      "zero_axis limits_reversed velocity_limit unknown_leader leader_cycle further_faults");
+      "zero_axis limits_reversed velocity_limit unknown_leader leader_cycle constant_mimic "
+      "further_faults");
   return names.of(kind);
 }
 
@@ -141,6 +142,7 @@ std::string sentence(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::below_free_joint:
       return "the base is " + warning.link + ", below joint " + warning.joint +
              ", which places the arm in the world; " + dashes + "base selects another";
+    case ReadWarningKind::constant_mimic:
     case ReadWarningKind::further_faults:
       return located(internal::clause(warning));
     case ReadWarningKind::unknown_type:

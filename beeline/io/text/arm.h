@@ -41,6 +41,8 @@ enum class ReadWarningKind {
                        ///< the known joints, none if there are more than 10,000
   leader_cycle,        ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
                        ///< other
+  constant_mimic,      ///< `joint` mimics, by leaders perhaps, the fixed joint `value`: it is
+                       ///< constant at `numbers`
   further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
@@ -79,6 +81,7 @@ struct ReadWarning {
   std::string attribute = {}, value = {};           ///< of a malformed element
   std::vector<double> numbers = {};                 ///< of the joint
   std::size_t count = 0;
+  bool lists_known = true;  ///< false: a warning before this one has listed the known names
 };
 
 /// Whether the warning is of a fault; the others are selections.

@@ -68,8 +68,7 @@ class JsonDocument {
   /// objects of more than 32 keys and documents of more than 8 million values. These bounds keep
   /// memory and stack bounded for any text.
   template <std::convertible_to<std::string_view> Text>
-  JsonDocument(const Text& text, const std::string& path)
-      : JsonDocument(parse(text, path), path) {}
+  JsonDocument(const Text& text, const std::string& path) : JsonDocument(parse(text, path), path) {}
 
   /// A document that was parsed, or a value of one, whose path in the document is `place`.
   JsonDocument(Json root, std::string path, std::string place = "");

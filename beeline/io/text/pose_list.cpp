@@ -97,7 +97,8 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
   internal::CsvRows rows(lines, path, {forms_without_names(format), internal::names_pose});
   PoseList list{.has_header = rows.has_header()};
   try {
-    const Names header = internal::in_known_case(rows.columns());
+    const internal::ColumnsInUnits named = internal::known_columns(rows.columns());
+    const Names& header = named.names;
     const PoseColumns& columns = internal::pose_columns_of(header);
     list.columns = columns.names;
     list.planar = columns.planar;
@@ -108,9 +109,12 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
       const auto column = std::find(header.begin(), header.end(), name);
       column_of.push_back(static_cast<std::size_t>(column - header.begin()));
     }
+    const std::vector<double> factors = internal::pose_factors(named, format, rows.stated());
     std::vector<double> values(columns.names.size());
     for (std::vector<double> row; rows.next(row);) {
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = row[column_of[i]];
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = factors[column_of[i]] * row[column_of[i]];
+      }
       const WrittenPose written = written_pose(values, columns, format);
       list.poses.push_back(checked_pose(written.pose));
       list.lines.push_back(rows.line());

@@ -79,6 +79,9 @@ struct PoseColumns {
 /// All of them: x,y,theta first, those of each PoseForm, x,y,z and x,y last.
 const std::vector<PoseColumns>& all_pose_columns();
 
+/// The name of the unit in which written_pose() takes the numbers of a column; empty for none.
+std::string unit_of_column(const std::string& name, const PoseFormat& format);
+
 /// Whether numbers without names may be in these columns: whether they have the orientation of
 /// format.pose_form, or by default rpy, a quaternion or a matrix, or none; of three, format.triple.
 bool reads_without_names(const PoseColumns& columns, const PoseFormat& format);
@@ -101,8 +104,11 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {}
 /// are alike. Without a header, the columns are those of the form with as many, in its order, see
 /// PoseFormat, or those that a comment before the first row names. The separator is a comma, a
 /// semicolon, a tab or blanks; unless it is a comma, numbers may have decimal commas. Empty lines
-/// and lines that begin with # are skipped. Throws FileError for a column that is missing or
-/// unknown, as pose_of(), and for a pose farther away than 1e100 m.
+/// and lines that begin with # are skipped. Numbers are in the units of `format`, except where a
+/// name of a column (x_mm, roll [deg]), a row of units below the header (mm,mm,deg) or a comment
+/// before it (# units: mm, deg) gives another one. Throws FileError for a column that is missing or
+/// unknown, as pose_of(), for a pose farther away than 1e100 m, and for a comment that contradicts
+/// degrees or millimetres of `format`.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
@@ -141,7 +147,8 @@ bool is_program(std::string_view text);
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
 /// neither a pose nor joint values, with both, or with a part of a pose, except a via row with a
 /// position only; and as read_poses().
-/// Speeds, blends and the travel of prismatic joints stay in metres.
+/// Speeds, blends and the travel of prismatic joints stay in metres. A comment that gives other
+/// units than `format` is refused.
 ProgramRows read_program_rows(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,

@@ -30,7 +30,8 @@ namespace beeline {
 ///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on
 ///     the chain is refused.
 ///   - Mimic joints whose leader is not on the chain follow the first of them in the file, which
-///     has a coordinate of its own.
+///     has a coordinate of its own. A mimic joint whose leader is fixed is fixed too, at its
+///     offset: `warnings` says so. One whose leader is floating or planar is refused.
 ///   - ControllerFrames: the root frame is the link `base` and the flange the link `tool0`, as in
 ///     ROS-Industrial's descriptions (REP 199), where only fixed joints connect them to the chain's
 ///     ends. Otherwise they are the base link and the tip.

@@ -69,6 +69,15 @@ bool CsvLines::next_raw(std::string_view& line) {
   }
 }
 
+void CsvLines::keep_comment(std::string_view line) {
+  constexpr std::size_t most = 100, longest = 10'000;  // a header, which comes last, may be longer
+  const std::size_t text = line.find_first_not_of("#% \t");
+  line = text == std::string_view::npos ? std::string_view() : line.substr(text);
+  const bool full = comments_.size() == most;
+  if (!comments_.empty() && (full || comments_.back().size() > longest)) comments_.pop_back();
+  comments_.emplace_back(line);
+}
+
 bool CsvLines::next(std::string_view& line) {
   while (next_raw(line)) {
     if (number_ == 1 && (separator_ = separator_given_by(line))) continue;
@@ -78,10 +87,7 @@ bool CsvLines::next(std::string_view& line) {
       in_front_ = false;
       return true;
     }
-    if (in_front_ && comment) {
-      const std::size_t text = line.find_first_not_of("#% \t");
-      comment_ = text == std::string_view::npos ? std::string_view() : line.substr(text);
-    }
+    if (in_front_ && comment) keep_comment(line);
   }
   return false;
 }

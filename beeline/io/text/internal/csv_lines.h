@@ -26,13 +26,15 @@ class CsvLines {
   /// Gets the next line, which is valid until the next call; returns false at the end.
   bool next(std::string_view& line);
   std::int64_t number() const { return number_; }  ///< of the line from next(), from 1
-  /// The last comment before the first line of data, without its # or %; empty if there is none.
-  const std::string& comment() const { return comment_; }
+  /// The comments before the first line of data, without their # or %: the last one and, if there
+  /// are many, the first ones of the others, as far as they are short.
+  const std::vector<std::string>& comments() const { return comments_; }
   /// The separator that the first line gives, once a line has been read.
   std::optional<char> separator() const { return separator_; }
 
  private:
   bool next_raw(std::string_view& line);
+  void keep_comment(std::string_view line);
   void read_more();
   void find_line_end();
 
@@ -42,7 +44,7 @@ class CsvLines {
   bool ended_ = true;     ///< no text follows `unread_`
   char line_end_ = '\0';  ///< unknown before the first line
   std::int64_t number_ = 0;
-  std::string comment_;
+  std::vector<std::string> comments_;
   std::optional<char> separator_;
   bool in_front_ = true;  ///< no line of data has been returned
 };

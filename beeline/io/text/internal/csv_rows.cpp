@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -110,12 +109,9 @@ std::string form_text(const Names& form) {
                                      " numbers, and a row without a header has one of " + choices));
 }
 
-/// The whole number that the text is; none for another text.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+int line_number(std::int64_t count) {
+  constexpr std::int64_t last = std::numeric_limits<int>::max();
+  return static_cast<int>(std::min(count, last));
 }
 
 const char* past_blanks(const char* at, const char* last, char separator) {
@@ -147,11 +143,14 @@ CsvRows::CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms
     : lines_(lines), path_(path) {
   std::string_view first;
   if (!lines_.next(first)) throw FileError(path_, 0, "is empty; it needs a header and rows");
-  if (!is_utf8(first)) throw FileError(path_, line(), "the header " + not_utf8(first));
+  if (!is_utf8(first))
+    throw FileError(path_, line_number(lines_.number()), "the header " + not_utf8(first));
+  header_line_ = line_number(lines_.number());
   try {
     read_columns(first, forms);
+    read_units();
   } catch (const Error& error) {
-    throw FileError(path_, line(), error.what());
+    throw FileError(path_, header_line_, error.what());
   }
 }
 
@@ -185,17 +184,54 @@ void CsvRows::read_columns(std::string_view first, const CsvForms& forms) {
   columns_ = parse_header(first, separator_);
 }
 
+/// The header is the last comment, or the one before it if that is a row of units.
 bool CsvRows::has_names_in_comment(std::size_t count, const CsvForms& forms) {
-  const std::string_view comment = lines_.comment();
   const auto& accepts = forms.accepts_comment ? forms.accepts_comment : forms.accepts;
-  if (accepts == nullptr || comment.empty()) return false;
+  if (accepts == nullptr) return false;
+  const std::vector<std::string>& comments = lines_.comments();
+  const std::size_t most = std::min<std::size_t>(2, comments.size());
+  for (std::size_t back = 1; back <= most; ++back) {
+    const std::string& comment = comments[comments.size() - back];
+    try {
+      Names names = parse_header(comment, csv_separator(comment));
+      if (names.size() != count || !accepts(names)) continue;
+      columns_ = std::move(names);
+      header_comment_ = comments.size() - back;
+      return true;
+    } catch (const Error&) {
+      continue;  // a comment may be any text
+    }
+  }
+  return false;
+}
+
+/// Reads the units in the row below the header, or in comments.
+void CsvRows::read_units() {
+  if (has_header_ && first_row_.empty()) {
+    std::string_view next;
+    if (lines_.next(next)) first_row_ = next;
+  }
+  if (has_header_ && take_units(first_row_, separator_)) first_row_.clear();
+  std::vector<std::string> comments = lines_.comments();
+  if (header_comment_) {
+    comments.erase(comments.begin() + static_cast<std::ptrdiff_t>(*header_comment_));
+  }
+  if (!comments.empty() && has_header_) {
+    const std::string& last = comments.back();
+    if (take_units(last, csv_separator(last))) comments.pop_back();
+  }
+  stated_ = stated_units(comments);
+}
+
+/// Takes the units if the line is a row of them.
+bool CsvRows::take_units(std::string_view line, char separator) {
   try {
-    Names names = parse_header(comment, csv_separator(comment));
-    if (names.size() != count || !accepts(names)) return false;
+    Names names = with_units(columns_, csv_items(line, separator));
+    if (names.empty()) return false;
     columns_ = std::move(names);
     return true;
   } catch (const Error&) {
-    return false;  // a comment may be any text
+    return false;  // the row is refused when it is read
   }
 }
 
@@ -226,7 +262,7 @@ bool CsvRows::next(std::vector<double>& row) {
 void CsvRows::parse(double* numbers) {
   std::string_view rest = row_;
   DecimalMarks marks = marks_;
-  double counted_value = 0;
+  date_.reset();
   std::size_t index = 0;
   for (bool more = true; more; ++index) {
     double value = 0;
@@ -240,17 +276,32 @@ void CsvRows::parse(double* numbers) {
       more = take_item(rest, item_, separator_);
       if (index >= columns_.size()) continue;
       if (index == 0 && !more && columns_.size() > 1) refuse_count(1);  // perhaps all of the row
-      if (!ignored) value = number_in(item_, columns_[index], marks);
+      if (!ignored) value = number_or_date(item_, index, marks);
       digits = item_;
     }
     if (index < columns_.size()) numbers[index] = value;
-    if (index != counted_) continue;
-    counted_item_ = digits;
-    counted_value = value;
+    for (CountedColumn& counted : counted_) {
+      if (counted.column != index) continue;
+      counted.item = digits;
+      counted.value = value;
+    }
   }
   if (index != columns_.size()) refuse_count(index);
   keep(marks);
-  if (counted_) count(counted_item_, counted_value);
+  if (!counted_.empty()) count_all();
+}
+
+/// The number of an item that take_plain_number() refuses. A date gives 0.
+double CsvRows::number_or_date(const std::string& item, std::size_t index, DecimalMarks& marks) {
+  if (counted_.empty() || counted_.front().column != index) {
+    return number_in(item, columns_[index], marks);
+  }
+  try {
+    date_ = parse_date(item);
+  } catch (const Error& error) {
+    throw error.behind("column " + printable(columns_[index]) + ": ");
+  }
+  return date_ ? 0 : number_in(item, columns_[index], marks);
 }
 
 void CsvRows::items(std::vector<std::string>& texts) const {
@@ -309,24 +360,28 @@ double CsvRows::number_in(std::string item, const std::string& column, DecimalMa
   }
 }
 
-/// Sets from_first() by an item of the counted column and its number.
-void CsvRows::count(std::string_view item, double value) {
-  using Whole = std::numeric_limits<std::int64_t>;
-  const std::optional<std::int64_t> whole = whole_number(trimmed(item));
-  if (!first_number_) {
-    first_number_ = value;
-    first_whole_ = whole;
-  }
-  from_first_ = value - *first_number_;
-  if (!whole || !first_whole_) return;
-  const std::int64_t first = *first_whole_;
-  const bool overflows = first < 0 ? *whole > Whole::max() + first : *whole < Whole::min() + first;
-  if (!overflows) from_first_ = static_cast<double>(*whole - first);
+void CsvRows::count_from_first(const std::vector<std::size_t>& columns) {
+  for (const std::size_t column : columns) counted_.push_back({.column = column});
 }
 
-int CsvRows::line() const {
-  constexpr std::int64_t last = std::numeric_limits<int>::max();
-  return static_cast<int>(std::min(lines_.number(), last));
+/// Throws Error for dates beside numbers, and with a zone beside those without.
+void CsvRows::count_all() {
+  const std::string column = "column " + printable(columns_[counted_.front().column]);
+  if (!counted_.front().first) has_dates_ = date_.has_value();
+  if (has_dates_ != date_.has_value()) {
+    throw Error(column + " has dates and numbers; write one of them throughout");
+  }
+  if (!date_) {
+    for (CountedColumn& counted : counted_) counted.count();
+    return;
+  }
+  if (zoned_.value_or(date_->has_zone) != date_->has_zone) {
+    throw Error(column + " has dates with and without a zone; write one of them throughout");
+  }
+  zoned_ = date_->has_zone;
+  counted_.front().count(date_->nanoseconds, 1e9);
 }
+
+int CsvRows::line() const { return empty_ ? header_line_ : line_number(lines_.number()); }
 
 }  // namespace beeline::internal

@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/io/text/internal/column_unit.h>
+#include <beeline/io/text/internal/counted_column.h>
 #include <beeline/io/text/internal/csv_lines.h>
+#include <beeline/io/text/internal/date.h>
 
 namespace beeline::internal {
 
@@ -30,24 +33,29 @@ struct CsvForms {
 /// numbers may have decimal commas, if all have. Items may be in double quotes. Blanks around
 /// items, CRLF, a byte order mark, empty lines, and lines that begin with # or % are skipped.
 /// Unless CsvForms::accepts the first line, the comment before it is the header if it has as many
-/// names and CsvForms::accepts_comment them, as files of numpy.savetxt() have it. The memory is
+/// names and CsvForms::accepts_comment them, as files of numpy.savetxt() have it. A row of units
+/// below the header, or a comment of as many, is appended to the names: with_units(). The memory is
 /// that of one line.
 class CsvRows {
  public:
   using Names = CsvForms::Names;
 
   /// Reads the header. `path` is for messages. `lines` and `path` must outlive this object. Throws
-  /// FileError for an empty text, a repeated or empty name, a header that is not UTF-8, and numbers
-  /// in the place of a header that no form has.
+  /// FileError for an empty text, a repeated or empty name, a header that is not UTF-8, numbers
+  /// in the place of a header that no form has, and comments that give two units of a quantity.
   CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms = {});
 
   const Names& columns() const { return columns_; }
   bool has_header() const { return has_header_; }
-  /// From now on, from_first() is the number of this column less that of the first row, exactly if
-  /// both are whole numbers below 2^63: times since 1970 in nanoseconds exceed the digits of a
-  /// double.
-  void count_from_first(std::size_t column) { counted_ = column; }
-  double from_first() const { return from_first_; }
+  /// The units in the comments before the header.
+  const StatedUnits& stated() const { return stated_; }
+  /// From now on, from_first(i) is the number of the i-th of these columns less that of the first
+  /// row, exactly if both are whole numbers below 2^63: times since 1970 in nanoseconds exceed the
+  /// digits of a double. The first column may have dates, parse_date(), instead of numbers: then
+  /// rows have 0 and from_first(0) is in seconds.
+  void count_from_first(const std::vector<std::size_t>& columns);
+  double from_first(std::size_t i) const { return counted_[i].from_first; }
+  bool has_dates() const { return has_dates_; }  ///< known once a row has been read
   /// From now on, the items of these columns may be texts, in whose place rows have 0.
   void ignore(std::vector<bool> columns) { ignored_ = std::move(columns); }
 
@@ -73,9 +81,12 @@ class CsvRows {
 
   void read_columns(std::string_view first, const CsvForms& forms);
   bool has_names_in_comment(std::size_t count, const CsvForms& forms);
+  void read_units();
+  bool take_units(std::string_view line, char separator);
+  double number_or_date(const std::string& item, std::size_t index, DecimalMarks& marks);
   double number_in(std::string item, const std::string& column, DecimalMarks& marks) const;
   void keep(const DecimalMarks& marks);
-  void count(std::string_view item, double value);
+  void count_all();
   [[noreturn]] void refuse_count(std::size_t count) const;
 
   CsvLines& lines_;
@@ -84,15 +95,18 @@ class CsvRows {
   char separator_ = ',';
   DecimalMarks marks_;
   bool has_header_ = true;
-  std::string first_row_;  ///< without a header, or below a header in a comment
+  StatedUnits stated_;
+  int header_line_ = 0;
+  std::optional<std::size_t> header_comment_;  ///< index of the comment that is the header
+  std::string first_row_;                      ///< if it has been read with the header
   std::string_view row_;
-  std::string item_, counted_item_;  ///< of parse(), whose memory is reused
-  bool empty_ = true;                ///< no row has been reached
+  std::string item_;   ///< of parse(), whose memory is reused
+  bool empty_ = true;  ///< no row has been reached
   std::vector<bool> ignored_;
-  std::optional<std::size_t> counted_;
-  std::optional<double> first_number_;       ///< of that column
-  std::optional<std::int64_t> first_whole_;  ///< the same, if it is a whole number
-  double from_first_ = 0;
+  std::vector<CountedColumn> counted_;
+  bool has_dates_ = false;
+  std::optional<Date> date_;   ///< of the row
+  std::optional<bool> zoned_;  ///< whether the dates have a zone
 };
 
 }  // namespace beeline::internal

@@ -157,7 +157,7 @@ const PoseColumns& pose_columns_of(const Names& header) {
   throw Error("column " + listed(extra) + " does not belong to " + listed(nearest->names) + known);
 }
 
-Names in_known_case(Names header) {
+ColumnsInUnits known_columns(const Names& header) {
   static const std::unordered_map<std::string, std::string> known = [] {
     std::unordered_map<std::string, std::string> names;
     for (const PoseColumns& columns : all_pose_columns()) {
@@ -166,20 +166,30 @@ Names in_known_case(Names header) {
     for (const std::string& name : program_columns()) names.emplace(name, name);
     return names;
   }();
+  ColumnsInUnits columns = columns_in_units(header, {});
   std::unordered_set<std::string> seen;
-  for (std::string& name : header) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    std::string& name = columns.names[i];
     const auto found = known.find(lower_case(name));
     if (found != known.end()) name = found->second;
+    if (columns.units[i] != nullptr && contains(program_columns(), name)) name = header[i];
     if (!seen.insert(name).second) {
       throw Error("column " + in_quotes(name) + " is given twice, in upper and lower case");
     }
   }
-  return header;
+  return columns;
+}
+
+std::vector<double> pose_factors(const ColumnsInUnits& columns, const PoseFormat& format,
+                                 const StatedUnits& stated) {
+  Names wanted;
+  for (const std::string& name : columns.names) wanted.push_back(unit_of_column(name, format));
+  return factors_to(wanted, columns, stated);
 }
 
 bool names_pose(const Names& header) {
   try {
-    pose_columns_of(in_known_case(header));
+    pose_columns_of(known_columns(header).names);
     return true;
   } catch (const Error&) {
     return false;
@@ -238,6 +248,21 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
   }
   if (format.millimetres) written.pose.translation() /= 1000;
   return written;
+}
+
+std::string unit_of_column(const std::string& name, const PoseFormat& format) {
+  static const std::vector<std::string> positions{"x", "y", "z", "m14", "m24", "m34"};
+  static const std::vector<std::string> angles{"theta", "roll", "pitch", "yaw"};
+  static const std::vector<std::string> rotation_vectors{"rx", "ry", "rz"};
+  static const std::vector<std::string> kuka{"A", "B", "C"};
+  const auto has = [&name](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const bool degrees = format.unit == AngleUnit::degrees;
+  if (has(positions)) return format.millimetres ? "mm" : "m";
+  if (has(angles)) return degrees ? "deg" : "rad";
+  if (has(rotation_vectors)) return "rad";
+  return has(kuka) ? "deg" : "";
 }
 
 }  // namespace beeline

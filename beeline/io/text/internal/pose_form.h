@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/io/text/internal/column_unit.h>
 #include <beeline/io/text/pose_list.h>
 
 namespace beeline::internal {
@@ -25,9 +26,15 @@ const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
 /// one that is missing or does not belong to the others.
 const PoseColumns& pose_columns_of(const std::vector<std::string>& header);
 
-/// Returns the header with each name of a column in lower or upper case as in all_pose_columns()
-/// and program_columns(). Throws Error if two are the same then.
-std::vector<std::string> in_known_case(std::vector<std::string> header);
+/// Returns the columns of a header with their units: each name without its unit, and in lower or
+/// upper case as in all_pose_columns() and program_columns(); the latter have no units. Throws
+/// Error if two are the same then.
+ColumnsInUnits known_columns(const std::vector<std::string>& header);
+
+/// Returns what the numbers of each column of a file are multiplied by, for written_pose(). Throws
+/// Error as factors_to().
+std::vector<double> pose_factors(const ColumnsInUnits& columns, const PoseFormat& format,
+                                 const StatedUnits& stated);
 
 /// Whether these are the columns of a form, in any order, upper or lower case.
 bool names_pose(const std::vector<std::string>& header);

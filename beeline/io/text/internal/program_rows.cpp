@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
@@ -35,6 +36,7 @@ struct ProgramColumns {
   std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
   const PoseColumns* form = nullptr;                ///< none: all rows have joint values
+  std::vector<double> factors = {};                 ///< of each number in a row: pose_factors()
 };
 
 ProgramColumns program_columns_of(const Columns& header) {
@@ -56,10 +58,29 @@ ProgramColumns program_columns_of(const Columns& header) {
   return columns;
 }
 
+/// Throws Error for units in comments that are not those of the format, or that speeds and blends,
+/// which are in metres, do not have.
+void check_stated(const internal::StatedUnits& stated, const PoseFormat& format,
+                  const ProgramColumns& columns) {
+  const std::tuple<const internal::Unit*, std::string, const char*> units[] = {
+      {stated.angle, unit_of_column("theta", format), "angles (unit, --degrees)"},
+      {stated.length, unit_of_column("x", format), "positions (millimetres, --millimetres)"}};
+  for (const auto& [unit, read, option] : units) {
+    if (unit == nullptr || internal::name_of(*unit) == read) continue;
+    throw Error("a comment gives " + internal::name_of(*unit) + ", but a program is read in " +
+                read + " here; an option gives the unit of " + option);
+  }
+  const bool has_metres = columns.named[3] || columns.named[4];
+  if (stated.length == nullptr || stated.length->si == 1 || !has_metres) return;
+  throw Error("a comment gives " + internal::name_of(*stated.length) +
+              ", but speeds and blends are in m/s and m; write the unit behind the names of the "
+              "other columns");
+}
+
 /// Whether the names are those of a pose or of a program.
 bool are_known(const Columns& names) {
   try {
-    program_columns_of(internal::in_known_case(names));
+    program_columns_of(internal::known_columns(names).names);
     return true;
   } catch (const Error&) {
     return false;
@@ -92,7 +113,7 @@ std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<st
       !orientation_counts && std::all_of(orientation, columns.pose.end(), is_empty);
   for (auto i = columns.pose.begin(); i != (position_only ? orientation : columns.pose.end());
        ++i) {
-    numbers.push_back(rows.number(items[*i], header[*i]));
+    numbers.push_back(columns.factors[*i] * rows.number(items[*i], header[*i]));
   }
   if (numbers.size() < columns.pose.size()) {
     numbers.resize(columns.pose.size());
@@ -158,7 +179,7 @@ bool is_program(std::string_view text) {
     const std::string path;
     internal::CsvLines lines(text, path);
     const internal::CsvRows rows(lines, path, {{}, are_known});
-    const Columns header = internal::in_known_case(rows.columns());
+    const Columns header = internal::known_columns(rows.columns()).names;
     return std::any_of(header.begin(), header.end(),
                        [](const std::string& name) { return has(program_columns(), name); });
   } catch (const Error&) {  // its reader says what is wrong
@@ -172,8 +193,11 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
   internal::CsvRows rows(lines, path, {{}, are_known});
   ProgramRows program{.path = path, .rows = {}};
   try {
-    const Columns header = internal::in_known_case(rows.columns());
-    const ProgramColumns columns = program_columns_of(header);
+    const internal::ColumnsInUnits named = internal::known_columns(rows.columns());
+    const Columns& header = named.names;
+    ProgramColumns columns = program_columns_of(header);
+    check_stated(rows.stated(), format, columns);
+    columns.factors = internal::pose_factors(named, format, {});
     while (rows.advance()) {
       program.rows.push_back(row_in(rows, columns, header, format));
       program.rows.back().line = rows.line();

@@ -1,4 +1,5 @@
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/text_encoding.h>
@@ -16,6 +17,12 @@ std::string number_clause(const ReadWarning& fault) {
       fault.value.find("${") != std::string::npos || fault.value.find("$(") != std::string::npos;
   return fault.element + ": " + fault.attribute + ": " + clause(fault.element_fault, fault.value) +
          (macro ? "; run xacro first" : "");
+}
+
+/// Says that the fault's name is unknown, and which names are known unless they are listed before.
+std::string unknown(const ReadWarning& fault, const std::string& what, const std::string& name,
+                    const std::vector<std::string>& known) {
+  return unknown_name(what, printable(name), known, fault.lists_known).what();
 }
 
 std::string malformed_clause(const ReadWarning& fault) {
@@ -68,8 +75,7 @@ std::string clause(const ReadWarning& fault) {
       return "is a xacro file (it contains " + fault.element + ")" + run_xacro;
     case ReadWarningKind::unknown_link: {
       const std::string end = fault.element == "<parent>" ? "parent link" : "child link";
-      return "joint " + fault.joint + " has an " +
-             unknown_name(end, printable(fault.link), fault.others).what();
+      return "joint " + fault.joint + " has an " + unknown(fault, end, fault.link, fault.others);
     }
     case ReadWarningKind::two_parents:
       return "link " + fault.link + " has two parents, by joints " + listed(fault.others) +
@@ -84,7 +90,7 @@ std::string clause(const ReadWarning& fault) {
       return "link " + fault.link + " is not connected by any joint";
     case ReadWarningKind::unknown_type:
       return "joint " + fault.joint + " has an " +
-             unknown_name("type", printable(fault.value), urdf_joint_types()).what();
+             unknown(fault, "type", fault.value, urdf_joint_types());
     case ReadWarningKind::zero_axis:
       return "joint " + fault.joint + ": " +
              no_direction({fault.numbers[0], fault.numbers[1], fault.numbers[2]});
@@ -96,11 +102,14 @@ std::string clause(const ReadWarning& fault) {
              " is below " + number(Limits::min_rate) + "; 0 and -1 stand for none";
     case ReadWarningKind::unknown_leader:
       return "joint " + fault.joint + " mimics an " +
-             unknown_name("joint", printable(fault.value), fault.others).what();
+             unknown(fault, "joint", fault.value, fault.others);
     case ReadWarningKind::leader_cycle:
       return "joint " + fault.joint +
              (fault.value == fault.joint ? " mimics itself"
                                          : " follows leaders that mimic each other");
+    case ReadWarningKind::constant_mimic:
+      return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
+             ", which is fixed: it is constant at " + number(fault.numbers[0]);
     case ReadWarningKind::further_faults:
       return "has " + std::to_string(fault.count) + " more faults beside the chain";
     default:

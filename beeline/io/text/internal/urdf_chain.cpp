@@ -65,9 +65,9 @@ void warn_of_faults(const UrdfFile& file, const UrdfTree& tree,
                     std::vector<ReadWarning>& warnings) {
   constexpr std::size_t most = 10;
   const std::vector<UrdfFault>& faults = tree.faults();
-  const std::size_t listed = std::min(most, faults.size());
-  for (std::size_t i = 0; i < listed; ++i) warnings.push_back(warning_of(file, faults[i]));
-  const std::size_t further = faults.size() - listed + file.further_faults;
+  std::vector<ReadWarning> listed = warnings_of(file, faults, most);
+  const std::size_t further = faults.size() - listed.size() + file.further_faults;
+  warnings.insert(warnings.end(), listed.begin(), listed.end());
   if (further == 0) return;
   warnings.push_back(
       {.kind = ReadWarningKind::further_faults, .path = file.path, .count = further});

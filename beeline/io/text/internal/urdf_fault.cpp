@@ -1,12 +1,12 @@
+#include <algorithm>
+#include <utility>
+
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 
 namespace beeline::internal {
 
-FileError error_of(const UrdfFile& file, const UrdfFault& fault, const std::string& cure) {
-  const ReadWarning warning = warning_of(file, fault);
-  return {file.path, warning.line, clause(warning) + cure};
-}
+namespace {
 
 ReadWarning warning_of(const UrdfFile& file, const UrdfFault& fault) {
   constexpr std::size_t most_compared = 10'000;  // beyond, the search for the nearest takes seconds
@@ -19,6 +19,26 @@ ReadWarning warning_of(const UrdfFile& file, const UrdfFault& fault) {
     for (const auto& joint : file.joints) warning.others.push_back(joint.name);
   }
   return warning;
+}
+
+}  // namespace
+
+FileError error_of(const UrdfFile& file, const UrdfFault& fault, const std::string& cure) {
+  const ReadWarning warning = warning_of(file, fault);
+  return {file.path, warning.line, clause(warning) + cure};
+}
+
+std::vector<ReadWarning> warnings_of(const UrdfFile& file, const std::vector<UrdfFault>& faults,
+                                     std::size_t most) {
+  std::vector<ReadWarning> warnings;
+  for (std::size_t i = 0; i < std::min(most, faults.size()); ++i) {
+    ReadWarning warning = warning_of(file, faults[i]);
+    warning.lists_known =
+        std::none_of(warnings.begin(), warnings.end(),
+                     [&](const ReadWarning& before) { return before.kind == warning.kind; });
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace beeline::internal

@@ -12,7 +12,7 @@ namespace beeline::internal {
 
 /// A fault of a URDF file. On the chain it is an error, beside the chain a warning.
 struct UrdfFault {
-  ReadWarning warning;                    ///< without its path; warning_of() completes it
+  ReadWarning warning;                    ///< without its path; warnings_of() completes it
   std::optional<std::size_t> index = {};  ///< of the joint in `UrdfFile::joints`
   bool moves = false;                     ///< the chain that the file's author meant may need it
 };

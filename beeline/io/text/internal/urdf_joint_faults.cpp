@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 
 #include <beeline/io/text/internal/urdf_joint_faults.h>
 #include <beeline/model/internal/axis_direction.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 namespace {
@@ -33,6 +37,7 @@ class Leaders {
   bool known(std::size_t joint) const { return leader_[joint] != no_leader; }
   /// Whether the leaders of the joint, followed one after another, have no last one.
   bool endless(std::size_t joint) const { return endless_[joint]; }
+  std::size_t leader(std::size_t joint) const { return leader_[joint]; }
 
  private:
   /// A joint is endless if its leader is. A walk that meets itself is; each joint is walked once.
@@ -55,6 +60,81 @@ class Leaders {
   std::vector<std::size_t> leader_;
   std::vector<bool> endless_;
 };
+
+/// The value of a joint whose leaders, followed one after another, end in the fixed joint `leader`.
+struct ConstantValue {
+  double number = 0;
+  std::string leader = {};
+};
+
+/// Follows each joint once.
+class ConstantValues {
+ public:
+  ConstantValues(const UrdfFile& file, const Leaders& leaders) : file_(file), leaders_(leaders) {
+    values_.resize(file.joints.size());
+    visited_.resize(file.joints.size(), false);
+  }
+
+  const std::optional<ConstantValue>& of(std::size_t joint) {
+    Indices walk;
+    for (std::size_t j = joint; follows(j) && !visited_[j]; j = leaders_.leader(j)) {
+      visited_[j] = true;
+      walk.push_back(j);
+    }
+    for (auto j = walk.rbegin(); j != walk.rend(); ++j) {
+      const std::size_t leader = leaders_.leader(*j);
+      const beeline::Mimic& mimic = *file_.joints[*j].mimic;
+      if (file_.joints[leader].type == "fixed") {
+        values_[*j] = {mimic.offset, file_.joints[leader].name};
+      } else if (values_[leader]) {
+        values_[*j] = {mimic.multiplier * values_[leader]->number + mimic.offset,
+                       values_[leader]->leader};
+      }
+    }
+    return values_[joint];
+  }
+
+ private:
+  using Indices = std::vector<std::size_t>;
+
+  bool follows(std::size_t joint) const {
+    return has_one_dof(file_.joints[joint]) && file_.joints[joint].mimic && leaders_.known(joint) &&
+           !leaders_.endless(joint);
+  }
+
+  const UrdfFile& file_;
+  const Leaders& leaders_;
+  std::vector<std::optional<ConstantValue>> values_;
+  std::vector<bool> visited_;
+};
+
+/// Makes the joints that follow a fixed joint fixed themselves.
+void fix_constant_joints(UrdfFile& file, const Leaders& leaders) {
+  ConstantValues values(file, leaders);
+  std::vector<std::pair<std::size_t, double>> constant;
+  for (std::size_t j = 0; j < file.joints.size(); ++j) {
+    const UrdfFile::Joint& joint = file.joints[j];
+    const std::optional<ConstantValue>& value = values.of(j);
+    if (!value || !std::isfinite(value->number) || !has_direction(joint.axis)) continue;
+    constant.emplace_back(j, value->number);
+    file.faults.push_back({.warning = {.kind = ReadWarningKind::constant_mimic,
+                                       .line = joint.mimic_line,
+                                       .joint = joint.name,
+                                       .value = value->leader,
+                                       .numbers = {value->number}},
+                           .index = j});
+  }
+  for (const auto& [j, value] : constant) {
+    UrdfFile::Joint& joint = file.joints[j];
+    joint.origin =
+        joint.origin *
+        (joint.type == "prismatic"
+             ? se3_exp(translation_screw(joint.axis) * value)
+             : se3_exp(rotation_screw(joint.axis) * std::remainder(value, 2 * std::numbers::pi)));
+    joint.type = "fixed";
+    joint.mimic.reset();
+  }
+}
 
 }  // namespace
 
@@ -90,6 +170,7 @@ void find_joint_faults(UrdfFile& file) {
       add(ReadWarningKind::leader_cycle, joint.mimic_line, {}, joint.mimic->leader);
     }
   }
+  fix_constant_joints(file, leaders);
 }
 
 }  // namespace beeline::internal

@@ -35,7 +35,8 @@ void keep_within(const UrdfFile::Joint& leader, const Mimic& mimic, Limits& limi
 
 class LeaderResolution {
  public:
-  LeaderResolution(const UrdfFile& file, std::vector<Joint>& joints) : joints_(joints) {
+  LeaderResolution(const UrdfFile& file, std::vector<Joint>& joints)
+      : joints_(joints), path_(file.path) {
     for (const UrdfFile::Joint& joint : file.joints) of_file_.emplace(joint.name, &joint);
     for (const Joint& joint : joints) on_chain_.insert(joint.name);
   }
@@ -70,6 +71,12 @@ class LeaderResolution {
   }
 
   void eliminate(const UrdfFile::Joint& leader, const std::vector<std::size_t>& followers) {
+    if (is_free(leader)) {
+      const UrdfFile::Joint& follower = *of_file_.at(joints_[followers.front()].name);
+      throw FileError(path_, follower.mimic_line,
+                      "joint " + follower.name + " mimics joint " + leader.name + ", which is " +
+                          leader.type + " and has several coordinates; a leader has one");
+    }
     const auto moves = [&](std::size_t i) { return joints_[i].mimic->multiplier != 0; };
     const auto first = std::find_if(followers.begin(), followers.end(), moves);
     const std::size_t coordinate = first == followers.end() ? followers.front() : *first;
@@ -86,6 +93,7 @@ class LeaderResolution {
   }
 
   std::vector<Joint>& joints_;
+  const std::string& path_;
   FileJoints of_file_;
   std::unordered_set<std::string> on_chain_;
   std::map<std::string, std::vector<std::size_t>> followers_;  // of a leader beside the chain

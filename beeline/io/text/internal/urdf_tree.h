@@ -86,7 +86,7 @@ class UrdfTree {
   Indices links_below(Indices from) const;
   std::vector<End> moved_ends(std::size_t base, Way way) const;
   std::string before_gripper(const std::vector<End>& ends, std::size_t base) const;
-  std::size_t palm_above(std::size_t link,
+  std::size_t palm_above(std::size_t link, const std::vector<bool>& fingers,
                          std::unordered_map<std::size_t, std::size_t>& known) const;
   std::vector<std::size_t> joint_depths() const;
   std::string below_fixed(std::size_t last, const std::vector<bool>& wanted,

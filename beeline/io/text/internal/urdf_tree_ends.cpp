@@ -14,9 +14,16 @@ namespace beeline::internal {
 /// there; empty where there is none, or where no joint moves it relative to the base.
 std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t base) const {
   std::unordered_map<std::size_t, std::size_t> known;
+  Indices child_link;
+  for (const UrdfFile::Joint& joint : file_.joints) {
+    const auto child = index_.find(joint.child);
+    child_link.push_back(child == index_.end() ? no_link : child->second);
+  }
+  const std::vector<bool> fingers =
+      fingers_by_structure(file_, links_below(roots_), child_joints_, child_link);
   std::size_t palm = no_link;
   for (const End& end : ends) {
-    const std::size_t own = palm_above(end.link, known);
+    const std::size_t own = palm_above(end.link, fingers, known);
     if (own == no_link) continue;
     if (palm != no_link && own != palm) return "";
     palm = own;
@@ -30,8 +37,9 @@ std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t b
 }
 
 /// Returns the link above the uppermost of the joints of fingers over a link, fixed joints aside;
-/// no_link where the next joint is another one. `known` keeps the results of the links passed.
-std::size_t UrdfTree::palm_above(std::size_t link,
+/// no_link where the next joint is another one. `fingers` are those by structure. `known` keeps the
+/// results of the links passed.
+std::size_t UrdfTree::palm_above(std::size_t link, const std::vector<bool>& fingers,
                                  std::unordered_map<std::size_t, std::size_t>& known) const {
   Indices passed;
   std::size_t palm = no_link;
@@ -39,8 +47,9 @@ std::size_t UrdfTree::palm_above(std::size_t link,
     const auto found = known.find(link);
     if (found != known.end()) palm = found->second;
     if (found != known.end() || parent_joint_[link] == no_joint) break;
-    const UrdfFile::Joint& joint = file_.joints[parent_joint_[link]];
-    if (joint.type != "fixed" && !moves_finger(joint)) break;
+    const std::size_t j = parent_joint_[link];
+    const UrdfFile::Joint& joint = file_.joints[j];
+    if (joint.type != "fixed" && !fingers[j] && !moves_finger(joint)) break;
     passed.push_back(link);
   }
   for (auto below = passed.rbegin(); below != passed.rend(); ++below) {

@@ -28,8 +28,8 @@ struct Measured {
 /// Builds the tree from the parser's events. An exception ends the parser's recursion.
 class YamlBuilder final : public YAML::EventHandler {
  public:
-  YamlBuilder(const std::string& path, std::size_t max_values)
-      : path_(path), max_values_(max_values) {}
+  YamlBuilder(const std::string& path, std::size_t max_values, int first_line)
+      : path_(path), max_values_(max_values), first_line_(first_line) {}
 
   Yaml take() { return std::move(root_.yaml); }
 
@@ -74,7 +74,7 @@ class YamlBuilder final : public YAML::EventHandler {
     std::unordered_set<std::string> keys;
   };
 
-  static int line_of(const YAML::Mark& mark) { return mark.line + 1; }
+  int line_of(const YAML::Mark& mark) const { return mark.line + first_line_; }
 
   [[noreturn]] void refuse(int line, const std::string& why) const {
     throw FileError(path_, line, why);
@@ -170,6 +170,7 @@ class YamlBuilder final : public YAML::EventHandler {
 
   const std::string& path_;
   std::size_t max_values_;
+  int first_line_;
   Measured root_;
   std::vector<Open> open_;  // from the root down
   std::map<YAML::anchor_t, Measured> anchors_;
@@ -179,18 +180,19 @@ class YamlBuilder final : public YAML::EventHandler {
 
 }  // namespace
 
-Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds) {
+Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds,
+                int first_line) {
   if (text.size() > bounds.bytes) {
     throw FileError(path, 0, "is larger than " + std::to_string(bounds.bytes >> 20) + " MiB");
   }
   std::istringstream stream{std::string(text_in(text, path))};
-  YamlBuilder builder(path, bounds.values);
+  YamlBuilder builder(path, bounds.values, first_line);
   try {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    throw FileError(path, error.mark.line + 1, "is not YAML: " + printable(error.msg));
+    throw FileError(path, error.mark.line + first_line, "is not YAML: " + printable(error.msg));
   }
   return builder.take();
 }

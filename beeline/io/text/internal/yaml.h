@@ -33,11 +33,13 @@ struct YamlBounds {
   std::size_t values = 100'000;  ///< copies of aliases included
 };
 
-/// Parses a YAML text of one document; `path` names it in messages. An alias becomes a copy of what
+/// Parses a YAML text of one document; `path` names it in messages, `first_line` is its first line
+/// in the file. An alias becomes a copy of what
 /// it names, and a merge key (<<) the members that its map has and this one lacks. Throws FileError
 /// for text that is not YAML, a second document, a repeated key, a key that is not a scalar, an
 /// alias inside its own anchor, a text beyond the bounds and nesting deeper than 64 levels. These
 /// bounds keep memory, time and stack bounded for any text.
-Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds = {});
+Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds = {},
+                int first_line = 1);
 
 }  // namespace beeline::internal

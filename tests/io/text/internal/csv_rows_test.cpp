@@ -126,9 +126,9 @@ TEST(CsvRows, DifferencesFromTheFirstRowAreExact) {
   const std::string path = "a.csv";
   CsvLines lines("t,x\n1700000000123456789,1\n\"1700000000123456790\",2\n1.5,3\n", path);
   CsvRows rows(lines, path);
-  rows.count_from_first(0);
+  rows.count_from_first({0});
   std::vector<double> row, differences;
-  while (rows.next(row)) differences.push_back(rows.from_first());
+  while (rows.next(row)) differences.push_back(rows.from_first(0));
   EXPECT_EQ(differences, (std::vector<double>{0, 1, 1.5 - 1700000000123456789.0}));
 }
 
