@@ -26,11 +26,10 @@ struct Verifier {
   const Arm& arm;
   const Trajectory& trajectory;
   const Route& route;
-  Task task;
-  Deviation tolerance;
-  MovingEnds moving;
-  double limit_tolerance;
+  const VerifyOptions& options;
   BudgetMeter& budget;
+  Task task = options.task.value_or(default_task(arm));
+  Deviation tolerance = {options.tolerance, options.orientation_tolerance};
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
   /// The largest segment parameter up to the interval that is being checked: on a line by position
@@ -228,7 +227,8 @@ struct Verifier {
   /// A fault of a joint replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
-    const auto fault = first_joint_fault(arm, trajectory, moving, budget.part(), limit_tolerance);
+    const auto fault =
+        first_joint_fault(arm, trajectory, options.moving, budget.part(), options.limit_tolerance);
     if (!fault) return;
     const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
     if (result.fault == Fault::none ||
@@ -264,17 +264,9 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   }
   check_limit_tolerance(options.limit_tolerance);
   const Trajectory trajectory = checked_trajectory(arm, given);
-  const Task task = options.task.value_or(default_task(arm));
-  check_route(arm, route, task);
   BudgetMeter budget(options.budget);
-  Verifier verifier{arm,
-                    trajectory,
-                    route,
-                    task,
-                    {options.tolerance, options.orientation_tolerance},
-                    options.moving,
-                    options.limit_tolerance,
-                    budget};
+  Verifier verifier{arm, trajectory, route, options, budget};
+  check_route(arm, route, verifier.task);
   for (const Configuration& q : trajectory.positions) {
     if (budget.ended()) break;
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));

@@ -30,11 +30,6 @@ void check_whole_periods(const JointMoveOptions& options) {
                       number(*options.duration));
 }
 
-void set_ended(BudgetMeter& budget, ControlledMotion& motion) {
-  motion.status = status_of<MotionStatus>(budget.ending());
-  motion.reason = ended_reason(ReasonCode::ended_before_sampling, budget.ending());
-}
-
 // Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would
 // be rounding.
 constexpr double at_goal = 1e-9;
@@ -85,7 +80,7 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
     }
   }
   if (samples.size() == 0) {
-    set_ended(budget, result);
+    set_ended(ReasonCode::ended_before_sampling, budget.ending(), result);
     return result;
   }
   result.trajectory = std::move(samples);

@@ -164,12 +164,10 @@ Player::Player(const Player& other)
 
 Player::Player(Player&& other) noexcept = default;
 
-Player& Player::operator=(const Player& other) {
-  *this = Player(other);
+Player& Player::operator=(Player other) noexcept {
+  playback_.swap(other.playback_);
   return *this;
 }
-
-Player& Player::operator=(Player&& other) noexcept = default;
 
 Player::~Player() = default;
 

@@ -47,8 +47,7 @@ class Player {
          const PlayerOptions& options = {});
   Player(const Player& other);
   Player(Player&& other) noexcept;  ///< `other` may then only be assigned to or destroyed
-  Player& operator=(const Player& other);
-  Player& operator=(Player&& other) noexcept;
+  Player& operator=(Player other) noexcept;
   ~Player();
 
   /// Sets the target speed, from 0, a pause, to 1. Throws Error for any other value.

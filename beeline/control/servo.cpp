@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/control/internal/resolved_rates.h>
+#include <beeline/control/internal/time_step.h>
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/servo.h>
 #include <beeline/internal/enum_names.h>
@@ -28,9 +29,7 @@ constexpr double null_space_acceleration = 0.5;
 constexpr double still = 1e-9;
 
 void check_servo(const ServoOptions& options) {
-  if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
-    throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
-  }
+  check_time_step(options.time_step);
   if (!(options.gain > 0) || !(options.gain * options.time_step <= 1)) {
     throw Error("the gain must be above zero and at most 1 / time step = " +
                 number(1 / options.time_step) + ", not " + number(options.gain));
@@ -287,12 +286,10 @@ Servo::Servo(const Servo& other) : loop_(std::make_unique<internal::ServoLoop>(*
 
 Servo::Servo(Servo&& other) noexcept = default;
 
-Servo& Servo::operator=(const Servo& other) {
-  *this = Servo(other);
+Servo& Servo::operator=(Servo other) noexcept {
+  loop_.swap(other.loop_);
   return *this;
 }
-
-Servo& Servo::operator=(Servo&& other) noexcept = default;
 
 Servo::~Servo() = default;
 

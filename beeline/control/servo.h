@@ -65,8 +65,7 @@ class Servo {
   explicit Servo(const Arm& arm, const ServoOptions& options = {});
   Servo(const Servo& other);
   Servo(Servo&& other) noexcept;  ///< `other` may then only be assigned to or destroyed
-  Servo& operator=(const Servo& other);
-  Servo& operator=(Servo&& other) noexcept;
+  Servo& operator=(Servo other) noexcept;
   ~Servo();
 
   /// The command is a tool velocity in the task's frame (world or tool axes), m/s and rad/s; rows

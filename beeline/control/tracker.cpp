@@ -5,6 +5,7 @@
 
 #include <beeline/control/internal/command_interpolation.h>
 #include <beeline/control/internal/goal_solver.h>
+#include <beeline/control/internal/time_step.h>
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/tracker.h>
 #include <beeline/internal/enum_names.h>
@@ -21,9 +22,7 @@ namespace {
 constexpr double goal_distance = 4;
 
 Task checked_task(const Arm& arm, const TrackerOptions& options) {
-  if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
-    throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
-  }
+  check_time_step(options.time_step);
   if (!(options.command_period >= 0) || !std::isfinite(options.command_period)) {
     throw Error("the command period must be zero or above, not " + number(options.command_period) +
                 " s");
@@ -262,12 +261,10 @@ Tracker::Tracker(const Tracker& other)
 
 Tracker::Tracker(Tracker&& other) noexcept = default;
 
-Tracker& Tracker::operator=(const Tracker& other) {
-  *this = Tracker(other);
+Tracker& Tracker::operator=(Tracker other) noexcept {
+  loop_.swap(other.loop_);
   return *this;
 }
-
-Tracker& Tracker::operator=(Tracker&& other) noexcept = default;
 
 Tracker::~Tracker() = default;
 

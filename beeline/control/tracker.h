@@ -85,8 +85,7 @@ class Tracker {
   Tracker(const Arm& arm, const ConfigurationRef& start, const TrackerOptions& options = {});
   Tracker(const Tracker& other);
   Tracker(Tracker&& other) noexcept;  ///< `other` may then only be assigned to or destroyed
-  Tracker& operator=(const Tracker& other);
-  Tracker& operator=(Tracker&& other) noexcept;
+  Tracker& operator=(Tracker other) noexcept;
   ~Tracker();
 
   /// Advances by one time step towards the commanded pose of the tool in the world. The result is

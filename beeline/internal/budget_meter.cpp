@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
@@ -12,24 +14,33 @@ std::string name(Ending ending) {
 
 namespace internal {
 
-BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
+BudgetMeter& unlimited() {
+  static BudgetMeter meter((Budget()));
+  return meter;
+}
+
+BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) { start(); }
+
+BudgetMeter::BudgetMeter(Budget&& budget) : own_(std::move(budget)), budget_(own_) { start(); }
+
+void BudgetMeter::start() {
   using Clock = std::chrono::steady_clock;
-  if (budget.time_limit) {
-    if (!(*budget.time_limit >= 0)) {
+  if (budget_.time_limit) {
+    if (!(*budget_.time_limit >= 0)) {
       throw Error("", "time_limit",
-                  " is " + number(*budget.time_limit) + " s; it must be 0 or more");
+                  " is " + number(*budget_.time_limit) + " s; it must be 0 or more");
     }
     constexpr double forever = 1e9;  // seconds; the clock's count would overflow beyond
-    if (*budget.time_limit < forever) {
+    if (*budget_.time_limit < forever) {
       deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                     std::chrono::duration<double>(*budget.time_limit));
+                                     std::chrono::duration<double>(*budget_.time_limit));
     }
   }
-  if (budget.max_work && *budget.max_work < 0) {
+  if (budget_.max_work && *budget_.max_work < 0) {
     throw Error("", "max_work",
-                " is " + std::to_string(*budget.max_work) + "; it must be 0 or more");
+                " is " + std::to_string(*budget_.max_work) + "; it must be 0 or more");
   }
-  limited_ = budget.time_limit || budget.max_work || budget.cancelled || budget.whole;
+  limited_ = budget_.time_limit || budget_.max_work || budget_.cancelled || budget_.whole;
 }
 
 Budget BudgetMeter::part() {

@@ -12,9 +12,10 @@ namespace beeline::internal {
 /// reference and ask ended() at intervals of less than a millisecond.
 class BudgetMeter {
  public:
-  /// Starts the clock. Keeps a reference to the budget. Throws Error for a limit below zero.
+  /// Starts the clock. Keeps a reference to the budget, or a temporary one. Throws Error for a
+  /// limit below zero.
   explicit BudgetMeter(const Budget& budget);
-  explicit BudgetMeter(Budget&&) = delete;  // it would be gone
+  explicit BudgetMeter(Budget&& budget);
   BudgetMeter(const BudgetMeter&) = delete;
   BudgetMeter& operator=(const BudgetMeter&) = delete;
 
@@ -37,9 +38,11 @@ class BudgetMeter {
   bool reports() const { return static_cast<bool>(budget_.progress); }
 
  private:
+  void start();
   bool exceeded(std::int64_t work);
   Ending reached_limit(std::int64_t work);
 
+  Budget own_ = {};  ///< the temporary one
   const Budget& budget_;
   bool limited_ = false;
   std::atomic<Ending> ending_ = Ending::complete;
@@ -48,15 +51,8 @@ class BudgetMeter {
   std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
 };
 
-/// Where a budget is optional.
-inline bool ended(BudgetMeter* budget, std::int64_t work = 1) {
-  return budget != nullptr && budget->ended(work);
-}
-
-/// The budget of a part of a computation whose budget is optional.
-inline Budget budget_of(BudgetMeter* budget) {
-  return budget == nullptr ? Budget{} : budget->part();
-}
+/// The meter of a computation without limits, which never ends.
+BudgetMeter& unlimited();
 
 /// The reason, with the field `ending`, of a search that its budget ended.
 Reason ended_reason(ReasonCode code, Ending ending);
@@ -67,6 +63,13 @@ Status status_of(Ending ending) {
   return ending == Ending::time_limit  ? Status::time_limit
          : ending == Ending::cancelled ? Status::cancelled
                                        : Status::work_limit;
+}
+
+/// Sets the status and the reason of a result whose search the budget ended.
+template <class Result>
+void set_ended(ReasonCode code, Ending ending, Result& result) {
+  result.status = status_of<decltype(result.status)>(ending);
+  result.reason = ended_reason(code, ending);
 }
 
 }  // namespace beeline::internal

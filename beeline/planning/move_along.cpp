@@ -11,8 +11,8 @@
 #include <beeline/planning/internal/nearby_path_work.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/timing/internal/timed_path.h>
-#include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/timing/internal/timed_section.h>
+#include <beeline/trajectory/internal/motion_start.h>
 
 namespace beeline {
 
@@ -26,7 +26,7 @@ constexpr std::int64_t max_suggestion_work = 400'000;  // of all suggestions of 
 // Of one nearby_path(): less than its own limit, so that its end is known here.
 constexpr std::int64_t max_suggested_path_work = max_nearby_path_work / 10 * 9;
 
-/// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
+/// Throws Error for tolerances, speeds, rates, durations or numbers of samples out of range.
 void check_options(const PathMotionOptions& options) {
   const std::pair<const char*, double> positives[] = {
       {"tolerance", options.tolerance}, {"orientation_tolerance", options.orientation_tolerance}};
@@ -35,13 +35,7 @@ void check_options(const PathMotionOptions& options) {
     throw Error("", option,
                 " must be at least " + number(min_tolerance) + ", not " + number(value));
   }
-  internal::check_options(options.tool_speed, options.rate);
-  check_duration(options.duration);
-  refuse_duration_with_rate(options.duration, options.rate);
-  if (options.max_samples < 2) {
-    throw Error("", "max_samples",
-                " must be at least 2, not " + std::to_string(options.max_samples));
-  }
+  internal::check_options(timing_options(options));
 }
 
 void check_stops(const Route& route) {
@@ -54,21 +48,14 @@ void check_stops(const Route& route) {
 
 /// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
 Configuration checked_start(const Arm& arm, const Configuration& start) {
-  const auto outside = limit_violations(arm, start);
-  if (!outside.empty())
-    throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
-  const Bounds bounds = bounds_of(arm);
-  return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  check_start(arm, start);
+  return clamped(bounds_of(arm), start);
 }
 
-/// Whether the motion is planned, timed and proved with the same options.
-bool is_possible(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                 const BranchOptions& planning, const PathMotionOptions& options,
-                 BudgetMeter& budget) {
-  PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
-  if (motion && options.duration) {
-    keep_duration(arm, route, planning.task, options, budget, motion);
-  }
+/// Whether the motion is planned, timed and proved.
+bool is_possible(const MotionRequest& request, BudgetMeter& budget) {
+  PathMotion motion = planned_motion(request, budget);
+  if (motion && request.timing.duration) keep_duration(request, budget, motion);
   return motion && budget.complete();
 }
 
@@ -78,24 +65,25 @@ struct Suggestions {
 };
 
 /// Searches for nearby paths and another start with which the motion is possible.
-Suggestions suggestions(const Arm& arm, const std::optional<Configuration>& start,
-                        const Route& route, const BranchOptions& given,
-                        const PathMotionOptions& options, BudgetMeter& whole) {
+Suggestions suggestions(const MotionRequest& request, BudgetMeter& whole) {
+  const Arm& arm = request.arm;
+  const std::optional<Configuration>& start = request.start;
+  const Route& route = request.route;
   Budget limited = whole.part();
   limited.max_work = max_suggestion_work;
   BudgetMeter budget(limited);
-  BranchOptions planning = given;
-  planning.budget = budget.part(0, planning_share);
+  BranchOptions options = request.branch;
+  options.budget = budget.part(0, planning_share);
   Suggestions result;
   const auto add_if_possible = [&](NearbyPath nearby, const std::optional<Configuration>& from) {
-    Route moved = route;
-    moved.path = nearby.path;
-    if (is_possible(arm, from, moved, planning, options, budget)) {
+    Route other = route;
+    other.path = nearby.path;
+    if (is_possible({arm, from, other, options, request.timing, request.proof}, budget)) {
       result.found.push_back(std::move(nearby));
     }
   };
   if (start) {
-    const Branch free = plan_path(arm, std::nullopt, route.path, planning);
+    const Branch free = plan_path(arm, std::nullopt, route.path, options);
     if (free) {
       add_if_possible({.path = route.path,
                        .start = free.start,
@@ -107,7 +95,7 @@ Suggestions suggestions(const Arm& arm, const std::optional<Configuration>& star
     Budget part = budget.part();
     part.max_work = max_suggested_path_work;
     BudgetMeter search(part);
-    BranchOptions searched = planning;
+    BranchOptions searched = options;
     searched.budget = search.part();
     auto nearby = nearby_path(arm, start, route.path, searched, rotate);
     result.complete = result.complete && search.complete();
@@ -118,17 +106,18 @@ Suggestions suggestions(const Arm& arm, const std::optional<Configuration>& star
 }
 
 PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                const Task& task, const PathMotionOptions& options) {
+                const PathMotionOptions& options) {
   BudgetMeter budget(options.budget);
-  const BranchOptions planning{.task = task,
-                               .tolerance = part_of_tolerance(options, planned_fraction),
-                               .max_samples = static_cast<std::size_t>(options.max_samples),
-                               .budget = budget.part(0, planning_share)};
-  PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
+  MotionRequest request{arm,
+                        start,
+                        route,
+                        branch_options(arm, options, planned_fraction),
+                        timing_options(options),
+                        proof_options(options)};
+  request.branch.budget = budget.part(0, planning_share);
+  PathMotion motion = planned_motion(request, budget);
   const bool followed(motion);
-  if (followed && options.duration) {
-    keep_duration(arm, route, task, options, budget, motion);
-  }
+  if (followed && options.duration) keep_duration(request, budget, motion);
   if (motion) {
     budget.report(1);
     return motion;
@@ -137,11 +126,12 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   failure.status = motion.status;
   failure.reason = motion.reason;
   failure.path_parameter = motion.path_parameter;
-  const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
+  // A plan takes long with more redundancy.
+  const bool quick = arm.dof() <= request.task().size() + 1;
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
   if (followed || !options.suggest || !quick || !off_path || !budget.complete()) return failure;
-  Suggestions near = suggestions(arm, start, route, planning, options, budget);
+  Suggestions near = suggestions(request, budget);
   failure.nearby = std::move(near.found);
   if (!budget.complete()) {
     failure.reason.set(ReasonField::search_ending, budget.ending());
@@ -160,14 +150,14 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
   check_stops(route);
-  if (!start) return move(arm, start, route, task, options);
+  if (!start) return move(arm, start, route, options);
   const Configuration from = checked_start(arm, *start);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
     throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
                                  " away from the path's beginning");
   }
-  return move(arm, from, route, task, options);
+  return move(arm, from, route, options);
 }
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,

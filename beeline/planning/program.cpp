@@ -8,10 +8,12 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/self_motion_starts.h>
 #include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/motion_start.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -115,11 +117,7 @@ class ProgramPlanner {
   }
 
   bool plan(const std::optional<Configuration>& start) {
-    if (start) {
-      const auto outside = limit_violations(arm_, *start);
-      if (!outside.empty())
-        throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
-    }
+    if (start) check_start(arm_, *start);
     const Move& first = program_.moves.front();
     if (!start && first.kind != MoveKind::joint && first.kind != MoveKind::line) {
       throw MoveError(
@@ -190,12 +188,10 @@ class ProgramPlanner {
   bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
                      std::optional<PathMotion>& ahead) {
     const ToolPath& path = parts_[p].route.path;
-    BranchOptions planning{.task = *options_.task,
-                           .tolerance = {options_.tolerance, options_.orientation_tolerance},
-                           .max_samples = static_cast<std::size_t>(options_.max_samples),
-                           .max_grid = 16,
-                           .reasons = BranchOptions::Reasons::none,
-                           .budget = budget_.part()};
+    BranchOptions planning = branch_options(arm_, options_, 1);
+    planning.max_grid = 16;
+    planning.reasons = BranchOptions::Reasons::none;
+    planning.budget = budget_.part();
     for (const Configuration& candidate :
          configurations_for(arm_, *options_.task, pose_at(path, 0), from, budget_.part())) {
       if (budget_.ended()) break;
@@ -221,12 +217,9 @@ class ProgramPlanner {
                               : configuration_at(i, move.target, from, to))) {
       return false;
     }
-    const RetimeOptions timing{.profile = options_.profile,
-                               .interpolation = options_.interpolation,
-                               .tool_speed = move.speed.value_or(options_.tool_speed),
-                               .rate = options_.rate,
-                               .max_samples = options_.max_samples,
-                               .budget = budget_.part()};
+    RetimeOptions timing = timing_options(options_);
+    timing.tool_speed = move.speed.value_or(options_.tool_speed);
+    timing.budget = budget_.part();
     PlannedMove planned{.begin = trajectory_.last()};
     if (const Reason reason = trajectory_.joint_move(arm_, *to, timing)) {
       if (!budget_.complete()) return fail_ended(i);
@@ -282,11 +275,9 @@ class ProgramPlanner {
   bool finish() {
     motion_.trajectory = trajectory_.finished();
     const Trajectory& trajectory = motion_.trajectory;
-    Verification found = verify(arm_, trajectory, program_,
-                                {.task = options_.task,
-                                 .tolerance = options_.tolerance,
-                                 .orientation_tolerance = options_.orientation_tolerance,
-                                 .budget = budget_.part()});
+    VerifyOptions options = proof_options(options_);
+    options.budget = budget_.part();
+    Verification found = verify(arm_, trajectory, program_, options);
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
     if (!found) return explain(found);
     motion_.deviation = std::move(found.deviation);

@@ -8,6 +8,7 @@
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
+#include <beeline/trajectory/internal/motion_start.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -47,7 +48,7 @@ void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) 
 }
 
 /// Accepts joints that are slightly outside.
-void check_start(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
+void check_from(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
   const auto near = [&](int k) {
     const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
     const double outside = std::max(arm.limits(k).lower - q[k], q[k] - arm.limits(k).upper);
@@ -59,10 +60,7 @@ void check_start(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
     while (k < arm.dof() && near(k)) ++k;
     if (k == arm.dof()) return;
   }
-  const auto outside = limit_violations(arm, q);
-  if (!outside.empty()) {
-    throw Error::of("from", "the motion cannot start: " + sentence(outside.front()));
-  }
+  internal::check_start(arm, q, "from");
 }
 
 Limits with_velocity(Limits limits) {
@@ -183,7 +181,7 @@ PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
 
 void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
                     PointToPoint& motion, const PointToPointOptions& options) {
-  check_start(arm, from, options.from_outside);
+  check_from(arm, from, options.from_outside);
   check_within(arm, to, "the motion cannot end");
   plan(arm.limits(), from, to, motion, options, motion_limits);
 }
@@ -234,13 +232,12 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, cons
                                 " samples per second are too many samples; lower the rate");
   }
   if (motion.duration == 0) return at_rest(arm, motion.to);
-  std::vector<Limits> limits;
-  for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
+  const std::vector<Limits> limits = internal::motion_limits_of(arm);
   for (double periods = std::max(1.0, std::ceil(steps - 1e-6));;) {
     Trajectory trajectory = in_periods(arm, motion, periods, 1 / rate, meter);
     if (!meter.complete()) return {};
     const auto usage = [&](int order) {
-      return internal::limit_fraction(limits, trajectory, order, &meter).fraction;
+      return internal::limit_fraction(limits, trajectory, order, meter).fraction;
     };
     const double slower = slowdown_factor(usage(1), usage(2), usage(3));
     if (!meter.complete()) return {};

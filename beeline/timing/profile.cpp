@@ -14,16 +14,16 @@ struct Row {
   const char* name;
   bool keeps_jerk;
   TimeScaling (*scaling)(const JointPath& path, const PathLimits& limits,
-                         internal::BudgetMeter* budget);
+                         internal::BudgetMeter& budget);
 };
 
 template <internal::ScalarForm form>
-TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter* budget) {
+TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter& budget) {
   return internal::scalar_profile(form, path, limits, budget);
 }
 
 TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits,
-                              internal::BudgetMeter* budget) {
+                              internal::BudgetMeter& budget) {
   return internal::fastest(path, limits, {}, budget);
 }
 
@@ -69,7 +69,7 @@ bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget) {
   internal::BudgetMeter meter(budget);
-  return row(profile).scaling(path, limits, &meter);
+  return row(profile).scaling(path, limits, meter);
 }
 
 }  // namespace beeline

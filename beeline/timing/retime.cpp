@@ -3,7 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
@@ -14,10 +14,10 @@ namespace {
 
 constexpr double repeated = 1e-12;   // radians or metres; nearer positions count as equal
 constexpr double rest_speed = 1e-9;  // relative to the largest velocity; slower is rest
-constexpr int linear_samples = 200;  // of a part, where joints move linearly between them
+constexpr int linear_samples = 200;  // of a section, where joints move linearly between them
 
-/// Returns the positions of each part of the path. A stop ends one part and begins the next.
-std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& trajectory) {
+/// Returns the positions of each section of the path. A stop ends one section and begins the next.
+std::vector<std::vector<Configuration>> sections_between_stops(const Trajectory& trajectory) {
   double largest = 0;
   for (const Configuration& v : trajectory.velocities) {
     largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
@@ -38,10 +38,10 @@ std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& tr
   return all;
 }
 
-/// The number of steps between the positions of all parts.
-std::size_t steps_of(const std::vector<std::vector<Configuration>>& parts) {
+/// The number of steps between the positions of all sections.
+std::size_t steps_of(const std::vector<std::vector<Configuration>>& sections) {
   std::size_t steps = 0;
-  for (const std::vector<Configuration>& positions : parts) steps += positions.size() - 1;
+  for (const std::vector<Configuration>& positions : sections) steps += positions.size() - 1;
   return steps;
 }
 
@@ -60,13 +60,8 @@ double samples_left(const RetimeOptions& options, const Retimed& timed) {
   return static_cast<double>(options.max_samples) - static_cast<double>(before);
 }
 
-/// Why the trajectory is not retimed: it has too many samples. Throws Error for a max_samples
-/// below 2.
+/// Why the trajectory is not retimed: it has too many samples.
 Reason too_long(const Trajectory& trajectory, const RetimeOptions& options) {
-  if (options.max_samples < 2) {
-    throw Error("", "max_samples",
-                " must be at least 2, not " + std::to_string(options.max_samples));
-  }
   const int most = std::max(options.max_samples, default_max_samples);
   if (trajectory.size() <= static_cast<std::size_t>(most)) return {};
   return {ReasonCode::too_many_samples_given,
@@ -95,7 +90,7 @@ void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
     }
   }
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
-  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
+  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
   timed.ending = budget.ending();
   if (!budget.complete()) {
     timed.reason = internal::ended_reason(ReasonCode::ended_in_retiming, timed.ending);
@@ -120,9 +115,7 @@ void check_moves(const Trajectory& trajectory) {
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
-  internal::check_options(options.tool_speed, options.rate);
-  internal::check_duration(options.duration);
-  internal::refuse_duration_with_rate(options.duration, options.rate);
+  internal::check_options(options);
   const Trajectory trajectory = path_of(arm, recorded, options, timed.unwrapped);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);
@@ -130,26 +123,22 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   timed.trajectory.joint_names = arm.joint_names();
   const bool linear = options.interpolation == Interpolation::linear;
   internal::BudgetMeter budget(options.budget);
-  const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);
-  const double count = static_cast<double>(steps_of(parts));
+  const std::vector<std::vector<Configuration>> sections = sections_between_stops(trajectory);
+  const double count = static_cast<double>(steps_of(sections));
   double steps = 0;  // of the sections so far
-  for (const std::vector<Configuration>& samples : parts) {
+  for (const std::vector<Configuration>& samples : sections) {
     // The time scaling of a section is about half of its work.
     const auto fraction = [&](double section) {
       return (steps + section * static_cast<double>(samples.size() - 1)) / count;
     };
     if (budget.ended(static_cast<std::int64_t>(samples.size()))) break;
-    const internal::SectionOptions section{.interpolation = options.interpolation,
-                                           .keep_jerk = keeps_jerk(timed.profile),
-                                           .speed_scale = options.speed_scale,
-                                           .tool_speed = options.tool_speed,
-                                           .rate = options.rate,
-                                           .max_samples = samples_left(options, timed),
+    const internal::SectionOptions section{.timing = options,
+                                           .tool_speeds = options.tool_speed,
+                                           .samples_left = samples_left(options, timed),
                                            .required = required_samples(samples, linear),
-                                           .budget = &budget};
-    const internal::TimedPath path =
-        internal::timed_path(arm, joint_spline(samples, chord_length(samples)), timed.profile,
-                             options.speed_scale, options.tool_speed, budget);
+                                           .budget = budget};
+    const internal::TimedSection path =
+        internal::timed_section(arm, joint_spline(samples, chord_length(samples)), section);
     if (!budget.complete() && !path.scaling) break;
     timed.reason = path.scaling.reason;
     if (!timed) return timed;
@@ -166,7 +155,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     budget.report(fraction(1));
     steps += static_cast<double>(samples.size() - 1);
   }
-  finish(arm, options, parts.size(), budget, timed);
+  finish(arm, options, sections.size(), budget, timed);
   return timed;
 }
 

@@ -9,11 +9,10 @@ namespace beeline {
 LimitUsage limit_usage(const Arm& arm, const Trajectory& given, const Budget& budget) {
   internal::BudgetMeter meter(budget);
   const Trajectory trajectory = matched_to(arm, given);
-  std::vector<Limits> limits;
-  for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
+  const std::vector<Limits> limits = internal::motion_limits_of(arm);
   const auto fraction = [&](int order, double Limits::*kind) {
     const internal::CoordinateFraction found =
-        internal::limit_fraction(limits, trajectory, order, &meter);
+        internal::limit_fraction(limits, trajectory, order, meter);
     LimitFraction result;
     result.exact = found.exact;
     if (!(found.fraction > 0)) return result;

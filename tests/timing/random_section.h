@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 
 #include <tests/path/random_joint_path.h>
 #include <tests/random_arm.h>
@@ -37,7 +37,7 @@ inline Arm limited_arm(Random& random) {
 /// A path of an arm with its time scaling, and the options of its samples.
 struct RandomSection {
   Arm arm;
-  internal::TimedPath timed;
+  internal::TimedSection timed;
   internal::SectionOptions options;
 };
 
@@ -46,16 +46,14 @@ inline RandomSection random_section(Random& random, Profile profile, Interpolati
   Arm arm = limited_arm(random);
   const auto waypoints = random_waypoints(random, arm.dof(), random.integer(2, 6));
   const JointPath path = joint_spline(waypoints, chord_length(waypoints));
-  internal::SectionOptions options{.interpolation = interpolation,
-                                   .keep_jerk = keeps_jerk(profile),
-                                   .speed_scale = speed_scale,
-                                   .rate = rate};
+  internal::SectionOptions options{.timing = {.profile = profile,
+                                              .interpolation = interpolation,
+                                              .speed_scale = speed_scale,
+                                              .rate = rate}};
   if (interpolation == Interpolation::linear) {
     for (int i = 1; i < 200; ++i) options.required.push_back(path.s.back() * i / 200);
   }
-  Budget budget;
-  internal::BudgetMeter meter(budget);
-  auto timed = internal::timed_path(arm, path, profile, speed_scale, Limits::none, meter);
+  auto timed = internal::timed_section(arm, path, options);
   return {std::move(arm), std::move(timed), std::move(options)};
 }
 
@@ -65,11 +63,11 @@ inline double asked_limit(const Limits& known, const internal::SectionOptions& o
   const double velocity = std::isfinite(known.velocity) ? known.velocity : assumed_velocity_limit;
   const double acceleration =
       std::isfinite(known.acceleration) ? known.acceleration : velocity / assumed_time_to_velocity;
-  const double jerk = std::isfinite(known.jerk) || !options.keep_jerk
+  const double jerk = std::isfinite(known.jerk) || !options.keeps_jerk()
                           ? known.jerk
                           : acceleration / assumed_time_to_acceleration;
   const double limit = order == 1 ? velocity : order == 2 ? acceleration : jerk;
-  return std::pow(options.speed_scale, order) * limit;
+  return std::pow(options.timing.speed_scale, order) * limit;
 }
 
 /// The largest fraction of those limits that the interpolation bounds, at many points between

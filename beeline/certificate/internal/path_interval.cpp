@@ -62,10 +62,7 @@ double reaching(const Polynomial& p, double value, double from) {
 std::vector<PathInterval> path_intervals(const Arm& arm, const Trajectory& trajectory,
                                          std::size_t k, const ToolPath& path, const Task& task,
                                          double s_a, double s_b) {
-  Interval whole;
-  for (int i = 0; i < arm.dof(); ++i) {
-    whole.coordinates.push_back(interval_polynomial(trajectory, k, i));
-  }
+  Interval whole{interval_polynomials(trajectory, k), {}};
   const Division division(path, task, s_a, s_b);
   const std::size_t first = division.first(), last = division.last();
   const auto local = [](double s, std::size_t i) { return s - static_cast<double>(i); };

@@ -103,7 +103,7 @@ void SampleLocator::make_consistent(const PathTracker& tracker, std::size_t firs
   }
   if (s.size() > 1) {
     s = consistent_parameters(
-        tracker, poses, s, [&](std::size_t k) { return moved(tracker, first + k); }, &budget_);
+        tracker, poses, s, [&](std::size_t k) { return moved(tracker, first + k); }, budget_);
   }
   if (found.off && !found.reached) s.push_back(std::max(off, s.back()));
 }
@@ -128,7 +128,7 @@ double SampleLocator::moved(const PathTracker& tracker, std::size_t k) const {
 SampleParameters SampleLocator::from(std::size_t first, std::size_t begin, std::size_t last) const {
   const auto end = static_cast<double>(last + 1);
   const PathTracker tracker(route_.path, task_, static_cast<double>(begin), end, tolerance_,
-                            &budget_);
+                            budget_);
   if (!budget_.complete()) return {};
   Located found = locate(first, tracker, begin, last);
   if (!budget_.complete()) return {};

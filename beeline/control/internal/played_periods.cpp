@@ -142,7 +142,7 @@ class PeriodSearch {
   }
 
   PlayedSection failure() const {
-    if (ended(motion_.budget)) return ended_section(motion_);
+    if (motion_.budget.ended()) return ended_section(motion_);
     Reason reason = first_excess_;
     return {.trajectory = {}, .reason = reason.set(ReasonField::rate, rate_)};
   }

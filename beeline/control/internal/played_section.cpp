@@ -62,7 +62,7 @@ Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& tim
   Trajectory played{motion.arm.joint_names(), times, {}, {}, {}};
   constexpr std::size_t batch = 64;  // samples, of about a microsecond
   for (const ParameterState& now : progress) {
-    if (played.positions.size() % batch == 0 && ended(motion.budget, batch)) return {};
+    if (played.positions.size() % batch == 0 && motion.budget.ended(batch)) return {};
     const auto stop = stop_at(motion, now.s);
     const TrajectoryState state =
         stop ? recorded_state(motion.recording, *stop) : sample(motion.recording, now.s);
@@ -132,7 +132,7 @@ void check_samples(double samples, double duration, double rate) {
 }
 
 PlayedSection ended_section(const PlayedMotion& motion) {
-  const Ending ending = motion.budget->ending();
+  const Ending ending = motion.budget.ending();
   return {.trajectory = {}, .reason = ended_reason(ReasonCode::ended_before_samples, ending)};
 }
 
@@ -143,7 +143,7 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
   std::optional<LimitExcess> excess;
   double slowdown = 1;
   for (int tries = 0; tries < max_tries && slowdown <= motion.max_slowdown; ++tries) {
-    if (ended(motion.budget)) return ended_section(motion);
+    if (motion.budget.ended()) return ended_section(motion);
     section.trajectory = recorded_samples(motion, speed, slowdown);
     excess = largest_excess(motion.held, section.trajectory);
     if (!excess) {
@@ -164,7 +164,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
   Reason first_excess;
   double smallest_step = 0;
   for (double scale = 1; scale * motion.max_slowdown >= 1;) {
-    if (ended(motion.budget)) return ended_section(motion);
+    if (motion.budget.ended()) return ended_section(motion);
     std::vector<ParameterState> progress =
         scheduled_progress(motion.arm, motion.recording,
                            {options, rate, motion.first, scale, motion.sections, motion.budget});

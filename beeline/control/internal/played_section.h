@@ -19,10 +19,10 @@ struct PlayedMotion {
   const Trajectory& recording;
   Interpolation interpolation;  ///< of the samples
   HeldLimits held;              ///< see held_limits()
+  BudgetMeter& budget;
   std::vector<RecordedSection> sections = sections_between_stops(arm, recording);
   std::size_t first = 0;    ///< number of the sample at which it begins, with a rate
   double max_slowdown = 2;  ///< beyond whole periods
-  BudgetMeter* budget = nullptr;
 
   double duration() const { return recording.times.back() - recording.times.front(); }
 };

@@ -2,6 +2,7 @@
 
 #include <beeline/control/internal/recorded_sections.h>
 #include <beeline/trajectory/internal/end_velocity.h>
+#include <beeline/trajectory/internal/limit_fraction.h>
 
 namespace beeline::internal {
 namespace {
@@ -16,7 +17,7 @@ constexpr double least_move = 1e-12;     // radians or metres; nearer positions 
 class StopSearch {
  public:
   StopSearch(const Arm& arm, const Trajectory& recording) : recording_(recording) {
-    for (const Limits& known : arm.limits()) limits_.push_back(motion_limits(known));
+    limits_ = motion_limits_of(arm);
     for (const Configuration& v : recording.velocities) {
       largest_ = std::max(largest_, v.lpNorm<Eigen::Infinity>());
     }

@@ -89,13 +89,13 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
   if (steady && options.rate == 0) {
     rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
   }
-  const Trajectory motion = sampled(arm, line, rate, budget_of(recorded.budget));
+  const Trajectory motion = sampled(arm, line, rate, recorded.budget.part());
   if (motion.size() == 0) {
-    return {.trajectory = {}, .reason = ended_reason(ReasonCode::ended, recorded.budget->ending())};
+    return {.trajectory = {}, .reason = ended_reason(ReasonCode::ended, recorded.budget.ending())};
   }
-  PlayedMotion played{arm, motion, recorded.interpolation, held_limits(arm, motion, 1)};
+  PlayedMotion played{arm, motion, recorded.interpolation, held_limits(arm, motion, 1),
+                      recorded.budget};
   played.max_slowdown = recorded.max_slowdown;
-  played.budget = recorded.budget;
   return steady ? at_constant_speed(played, 1, rate) : with_speed_changes(played, options, rate);
 }
 
@@ -163,9 +163,8 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
     return attempt;
   }
   PlayedMotion motion{arm, recording, recording.interpolation(),
-                      held_limits(arm, recording, options.speed, options.limit_tolerance)};
+                      held_limits(arm, recording, options.speed, options.limit_tolerance), budget};
   motion.max_slowdown = max_slowdown;
-  motion.budget = &budget;
   if (steady && refuse_speed(motion, options.speed, attempt)) return attempt;
   play(motion, options, known, attempt);
   if (!result.reason) {

@@ -3,8 +3,11 @@
 #include <utility>
 
 #include <beeline/control/internal/simulate.h>
+#include <beeline/control/internal/time_step.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/motion_start.h>
 
 namespace beeline::internal {
 namespace {
@@ -81,9 +84,7 @@ void check_options(const SimulationOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw Error("the tolerance must be above zero, not " + number(options.tolerance));
   }
-  if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
-    throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
-  }
+  check_time_step(options.time_step);
   constexpr int most = 10'000'000;  // for an arm of seven joints about 1 GB of samples
   if (options.max_steps < 1 || options.max_steps > most) {
     throw Error("", "max_steps",
@@ -94,13 +95,10 @@ void check_options(const SimulationOptions& options) {
 
 ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {
   check_configuration(arm, start);
-  const auto outside = limit_violations(arm, start);
-  if (!outside.empty())
-    throw Error::of("start", "the motion cannot start: " + sentence(outside.front()));
+  check_start(arm, start);
   ControlledMotion motion;
   motion.trajectory = at_rest(arm, start);
-  motion.trajectory.velocities.clear();
-  motion.trajectory.accelerations.clear();
+  keep_columns(motion.trajectory, Interpolation::linear);
   return motion;
 }
 

@@ -43,7 +43,7 @@ class SpeedSimulation {
       const double end = recording_.times[section.end];
       const std::size_t begin = progress_.size() - 1;
       while (progress_.back().s < end) {
-        if (ended(schedule_.budget)) return std::move(progress_);
+        if (schedule_.budget.ended()) return std::move(progress_);
         const auto steps = static_cast<double>(progress_.size());
         check_samples(steps, steps * period_, schedule_.rate);
         set_target();

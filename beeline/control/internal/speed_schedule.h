@@ -16,8 +16,8 @@ struct SpeedSchedule {
   double rate = 0;
   std::size_t first = 0;  ///< number of the first sample
   double scale = 1;       ///< factor on all speeds; the rates at which they change have its square
-  std::span<const RecordedSection> sections = {};  ///< of the recording
-  BudgetMeter* budget = nullptr;
+  std::span<const RecordedSection> sections;  ///< of the recording
+  BudgetMeter& budget;
 };
 
 /// Returns the recording's time, with its derivatives by the time of playing, at each sample from

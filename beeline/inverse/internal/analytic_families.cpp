@@ -1,8 +1,7 @@
+#include <algorithm>
+#include <iterator>
+
 #include <beeline/inverse/internal/analytic_families.h>
-#include <beeline/inverse/internal/locked_joint_family.h>
-#include <beeline/inverse/internal/pieper_family.h>
-#include <beeline/inverse/internal/planar_family.h>
-#include <beeline/inverse/internal/raghavan_roth_family.h>
 
 namespace beeline::internal {
 namespace {
@@ -16,6 +15,13 @@ constexpr const AnalyticFamily* families[] = {
 };
 
 }  // namespace
+
+bool has_revolute_joints(const SolverState& state, int count) {
+  const std::vector<Joint>& joints = state.arm.joints();
+  return state.arm.dof() == count && std::ssize(joints) == count && state.task.size() == 6 &&
+         std::all_of(joints.begin(), joints.end(),
+                     [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
+}
 
 void select_family(SolverState& state) {
   const InverseOptions& options = state.options;

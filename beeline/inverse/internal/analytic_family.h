@@ -33,4 +33,20 @@ struct AnalyticFamily {
   bool slower_than_search = false;
 };
 
+/// Whether an arm has so many coordinates, each that of one revolute joint, and the task all rows.
+bool has_revolute_joints(const SolverState& state, int count);
+
+/// Planar arms of one to three joints: planar_solver.h.
+extern const AnalyticFamily planar_family;
+
+/// Arms and tasks that PieperSolver covers: three axes of the closed loop meet or are parallel.
+extern const AnalyticFamily pieper_family;
+
+/// Arms of seven revolute joints, of which six remain with a closed form when one is locked. Only
+/// for all solutions, and for InverseMethod::closed_form: those on a grid of values of that joint.
+extern const AnalyticFamily locked_joint_family;
+
+/// Six revolute joints of any geometry: raghavan_roth_solver.h.
+extern const AnalyticFamily raghavan_roth_family;
+
 }  // namespace beeline::internal

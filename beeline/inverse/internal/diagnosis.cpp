@@ -56,7 +56,7 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
                .max_iterations = 200,  // towards a minimum above zero it converges linearly
                .max_restarts = max_starts,
                .random_seed = request.options.random_seed,
-               .budget = &request.budget},
+               .budget = request.budget},
               state.buffers, state.search);
   const NumericalResult& nearest = state.search.nearest;
   if (nearest.converged || request.arm.dof() > max_refined) return nearest.q;
@@ -74,7 +74,7 @@ Configuration nearest_orientation_of_many(const Request& request, const Task& po
                .max_restarts = max_starts,
                .all = true,
                .random_seed = request.options.random_seed,
-               .budget = &request.budget},
+               .budget = request.budget},
               state.buffers, state.search);
   Configuration best =
       nearest_orientation(request.arm, request.goal, request.task, start, request.budget);
@@ -113,25 +113,26 @@ void add_miss(const Deviation& error, double tolerance, Reason& reason) {
   if (rotated) reason.set(ReasonField::angle, error.orientation);
 }
 
-void set_not_found(const Request& request, const Configuration& q, Reason reason,
-                   InverseResult& result) {
-  result.status = InverseStatus::not_found;
+/// Sets the nearest miss, at q, with its residual and its part of the reason.
+void set_nearest(const Request& request, const Configuration& q, InverseResult& result) {
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   result.residual = std::max(error.position, error.orientation);
-  result.reason = std::move(reason);
   add_miss(error, request.tolerance, result.reason);
 }
 
+void set_not_found(const Request& request, const Configuration& q, Reason reason,
+                   InverseResult& result) {
+  result.status = InverseStatus::not_found;
+  result.reason = std::move(reason);
+  set_nearest(request, q, result);
+}
+
 /// The status of a request that the budget ended before it had a solution.
-void set_ended(const Request& request, const Configuration& q, InverseResult& result) {
-  const Ending ending = request.budget.ending();
-  result.status = status_of<InverseStatus>(ending);
-  result.nearest = nearest_miss(request, q);
-  const Deviation& error = result.nearest->error;
-  result.residual = std::max(error.position, error.orientation);
-  result.reason = ended_reason(ReasonCode::ended_before_solution, ending);
-  add_miss(error, request.tolerance, result.reason);
+void set_ended_before_solution(const Request& request, const Configuration& q,
+                               InverseResult& result) {
+  set_ended(ReasonCode::ended_before_solution, request.budget.ending(), result);
+  set_nearest(request, q, result);
 }
 
 /// Fills in the result from a proof of infeasibility.
@@ -268,7 +269,7 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
     const Configuration& met = state.search.nearest.q;
     const bool nearer =
         state.search.iterations > 0 && error_at(request, met) < error_at(request, request.seed);
-    return set_ended(request, nearer ? met : request.seed, result);
+    return set_ended_before_solution(request, nearer ? met : request.seed, result);
   }
   if (outside) {
     const bool all_examined = evidence.complete && !evidence.continuum;
@@ -276,7 +277,8 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
   }
   const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
   if (!nearest || (!proved && solve_without_limits(state, request, result))) return;
-  if (!request.budget.complete() && !proved) return set_ended(request, *nearest, result);
+  if (!request.budget.complete() && !proved)
+    return set_ended_before_solution(request, *nearest, result);
   set_nearest(request, evidence, proved, *nearest, result);
 }
 

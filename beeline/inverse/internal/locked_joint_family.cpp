@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/joint_lock.h>
-#include <beeline/inverse/internal/locked_joint_family.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/seed_table.h>
@@ -48,11 +48,7 @@ bool applies_locked_joint(SolverState& state) {
   constexpr int finest = 256;  // a value takes some milliseconds to prepare
   const bool wanted =
       options.grid <= finest && (options.all || options.method == InverseMethod::closed_form);
-  const bool seven_revolute =
-      arm.dof() == 7 && arm.joints().size() == 7 && state.task.size() == 6 &&
-      std::all_of(arm.joints().begin(), arm.joints().end(),
-                  [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
-  if (!wanted || !seven_revolute || options.lock) return false;
+  if (!wanted || !has_revolute_joints(state, 7) || options.lock) return false;
   state.grid_coordinate = redundant_joint(arm);
   return true;
 }

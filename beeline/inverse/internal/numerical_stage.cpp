@@ -19,7 +19,7 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
                             .max_restarts = restarts,
                             .all = all,
                             .random_seed = request.options.random_seed,
-                            .budget = &request.budget};
+                            .budget = request.budget};
   // There may be very many, which the budget is to end with the search.
   if (all) {
     options.found = [&](const Configuration& q) { add_solution(request, q, result, &known); };
@@ -38,7 +38,7 @@ void solve_from(const Request& request, const Configuration& start, InverseResul
       levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, start,
                           {.tolerance = request.tolerance,
                            .max_iterations = request.options.max_iterations,
-                           .budget = &request.budget});
+                           .budget = request.budget});
   result.iterations += run.iterations;
   if (run.converged) add_solution(request, run.q, result);
 }
@@ -101,7 +101,7 @@ bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationR
                .max_restarts = std::min(state.options.max_restarts, few_restarts),
                .continue_nearest = false,
                .random_seed = state.options.random_seed,
-               .budget = &budget},
+               .budget = budget},
               state.buffers, state.search);
   if (state.search.solutions.empty()) return false;
   solutions.col(0) = state.search.solutions.front();

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/numerical_stage.h>
-#include <beeline/inverse/internal/pieper_family.h>
 #include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/self_motion_branches.h>

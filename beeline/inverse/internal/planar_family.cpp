@@ -1,6 +1,6 @@
 #include <beeline/inverse/analytic/planar_solver.h>
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/candidate_solutions.h>
-#include <beeline/inverse/internal/planar_family.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,7 +1,5 @@
-#include <algorithm>
-
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/candidate_solutions.h>
-#include <beeline/inverse/internal/raghavan_roth_family.h>
 #include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
@@ -10,15 +8,10 @@ namespace {
 /// Whether the arm has six revolute joints, each driven by its own coordinate, and the solver is
 /// reliable for it. Takes milliseconds for such an arm.
 bool applies_raghavan_roth(SolverState& state) {
-  const Arm& arm = state.arm;
-  const bool six_revolute =
-      arm.dof() == 6 && arm.joints().size() == 6 && state.task.size() == 6 &&
-      std::all_of(arm.joints().begin(), arm.joints().end(),
-                  [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
-  if (!six_revolute || state.options.lock) return false;
-  if (state.similar) state.raghavan_roth.emplace(chain_of(arm), *state.similar);
-  if (!state.similar || !state.raghavan_roth->reliable())
-    state.raghavan_roth.emplace(chain_of(arm));
+  if (!has_revolute_joints(state, 6) || state.options.lock) return false;
+  const Chain& chain = chain_of(state.arm);
+  if (state.similar) state.raghavan_roth.emplace(chain, *state.similar);
+  if (!state.similar || !state.raghavan_roth->reliable()) state.raghavan_roth.emplace(chain);
   if (!state.raghavan_roth->reliable()) state.raghavan_roth.reset();
   return state.raghavan_roth.has_value();
 }

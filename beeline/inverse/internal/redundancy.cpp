@@ -120,8 +120,7 @@ Configuration optimised(const Request& request, const Configuration& q) {
     bool moved = false;
     for (double scale = first_scale(last, applied, step);
          !moved && scale * step.norm() > negligible; scale /= 2) {
-      const Configuration next =
-          (best + scale * step).cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
+      const Configuration next = clamped(request.bounds, best + scale * step);
       const NumericalResult back =
           levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, next,
                               {.tolerance = request.tolerance});

@@ -1,9 +1,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <beeline/inverse/internal/self_motion_dimension.h>
+#include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/seed_table.h>
 
 namespace beeline::internal {
@@ -11,10 +11,8 @@ namespace {
 
 /// The rank of the task's Jacobian with lengths in units of the arm's reach.
 int rank_at(const Arm& arm, const Task& task, const Configuration& q) {
-  constexpr double lost = 1e-6;              // of the largest singular value
-  const double radius = arm.reach().radius;  // infinite for a slide without limits
-  const double length = radius > 0 && std::isfinite(radius) ? radius : 1;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, length));
+  constexpr double lost = 1e-6;  // of the largest singular value
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, unit_of_length(arm)));
   const Eigen::VectorXd& sigma = svd.singularValues();
   return static_cast<int>((sigma.array() > lost * sigma[0]).count());
 }

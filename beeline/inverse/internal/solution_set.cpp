@@ -57,7 +57,7 @@ void add_solution(const Request& request, const Configuration& q, InverseResult&
   constexpr double slack = 1e-6;  // radians or metres
   Configuration nearest = nearest_representative(request.arm, q, request.seed, request.bounds);
   if (excess(request.bounds, nearest) > slack) return;
-  nearest = nearest.cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
+  nearest = clamped(request.bounds, std::move(nearest));
   double error = error_at(request, nearest);
   if (error > needs_no_correction(request.tolerance)) {
     // q was clamped to a bound, is ill conditioned, or lost digits because its angles are far from

@@ -98,14 +98,13 @@ bool searched_fast(const SolverState& state) {
 
 /// The status and reason of solutions that the budget ended the search for; not of the only one
 /// that is requested.
-void set_ended(const Request& request, bool optimised, InverseResult& result) {
+void set_incomplete(const Request& request, bool optimised, InverseResult& result) {
   const Ending ending = request.budget.ending();
   if (ending == Ending::complete || !(request.options.all || optimised)) return;
-  result.status = status_of<InverseStatus>(ending);
   result.complete = result.branches_complete = false;
-  result.reason = ended_reason(request.options.all ? ReasonCode::ended_before_all_solutions
-                                                   : ReasonCode::ended_before_best_solution,
-                               ending);
+  set_ended(request.options.all ? ReasonCode::ended_before_all_solutions
+                                : ReasonCode::ended_before_best_solution,
+            ending, result);
   if (request.options.all) result.reason.set(ReasonField::count, result.solutions.size());
 }
 
@@ -163,7 +162,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
         std::max(self_motion_dimension(request.arm, request.task, result.solutions),
                  result.singular ? 1 : 0);
   }
-  set_ended(request, optimised, result);
+  set_incomplete(request, optimised, result);
   return result;
 }
 

@@ -27,6 +27,11 @@ bool within(const Bounds& bounds, const Configuration& q) {
   return (q.array() >= bounds.lower.array()).all() && (q.array() <= bounds.upper.array()).all();
 }
 
+Configuration clamped(const Bounds& bounds, Configuration q) {
+  q = q.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  return q;
+}
+
 double excess(const Bounds& bounds, const Configuration& q) {
   return (bounds.lower - q).cwiseMax(q - bounds.upper).cwiseMax(0).sum();
 }

@@ -16,6 +16,9 @@ Bounds no_bounds(const Arm& arm);
 bool any_finite(const Bounds& bounds);
 bool within(const Bounds& bounds, const Configuration& q);
 
+/// The nearest point of the box.
+Configuration clamped(const Bounds& bounds, Configuration q);
+
 /// The sum over the coordinates of the distances of q from the interval between its bounds, radians
 /// and metres.
 double excess(const Bounds& bounds, const Configuration& q);

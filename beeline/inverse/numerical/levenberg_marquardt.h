@@ -6,9 +6,13 @@
 namespace beeline::internal {
 
 struct NumericalOptions {
-  double tolerance = 1e-10;       ///< of position and orientation error, metres and radians
-  int max_iterations = 100;       ///< max steps
-  BudgetMeter* budget = nullptr;  ///< asked before each step; default: none
+  double tolerance = 1e-10;           ///< of position and orientation error, metres and radians
+  int max_iterations = 100;           ///< max steps
+  BudgetMeter& budget = unlimited();  ///< asked before each step
+
+  bool accepts(const Deviation& error) const {
+    return error.position <= tolerance && error.orientation <= tolerance;
+  }
 };
 
 struct NumericalResult {

@@ -7,7 +7,9 @@
 namespace beeline::internal {
 
 NumericalGoal numerical_goal(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                             const Bounds& bounds, const NumericalOptions& options) {
+                             const Bounds& bounds, const Configuration& start,
+                             const NumericalOptions& options) {
+  check_configuration(arm, start);
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
   check_task(arm, task, bounds);
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.max_iterations < 0) {

@@ -83,7 +83,7 @@ class Run {
   /// Whether the lane has a run that is not collected yet.
   bool holds(int lane) const { return (held_ >> lane & 1) != 0; }
 
-  bool ended() const { return internal::ended(options_.budget, steps_per_check); }
+  bool ended() const { return options_.budget.ended(steps_per_check); }
 
   LaneOptions lane_options() const {
     return {.tolerance = options_.tolerance,

@@ -17,7 +17,7 @@ struct MultiStartOptions {
   bool continue_nearest = true;  ///< without a solution, continue the runs of least error
   std::uint64_t random_seed = 1;
   /// Asked every few steps; default: none. When it ends, the result holds what was found so far.
-  BudgetMeter* budget = nullptr;
+  BudgetMeter& budget = unlimited();
   /// With `all`: called with each of the solutions when it is found; default: not called.
   std::function<void(const Configuration&)> found = {};
 };

@@ -12,9 +12,7 @@ namespace {
 /// error, 1e-10, slows the convergence by as much.
 Jacobian jacobian_change(const NumericalGoal& goal, const Configuration& q, int k) {
   constexpr double h = 1e-5;  // radians, or units of length
-  LinearModel above, below;
-  above.columns.resize(6, q.size());
-  below.columns.resize(6, q.size());
+  LinearModel above(q.size()), below(q.size());
   Configuration moved = q;
   moved[k] = q[k] + h * goal.units[k];
   linearise(goal, moved, above);
@@ -59,11 +57,9 @@ NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start
                            double nearly_lost, const NumericalOptions& options) {
   constexpr int max_steps = 12;  // a start that needs more is not near
   constexpr double longest = 0.5;
-  const Bounds& bounds = goal.bounds;
-  LinearModel at;
-  at.columns.resize(6, start.size());
+  LinearModel at(start.size());
   NumericalResult run;
-  Configuration q = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  Configuration q = clamped(goal.bounds, start);
   for (double least = Limits::none;; ++run.iterations) {
     linearise(goal, q, at);
     if (at.cost < least) {
@@ -71,16 +67,15 @@ NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start
       run.q = q;
       run.error = at.deviation;
     }
-    run.converged =
-        run.error.position <= options.tolerance && run.error.orientation <= options.tolerance;
+    run.converged = options.accepts(run.error);
     if (run.converged || run.iterations == std::min(max_steps, options.max_iterations) ||
-        !std::isfinite(at.cost) || ended(options.budget)) {
+        !std::isfinite(at.cost) || options.budget.ended()) {
       return run;
     }
     Eigen::VectorXd step = newton_step(goal, q, at, nearly_lost);
     if (!step.allFinite()) return run;
     if (step.norm() > longest) step *= longest / step.norm();
-    q = (q + goal.units.cwiseProduct(step)).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+    q = clamped(goal.bounds, q + goal.units.cwiseProduct(step));
   }
 }
 
@@ -89,8 +84,7 @@ NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start
 NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                        const Bounds& bounds, const Configuration& start,
                                        const NumericalOptions& options) {
-  check_configuration(arm, start);
-  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, options);
+  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, start, options);
   NumericalResult best;
   int iterations = 0;
   // A small singular value may be of a second singularity nearby, which the solution has not.
@@ -99,7 +93,7 @@ NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool,
     iterations += run.iterations;
     const auto size = [](const Deviation& e) { return std::max(e.position, e.orientation); };
     if (best.q.size() == 0 || size(run.error) < size(best.error)) best = std::move(run);
-    if (best.converged || ended(options.budget, 0)) break;
+    if (best.converged || options.budget.ended(0)) break;
   }
   best.iterations = iterations;
   return best;

@@ -13,48 +13,31 @@ namespace {
 class SingularSteps {
  public:
   SingularSteps(const NumericalGoal& goal, double tolerance)
-      : goal_(goal), solved_(0.1 * tolerance / std::max(1.0, goal.length)) {
-    const int dof = goal.arm.dof();
-    svd_.scaled_right.resize(dof, 6);
-    wanted_.resize(dof);
-    step_.resize(dof);
-    held_.resize(static_cast<std::size_t>(dof));
+      : goal_(goal),
+        solved_(0.1 * tolerance / std::max(1.0, goal.length)),
+        bounded_(goal.arm.dof()),
+        wanted_(goal.arm.dof()) {
+    svd_.scaled_right.resize(goal.arm.dof(), 6);
   }
 
-  /// Returns q after a step within the bounds. Joints that would pass a bound stop there, and the
-  /// step of the others is computed again for the remaining error.
+  /// Returns q after a step within the bounds.
   Configuration after_step(const Configuration& q, const LinearModel& at) {
-    free_ = at.columns;
-    std::fill(held_.begin(), held_.end(), 0);
-    Twist error = at.error;
-    const Bounds& bounds = goal_.bounds;
-    for (bool stopped = true; stopped;) {  // at least one joint stops in each round
-      compute_wanted(error);
-      stopped = false;
-      for (int k = 0; k < q.size(); ++k) {
-        char& held = held_[static_cast<std::size_t>(k)];
-        if (held) continue;
-        step_[k] = std::clamp(wanted_[k], (bounds.lower[k] - q[k]) / goal_.units[k],
-                              (bounds.upper[k] - q[k]) / goal_.units[k]);
-        if (step_[k] == wanted_[k]) continue;
-        held = 1;
-        stopped = true;
-        error -= free_.col(k) * step_[k];
-        free_.col(k).setZero();
-      }
-    }
-    return (q + goal_.units.cwiseProduct(step_)).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+    bounded_.begin(at);
+    do {  // at least one joint stops in each round
+      compute_wanted();
+    } while (bounded_.take(goal_, q, [this](int k) { return wanted_[k]; }));
+    return clamped(goal_.bounds, q + goal_.units.cwiseProduct(bounded_.step));
   }
 
  private:
-  /// Computes the step that ignores the bounds, of the joints in free_.
-  void compute_wanted(const Twist& error) {
+  /// Computes the step that ignores the bounds, of the joints that are not held.
+  void compute_wanted() {
     constexpr double longest = 0.3;  // radians, or units of length, along each singular direction
-    svd_.compute(free_);
+    svd_.compute(bounded_.free);
     wanted_.setZero();
     const double rounding = 1e-15 * svd_.singular_values.maxCoeff();
     for (int i = 0; i < 6; ++i) {
-      const double sigma = svd_.singular_values[i], along = svd_.left.col(i).dot(error);
+      const double sigma = svd_.singular_values[i], along = svd_.left.col(i).dot(bounded_.error);
       if (std::abs(along) <= solved_ || sigma <= rounding) continue;
       const double length = std::clamp(along / sigma, -longest, longest);
       wanted_ += svd_.scaled_right.col(i) * (length / sigma);
@@ -63,10 +46,9 @@ class SingularSteps {
 
   const NumericalGoal& goal_;
   double solved_;  ///< errors up to this count as zero
-  Jacobian free_;  ///< the columns of the joints that are not held at a bound
+  BoundedStep bounded_;
   SixRowSvd svd_;
-  Eigen::VectorXd wanted_, step_;
-  std::vector<char> held_;
+  Eigen::VectorXd wanted_;
 };
 
 }  // namespace
@@ -75,13 +57,11 @@ NumericalResult singular_gauss_newton(const Arm& arm, const Pose& world_T_tool, 
                                       const Bounds& bounds, const Configuration& start,
                                       const NumericalOptions& options) {
   constexpr int max_unchanged = 120;  // steps in which |e|^2 does not halve
-  check_configuration(arm, start);
-  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, options);
+  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, start, options);
   SingularSteps steps(goal, options.tolerance);
-  LinearModel at;
-  at.columns.resize(6, arm.dof());
+  LinearModel at(arm.dof());
   NumericalResult run;
-  Configuration q = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  Configuration q = clamped(bounds, start);
   double least = Limits::none, milestone = Limits::none;
   for (int unchanged = 0;; ++run.iterations, ++unchanged) {
     linearise(goal, q, at);
@@ -89,15 +69,14 @@ NumericalResult singular_gauss_newton(const Arm& arm, const Pose& world_T_tool, 
       least = at.cost;
       run.q = q;
       run.error = at.deviation;
-      run.converged =
-          run.error.position <= options.tolerance && run.error.orientation <= options.tolerance;
+      run.converged = options.accepts(run.error);
     }
     if (at.cost < milestone / 2) {
       milestone = at.cost;
       unchanged = 0;
     }
     if (run.converged || run.iterations == options.max_iterations || unchanged > max_unchanged ||
-        ended(options.budget)) {
+        options.budget.ended()) {
       return run;
     }
     q = steps.after_step(q, at);

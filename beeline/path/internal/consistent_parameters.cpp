@@ -16,7 +16,7 @@ class Assignment {
  public:
   Assignment(const PathTracker& tracker, std::span<const Pose> poses,
              const std::vector<double>& first, const std::function<double(std::size_t)>& moved,
-             BudgetMeter* budget)
+             BudgetMeter& budget)
       : tracker_(tracker),
         poses_(poses),
         first_(first),
@@ -24,7 +24,7 @@ class Assignment {
         moved_(moved),
         budget_(budget) {
     for (std::size_t k = first.size() - 1; k-- > 1;) {
-      if (ended(budget)) return;
+      if (budget.ended()) return;
       last_[k] = tracker.last_within(poses[k], last_[k + 1], first[k]);
     }
   }
@@ -33,7 +33,7 @@ class Assignment {
     const std::size_t size = first_.size();
     all_ = {{{first_.front()}}};
     for (std::size_t k = 1; k < size; ++k) {
-      if (ended(budget_)) return first_;
+      if (budget_.ended()) return first_;
       all_.push_back(candidates(k));
     }
     std::vector<double> result(size);
@@ -81,7 +81,7 @@ class Assignment {
   const std::vector<double>& first_;
   std::vector<double> last_;  ///< the largest parameters that later samples allow
   const std::function<double(std::size_t)>& moved_;
-  BudgetMeter* budget_;
+  BudgetMeter& budget_;
   std::vector<std::vector<Candidate>> all_;
 };
 
@@ -90,7 +90,7 @@ class Assignment {
 std::vector<double> consistent_parameters(const PathTracker& tracker, std::span<const Pose> poses,
                                           const std::vector<double>& first_within,
                                           const std::function<double(std::size_t)>& moved,
-                                          BudgetMeter* budget) {
+                                          BudgetMeter& budget) {
   return Assignment(tracker, poses, first_within, moved, budget).run();
 }
 

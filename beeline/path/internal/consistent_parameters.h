@@ -23,6 +23,6 @@ namespace beeline::internal {
 std::vector<double> consistent_parameters(const PathTracker& tracker, std::span<const Pose> poses,
                                           const std::vector<double>& first_within,
                                           const std::function<double(std::size_t)>& moved,
-                                          BudgetMeter* budget = nullptr);
+                                          BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

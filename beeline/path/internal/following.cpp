@@ -9,10 +9,7 @@ namespace {
 /// The components in which the parameter of a segment is determined, rotations in metres.
 Twist weighted(const Segment& segment, const Task& task, const Rotation& world_R_tool,
                Twist twist) {
-  if (task.frame == Frame::tool) {
-    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
-  }
-  twist = masked(task, twist);
+  twist = masked(task, in_task_axes(task, world_R_tool, twist));
   twist.tail<3>() *= metres_per_radian;
   const auto* line = std::get_if<Line>(&segment);
   if (line == nullptr) return twist;
@@ -23,6 +20,13 @@ Twist weighted(const Segment& segment, const Task& task, const Rotation& world_R
 }
 
 }  // namespace
+
+Twist in_task_axes(const Task& task, const Rotation& world_R_tool, Twist twist) {
+  if (task.frame == Frame::tool) {
+    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
+  }
+  return twist;
+}
 
 ParameterRates following(const Segment& segment, double s, const Task& task,
                          const PoseMotion& tool) {

@@ -5,6 +5,9 @@
 
 namespace beeline::internal {
 
+/// The twist, given in world axes, in the axes of the task's frame.
+Twist in_task_axes(const Task& task, const Rotation& world_R_tool, Twist twist);
+
 /// First and second derivative of a segment parameter.
 struct ParameterRates {
   double first = 0, second = 0;

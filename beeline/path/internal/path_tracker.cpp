@@ -30,10 +30,10 @@ double weighted(const Deviation& deviation) {
 }  // namespace
 
 PathTracker::PathTracker(const ToolPath& path, const Task& task, double from, double to,
-                         const Deviation& tolerance, BudgetMeter* budget)
+                         const Deviation& tolerance, BudgetMeter& budget)
     : path_(path), task_(task), to_(to), tolerance_(tolerance), nodes_{from} {
   for (double a = from; a < to;) {
-    if (ended(budget)) return;
+    if (budget.ended()) return;
     const double next = (std::floor(a / stride + 1e-9) + 1) * stride;
     const double b = to - next < 1e-9 ? to : next;
     divide(a, b, 0);
@@ -41,7 +41,7 @@ PathTracker::PathTracker(const ToolPath& path, const Task& task, double from, do
   }
   lengths_ = {0};
   for (std::size_t k = 1; k < nodes_.size(); ++k) {
-    if (ended(budget)) return;
+    if (budget.ended()) return;
     lengths_.push_back(lengths_.back() +
                        distance(pose_at(path, nodes_[k - 1]), pose_at(path, nodes_[k])));
   }

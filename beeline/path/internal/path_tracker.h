@@ -21,7 +21,7 @@ class PathTracker {
  public:
   /// Keeps a reference to the path. Where the budget ends it, the tracker cannot be used.
   PathTracker(const ToolPath& path, const Task& task, double from, double to,
-              const Deviation& tolerance, BudgetMeter* budget = nullptr);
+              const Deviation& tolerance, BudgetMeter& budget = unlimited());
 
   /// The first local minimum of the distance, from `from` on; `from` itself where the distance
   /// increases there.

@@ -14,13 +14,13 @@ namespace {
 constexpr double limit_weight = 0.003;  // seconds squared
 constexpr double limit_offset = 0.02;
 // Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
-constexpr double max_pace = 1e100;
+constexpr double max_seconds_per_unit = 1e100;
 
 }  // namespace
 
-KnotCosts::KnotCosts(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
+KnotCosts::KnotCosts(const Arm& arm) : seconds_per_unit(arm.dof()), bounds(bounds_of(arm)) {
   for (int k = 0; k < arm.dof(); ++k) {
-    pace[k] = std::min(1 / velocity_limit_of(arm.limits(k)), max_pace);
+    seconds_per_unit[k] = std::min(1 / velocity_limit_of(arm.limits(k)), max_seconds_per_unit);
   }
 }
 
@@ -34,7 +34,7 @@ double KnotCosts::node(const ConfigurationRef& q) const {
 }
 
 double KnotCosts::edge(const ConfigurationRef& step) const {
-  return step.cwiseProduct(pace).squaredNorm();
+  return step.cwiseProduct(seconds_per_unit).squaredNorm();
 }
 
 std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
@@ -96,7 +96,7 @@ Bounds inner(Bounds bounds, double margin, const Configuration& q) {
 
 }  // namespace
 
-void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& options,
+void smooth_knots(const Arm& arm, const ToolPath& path, const GraphOptions& options, double margin,
                   BudgetMeter& budget, std::vector<Knot>& knots) {
   // Gauss-Seidel passes with relaxation 1/2. 24 passes remove the alternating steps of the grid;
   // oscillations over many knots remain, which take little time. The push away from the limits is
@@ -110,10 +110,10 @@ void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& 
   for (const Knot& knot : knots) {
     spans.push_back(span_to(path, knot.s));
     poses.push_back(pose_at(path, knot.s));
-    bounds.push_back(inner(bounds_of(arm), options.margin, knot.q));
+    bounds.push_back(inner(bounds_of(arm), margin, knot.q));
   }
   for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t r = options.keep_first ? 1 : 0; r < knots.size(); ++r) {
+    for (std::size_t r = options.start ? 1 : 0; r < knots.size(); ++r) {
       if (budget.ended()) return;
       const Configuration& q = knots[r].q;
       const Configuration& before = knots[r == 0 ? 0 : r - 1].q;

@@ -16,6 +16,17 @@ struct Knot {
   Configuration q;
 };
 
+/// The options of a search for knots in a graph of configurations along a path.
+struct GraphOptions {
+  Task task;
+  std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
+  double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
+  double step = 0.15;     ///< of the nodes along a self-motion, radians or metres
+  int grid =
+      16;  ///< of a layered graph: solutions per pose, values of a redundant joint x branches
+  Budget budget = {};
+};
+
 struct KnotSequence {
   std::vector<Knot> knots;  ///< one per layer, as far as the path can be reached
   bool complete = false;
@@ -25,7 +36,7 @@ struct KnotSequence {
 ///     c(q) = w sum_k 1 / (margin of joint k to its limits + 0.02),
 ///     d(p, q) = sum_k ((q_k - p_k) / v_k)^2   with the velocity limits v_k.
 struct KnotCosts {
-  Eigen::VectorXd pace;  ///< 1 / v_k: seconds per radian or metre
+  Eigen::VectorXd seconds_per_unit;  ///< 1 / v_k: seconds per radian or metre
   Bounds bounds;
 
   explicit KnotCosts(const Arm& arm);
@@ -47,16 +58,10 @@ double weighted_length(const Segment& segment);
 /// Segments that stand still for the task have none.
 std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing);
 
-struct SmoothingOptions {
-  Task task;
-  /// Each knot keeps this margin to the joint limits (see limit_margin()), or its own if smaller.
-  double margin = 0;
-  bool keep_first = false;  ///< the first knot stays
-};
-
-/// Smooths the knots in the null space: moves each towards the line between its neighbours and away
-/// from the joint limits, then restores the tool's pose by damped least squares within the margin.
-void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& options,
+/// Smooths the knots, except a given start, in the null space: moves each towards the line between
+/// its neighbours and away from the joint limits, then restores the tool's pose by damped least
+/// squares. Each keeps this margin to the joint limits (see limit_margin()), or its own if smaller.
+void smooth_knots(const Arm& arm, const ToolPath& path, const GraphOptions& options, double margin,
                   BudgetMeter& budget, std::vector<Knot>& knots);
 
 /// Interpolates knots, as a guide for track_segment(): cubic splines in span_to() (joint_spline()),

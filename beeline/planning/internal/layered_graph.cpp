@@ -47,7 +47,7 @@ std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double s
 /// Fills in the solutions of the layers, and removes the first layer that has none and all after
 /// it.
 void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
-           const LayeredGraphOptions& options, BudgetMeter& budget) {
+           const GraphOptions& options, BudgetMeter& budget) {
   InverseSolver solver(arm, {.task = options.task,
                              .all = true,
                              .every_turn = false,
@@ -149,7 +149,7 @@ bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const
 }  // namespace
 
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
-                                  const LayeredGraphOptions& options) {
+                                  const GraphOptions& options) {
   BudgetMeter budget(options.budget);
   const KnotCosts costs(arm);
   std::vector<Layer> layers = empty_layers(path, options.task, options.spacing);
@@ -179,8 +179,7 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
     first = r;
   }
   if (result.knots.size() > 1) {
-    smooth_knots(arm, path, {.task = options.task, .keep_first = options.start.has_value()}, budget,
-                 result.knots);
+    smooth_knots(arm, path, options, 0, budget, result.knots);
   }
   return result;
 }

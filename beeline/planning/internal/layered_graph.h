@@ -9,14 +9,6 @@
 
 namespace beeline::internal {
 
-struct LayeredGraphOptions {
-  Task task;
-  std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
-  int grid = 16;          ///< solutions per pose, roughly: values of the redundant joint x branches
-  double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
-  Budget budget = {};
-};
-
 /// Resolves any redundancy along a whole path at once, by dynamic programming over a layered graph
 /// (as in Descartes, and in Ferrentino & Chiacchio 2020); search_self_motion_graph() is for one
 /// redundant joint. Layer r holds solutions Q_r of inverse kinematics within limits for the pose at
@@ -27,6 +19,6 @@ struct LayeredGraphOptions {
 /// smoothed in the null space, at constant tool pose. This does not prove that the arm can move
 /// from knot to knot: see track_segment(). Where the budget ends it, the knots are those so far.
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
-                                  const LayeredGraphOptions& options);
+                                  const GraphOptions& options);
 
 }  // namespace beeline::internal

@@ -30,7 +30,7 @@ Configuration predict_configuration(const Arm& arm, const Configuration& q, cons
     step += push - damped_least_squares(j, j * push, damping);
   }
   if (!step.allFinite()) return q;
-  return (q + step).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  return clamped(bounds, q + step);
 }
 
 }  // namespace beeline::internal

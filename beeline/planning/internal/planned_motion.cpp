@@ -1,243 +1,263 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
-#include <beeline/certificate/internal/path_checks.h>
-#include <beeline/certificate/verify.h>
-#include <beeline/planning/internal/inset_limits.h>
-#include <beeline/planning/internal/motion_proof.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
+#include <beeline/planning/internal/branch_timing.h>
 #include <beeline/planning/internal/planned_motion.h>
-#include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/trajectory/internal/given_duration.h>
 
 namespace beeline::internal {
 namespace {
 
-// Of the tolerance, for the joint path between samples.
-constexpr double interpolated_fraction = 0.01;
-
 // Samples of each segment of the plan that the joint path passes through: with few it is smooth,
 // with many it stays near the plan, as next to limits.
 constexpr std::size_t few_samples = 32, many_samples = 128;
 
-/// Sets the status and reason of a motion that the budget ended after its branch was planned.
-void set_ended_after_plan(Ending ending, PathMotion& motion) {
-  motion.status = status_of<MotionStatus>(ending);
-  motion.reason = ended_reason(ReasonCode::ended_before_timing, ending);
+/// The larger part of a deviation, as a multiple of the tolerance.
+double tolerances_of(const Deviation& bound, const MotionRequest& request) {
+  return std::max(bound.position / request.proof.tolerance,
+                  bound.orientation / request.proof.orientation_tolerance);
 }
 
-RetimeOptions timing_options(const PathMotionOptions& options) {
-  return {.profile = options.profile,
-          .interpolation = options.interpolation,
-          .tool_speed = options.tool_speed,
-          .rate = options.rate,
-          .max_samples = options.max_samples};
+/// Proves the finished motion by verify(), as a check of its file does; refuses one that is not
+/// proved. Its deviation is then the one along the whole path, whatever verify() found first;
+/// returns the interval between samples in which it found the fault.
+std::size_t prove(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion) {
+  motion.path = request.route.path;
+  motion.arrivals = arrivals(motion.path_parameters);
+  VerifyOptions options = request.proof;
+  options.budget = budget.part();
+  Verification proof = verify(request.arm, motion.trajectory, request.route, options);
+  motion.deviation = std::move(proof.deviation);
+  if (proof.ending != Ending::complete) return 0;
+  motion.limits = limit_usage(request.arm, motion.trajectory, budget.part());
+  if (motion.limits.ending != Ending::complete || proof) return 0;
+  motion.deviation = path_deviation(request.arm, motion.trajectory, motion.path_parameters,
+                                    request.route.path, request.task(), budget.part());
+  const Deviation& bound = motion.deviation.bound;
+  motion.status = MotionStatus::not_proved;
+  motion.reason = within(bound, request.tolerance())
+                      ? std::move(proof.reason)
+                      : deviation_reason(ReasonCode::path_not_proved, bound);
+  return std::min(proof.sample, motion.trajectory.size() - 2);
+}
+
+/// How often each interval between samples is to be divided for its deviation to be proved: the
+/// bound falls with the second power of the number for linear joints, with the sixth or the fourth
+/// for others. The interval `faulty` is halved at least. Empty if that would exceed max_samples.
+std::vector<int> divisions(const PathDeviation& deviation, std::size_t faulty,
+                           const MotionRequest& request) {
+  constexpr double most = 8;  // at once
+  const double power = request.timing.interpolation == Interpolation::linear ? 0.5 : 0.25;
+  std::vector<int> times;
+  int all = 0;
+  for (const Deviation& bound : deviation.interval_bounds) {
+    const double excess = tolerances_of(bound, request);
+    times.push_back(
+        excess <= 1 ? 1
+                    : static_cast<int>(std::ceil(std::min(most, 1.01 * std::pow(excess, power)))));
+    if (times.back() < 2 && (excess > 1 || times.size() == faulty + 1)) times.back() = 2;
+    all += times.back();
+  }
+  if (all >= request.timing.max_samples) times.clear();
+  return times;
+}
+
+/// The same request with another arm.
+MotionRequest with_arm(const Arm& arm, const MotionRequest& request) {
+  return {arm, request.start, request.route, request.branch, request.timing, request.proof};
+}
+
+void set_branch(const Branch& branch, PathMotion& motion) {
+  motion.status = branch.status;
+  motion.reason = branch.reason;
+  motion.path_parameter = branch.path_parameter;
+  motion.limit_margin = branch.limit_margin;
+  motion.inverse_condition = branch.inverse_condition;
+}
+
+/// Sets the trajectory at a rate; returns whether there is one, and sets the status and reason if
+/// not, unless the budget has ended.
+bool set_trajectory(BranchTiming& timing, double rate, BudgetMeter& budget, PathMotion& motion) {
+  if (timing.status == MotionStatus::reached) {
+    TimedBranch timed = timing.sample(rate);
+    motion.trajectory = std::move(timed.trajectory);
+    motion.path_parameters = std::move(timed.path_parameters);
+  }
+  motion.status = timing.status;
+  motion.reason = timing.reason;
+  return motion && !budget.ended();
 }
 
 /// Whether the motion is proved as it is timed now.
-bool is_proved(const Arm& arm, const Route& route, const Task& task,
-               const PathMotionOptions& options, BudgetMeter& budget, PlanTiming& timing) {
-  if (timing.status != MotionStatus::reached) return false;
-  TimedPlan timed = timing.sample();
-  if (budget.ended() || timing.status != MotionStatus::reached) return false;
+bool is_proved(const MotionRequest& request, double rate, BudgetMeter& budget,
+               BranchTiming& timing) {
   PathMotion tried;
-  tried.status = MotionStatus::reached;
-  tried.trajectory = std::move(timed.trajectory);
-  tried.path_parameters = std::move(timed.path_parameters);
-  prove(arm, route, task, options, budget, tried);
+  if (!set_trajectory(timing, rate, budget, tried)) return false;
+  prove(request, budget, tried);
   return tried && budget.complete();
 }
 
 /// The lowest of the usual rates above the one asked for at which the motion is proved; 0: none.
-double proved_rate(const Arm& arm, const Route& route, const Task& task,
-                   const PathMotionOptions& options, BudgetMeter& budget, PlanTiming& timing) {
+double proved_rate(const MotionRequest& request, BudgetMeter& budget, BranchTiming& timing) {
   for (const double rate : {50, 100, 125, 250, 500, 1000, 2000, 4000, 8000}) {
-    if (!(rate > options.rate)) continue;
-    timing.set_rate(rate);
-    if (is_proved(arm, route, task, options, budget, timing)) return rate;
+    if (!(rate > request.timing.rate)) continue;
+    if (is_proved(request, rate, budget, timing)) return rate;
     if (budget.ended() || timing.status != MotionStatus::reached) break;
   }
   return 0;
 }
 
 /// The largest of some speed scales with which the motion is proved at the rate asked for; 0: none.
-double proved_speed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                    std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget) {
+double proved_speed(const MotionRequest& request, const Branch& branch, std::size_t samples,
+                    BudgetMeter& budget) {
   for (const double scale : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
-    const Arm slower = with_speed_scale(arm, scale);
-    PlanTiming timing(slower, route, plan, task, part_of_tolerance(options, interpolated_fraction),
-                      samples, timing_options(options), budget);
-    if (is_proved(slower, route, task, options, budget, timing)) return scale;
+    const Arm arm = with_speed_scale(request.arm, scale);
+    const MotionRequest slower = with_arm(arm, request);
+    BranchTiming timing(slower, branch, samples, budget);
+    if (is_proved(slower, request.timing.rate, budget, timing)) return scale;
     if (budget.ended() || timing.status != MotionStatus::reached) break;
   }
   return 0;
 }
 
-/// Adds the rate and the speed at which the motion is proved, if there are any, to the reason why
-/// it is not proved at the rate asked for.
-void add_other_rates(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                     std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget,
-                     PlanTiming& timing, PathMotion& motion) {
-  motion.reason.set(ReasonField::proof_rate, options.rate);
-  const double rate = proved_rate(arm, route, task, options, budget, timing);
-  if (rate > 0) motion.reason.set(ReasonField::proved_rate, rate);
-  const double speed = proved_speed(arm, route, plan, task, samples, options, budget);
-  if (speed > 0) motion.reason.set(ReasonField::proved_speed, speed);
-}
-
-/// The largest deviation as a multiple of the tolerance.
-double tolerances_of(const Deviation& bound, const PathMotionOptions& options) {
-  return std::max(bound.position / options.tolerance,
-                  bound.orientation / options.orientation_tolerance);
-}
-
-/// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
-/// a rate, takes samples closer together where the motion is not proved.
-PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 std::size_t samples, const PathMotionOptions& options, BudgetMeter& whole) {
-  const Budget share = whole.part(planning_share, 1);
-  BudgetMeter budget(share);
-  PathMotion motion;
-  motion.status = plan.status;
-  motion.reason = plan.reason;
-  motion.path_parameter = plan.path_parameter;
-  if (!plan) return motion;
-  motion.limit_margin = plan.limit_margin;
-  motion.inverse_condition = plan.inverse_condition;
-  PlanTiming timing(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
-                    samples, timing_options(options), budget);
-  motion.status = timing.status;
-  motion.reason = timing.reason;
-  if (!motion) return motion;
+/// Times and proves a motion. Without a rate, takes samples closer together where it is not proved.
+void time_and_prove(const MotionRequest& request, BudgetMeter& budget, BranchTiming& timing,
+                    PathMotion& motion) {
   constexpr int max_rounds = 12;
   // With more samples the bound falls by a multiple of this, unless the joint path itself leaves
   // the tool path.
   constexpr double falls_by = 0.5;
   double excess = std::numeric_limits<double>::infinity();
   for (int round = 0; round < max_rounds && !budget.ended(); ++round) {
-    motion.status = MotionStatus::reached;
-    motion.reason = {};
-    TimedPlan timed = timing.sample();
-    if (budget.ended()) break;
-    if (timing.status != MotionStatus::reached) {
-      motion.status = timing.status;
-      motion.reason = timing.reason;
-      return motion;
-    }
-    motion.trajectory = std::move(timed.trajectory);
-    motion.path_parameters = std::move(timed.path_parameters);
-    const auto fault = first_joint_fault(arm, motion.trajectory);
+    if (!set_trajectory(timing, request.timing.rate, budget, motion)) return;
+    const auto fault = first_joint_fault(request.arm, motion.trajectory);
     if (fault && fault->kind == Fault::limits) {
       motion.status = MotionStatus::outside_limits;
       motion.reason = fault->reason;
-      return motion;
+      return;
     }
-    const std::size_t faulty = prove(arm, route, task, options, budget, motion);
-    if (!budget.complete()) break;
-    if (motion || options.rate > 0) break;
-    const double before = std::exchange(excess, tolerances_of(motion.deviation.bound, options));
-    if (round > 2 && excess > 1 && excess > falls_by * before) break;
-    const std::vector<int> times = divisions(motion.deviation, faulty, options);
+    const std::size_t faulty = prove(request, budget, motion);
+    if (!budget.complete() || motion || request.timing.rate > 0) return;
+    const double before = std::exchange(excess, tolerances_of(motion.deviation.bound, request));
+    if (round > 2 && excess > 1 && excess > falls_by * before) return;
+    const std::vector<int> times = divisions(motion.deviation, faulty, request);
     if (times.empty()) {
       motion.status = MotionStatus::too_many_samples;
-      motion.reason.set(ReasonField::more_samples, static_cast<std::size_t>(options.max_samples));
-      break;
+      motion.reason.set(ReasonField::more_samples,
+                        static_cast<std::size_t>(request.timing.max_samples));
+      return;
     }
     timing.divide(times);
   }
-  if (motion.status == MotionStatus::not_proved && options.rate > 0) {
-    add_other_rates(arm, route, plan, task, samples, options, budget, timing, motion);
+}
+
+/// Returns a branch as a motion with times and its proof, or the reason why there is none. A motion
+/// that is not proved at the rate has the rate and the speed with which it would be.
+PathMotion timed(const MotionRequest& request, const Branch& branch, std::size_t samples,
+                 BudgetMeter& whole) {
+  BudgetMeter budget(whole.part(planning_share, 1));
+  PathMotion motion;
+  set_branch(branch, motion);
+  if (!branch) return motion;
+  BranchTiming timing(request, branch, samples, budget);
+  time_and_prove(request, budget, timing, motion);
+  if (motion.status == MotionStatus::not_proved && request.timing.rate > 0) {
+    motion.reason.set(ReasonField::proof_rate, request.timing.rate);
+    const double rate = proved_rate(request, budget, timing);
+    if (rate > 0) motion.reason.set(ReasonField::proved_rate, rate);
+    const double speed = proved_speed(request, branch, samples, budget);
+    if (speed > 0) motion.reason.set(ReasonField::proved_speed, speed);
   }
-  if (!budget.complete()) set_ended_after_plan(budget.ending(), motion);
+  if (!budget.complete()) set_ended(ReasonCode::ended_before_timing, budget.ending(), motion);
   return motion;
+}
+
+/// The arm with limits moved inwards by `inset`, except those that `start` would then violate.
+Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start, double inset) {
+  std::vector<Joint> joints = arm.joints();
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits(k);
+    const double width = std::min(inset, 0.05 * (limits.upper - limits.lower));
+    Limits& reduced = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+                        return joint.name == arm.joint_of(k).name;
+                      })->limits;
+    reduced.lower = limits.lower + width;
+    reduced.upper = limits.upper - width;
+    if (!start) continue;
+    reduced.lower = std::min(reduced.lower, (*start)[k]);
+    reduced.upper = std::max(reduced.upper, (*start)[k]);
+  }
+  return {arm.name(), joints, arm.tool(), arm.base(), arm.controller()};
 }
 
 /// Plans and times again with other options, because a smooth motion of a joint along its limit may
 /// exceed it between samples. Replaces `motion` by the first that does not and is proved, or by one
 /// that is not proved at the rate.
-void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& start,
-                         const Route& route, const BranchOptions& planning,
-                         const PathMotionOptions& options, BudgetMeter& budget,
-                         PathMotion& motion) {
+void retry_inside_limits(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion) {
   // Inset of the limits, radians or metres, and fraction of the tolerance, smallest change first.
   // The steps of a plan are proportional to the square root of its tolerance.
   constexpr std::pair<double, double> attempts[] = {
       {0, 1}, {1e-4, 1}, {3e-4, 1}, {1e-3, 1}, {1e-2, 1}, {1e-4, 1.0 / 64}, {1e-3, 1.0 / 64}};
   for (const auto& [inset, fraction] : attempts) {
-    if (budget.ended()) return set_ended_after_plan(budget.ending(), motion);
-    BranchOptions again = planning;
+    if (budget.ended()) break;
+    BranchOptions again = request.branch;
     again.tolerance.position *= fraction;
     again.tolerance.orientation *= fraction;
-    Branch plan = plan_path(with_inset_limits(arm, start, inset), start, route.path, again);
-    if (plan) measure(arm, planning.task, budget, plan);
-    PathMotion inside = timed(arm, route, plan, planning.task, many_samples, options, budget);
+    Branch branch = plan_path(with_inset_limits(request.arm, request.start, inset), request.start,
+                              request.route.path, again);
+    if (branch) measure(request.arm, request.task(), budget, branch);
+    PathMotion inside = timed(request, branch, many_samples, budget);
     // Within the limits, but not proved at the rate: the reason names what the user can change.
-    const bool proof_fails = inside.status == MotionStatus::not_proved && options.rate > 0;
-    if (inside || (plan && proof_fails)) motion = std::move(inside);
+    const bool proof_fails = inside.status == MotionStatus::not_proved && request.timing.rate > 0;
+    if (inside || (branch && proof_fails)) motion = std::move(inside);
     if (motion) return;
   }
-  if (!budget.complete()) set_ended_after_plan(budget.ending(), motion);
-}
-
-/// Times and proves a plan.
-PathMotion timed_and_proved(const Arm& arm, const std::optional<Configuration>& start,
-                            const Route& route, const Branch& plan, const BranchOptions& planning,
-                            const PathMotionOptions& options, BudgetMeter& budget) {
-  PathMotion motion = timed(arm, route, plan, planning.task, few_samples, options, budget);
-  if (plan && motion.status == MotionStatus::outside_limits) {
-    retry_inside_limits(arm, start, route, planning, options, budget, motion);
-  }
-  motion.path_parameter = plan.path_parameter;
-  return motion;
+  if (!budget.complete()) set_ended(ReasonCode::ended_before_timing, budget.ending(), motion);
 }
 
 /// Times and proves the other complete branches where the best one is not proved, as at a
 /// singularity that it passes nearest. Replaces `motion` by the first that is proved.
-void try_other_branches(const Arm& arm, const Route& route, const BranchOptions& planning,
-                        const PathMotionOptions& options, BudgetMeter& budget, PathMotion& motion) {
+void try_other_branches(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion) {
   constexpr std::size_t max_others = 3;
-  BranchOptions all = planning;
+  BranchOptions all = request.branch;
   all.reasons = BranchOptions::Reasons::none;
-  const std::vector<Branch> branches = track_branches(arm, route.path, all);
-  for (std::size_t i = 1; i < branches.size() && i <= max_others; ++i) {
+  const std::vector<Branch> branches = track_branches(request.arm, request.route.path, all);
+  for (std::size_t i = 1; i < branches.size() && i <= max_others && !motion; ++i) {
     if (!branches[i] || budget.ended()) break;
-    PathMotion other = timed(arm, route, branches[i], planning.task, few_samples, options, budget);
-    if (!other) continue;
-    motion = std::move(other);
-    motion.path_parameter = branches[i].path_parameter;
-    return;
+    PathMotion other = timed(request, branches[i], few_samples, budget);
+    if (other) motion = std::move(other);
   }
 }
 
 }  // namespace
 
-Deviation part_of_tolerance(const PathMotionOptions& options, double fraction) {
-  return {fraction * options.tolerance, fraction * options.orientation_tolerance};
-}
-
-PathMotion planned_motion(const Arm& arm, const std::optional<Configuration>& start,
-                          const Route& route, const BranchOptions& planning,
-                          const PathMotionOptions& options, BudgetMeter& budget) {
-  const Branch plan = plan_path(arm, start, route.path, planning);
-  PathMotion motion = timed_and_proved(arm, start, route, plan, planning, options, budget);
-  const bool redundant = arm.dof() > planning.task.size();
-  const bool unproved = plan && motion.status == MotionStatus::not_proved;
-  if (!start && !redundant && unproved && options.rate == 0 && budget.complete()) {
-    try_other_branches(arm, route, planning, options, budget, motion);
+PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget) {
+  const Branch branch = plan_path(request.arm, request.start, request.route.path, request.branch);
+  PathMotion motion = timed(request, branch, few_samples, budget);
+  if (branch && motion.status == MotionStatus::outside_limits) {
+    retry_inside_limits(request, budget, motion);
+  }
+  motion.path_parameter = branch.path_parameter;
+  const bool redundant = request.arm.dof() > request.task().size();
+  const bool unproved = branch && motion.status == MotionStatus::not_proved;
+  if (!request.start && !redundant && unproved && request.timing.rate == 0 && budget.complete()) {
+    try_other_branches(request, budget, motion);
   }
   return motion;
 }
 
-void keep_duration(const Arm& arm, const Route& route, const Task& task,
-                   const PathMotionOptions& options, BudgetMeter& budget, PathMotion& motion) {
-  motion.reason = set_duration(motion.trajectory, *options.duration);
+void keep_duration(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion) {
+  motion.reason = set_duration(motion.trajectory, *request.timing.duration);
   if (motion.reason) {
     motion.status = MotionStatus::outside_limits;
     return;
   }
-  prove(arm, route, task, options, budget, motion);
-  if (!budget.complete()) set_ended_after_plan(budget.ending(), motion);
+  prove(request, budget, motion);
+  if (!budget.complete()) set_ended(ReasonCode::ended_before_timing, budget.ending(), motion);
 }
 
 }  // namespace beeline::internal

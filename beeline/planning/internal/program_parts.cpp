@@ -51,27 +51,28 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
 }
 
 /// Moves from one stop to the next, or from one sharp corner to the next.
-struct Stretch {
+struct ProgramSection {
   Route route;
   std::vector<std::size_t> moves;  ///< of each segment, 0 for the first move
   std::vector<double> blend_radii;
 };
 
-Stretch blended_stretch(const Program& program, std::size_t i, const std::vector<Pose>& poses) {
+ProgramSection blended_section(const Program& program, std::size_t i,
+                               const std::vector<Pose>& poses) {
   std::vector<Deviation> within;
   for (std::size_t k = 0; k + 2 < poses.size(); ++k) {
     const double blend = program.moves[i + k].blend;
     within.push_back({blend, blend / metres_per_radian});
   }
   BlendedPath blended = blended_lines(poses, within);
-  Stretch stretch{route_of(blended), std::move(blended.lines), {}};
-  for (const Blend& blend : blended.blends) stretch.blend_radii.push_back(blend.radius);
-  return stretch;
+  ProgramSection section{route_of(blended), std::move(blended.lines), {}};
+  for (const Blend& blend : blended.blends) section.blend_radii.push_back(blend.radius);
+  return section;
 }
 
-Stretch stretch_through(const Program& program, std::size_t i, std::vector<Pose> poses) {
+ProgramSection section_through(const Program& program, std::size_t i, std::vector<Pose> poses) {
   const Move& move = program.moves[i];
-  if (move.kind == MoveKind::line && poses.size() > 2) return blended_stretch(program, i, poses);
+  if (move.kind == MoveKind::line && poses.size() > 2) return blended_section(program, i, poses);
   if (move.kind == MoveKind::line) {
     return {route_of(lines_through(poses), PathKind::line), {0}, {}};
   }
@@ -80,9 +81,9 @@ Stretch stretch_through(const Program& program, std::size_t i, std::vector<Pose>
     poses[1].translation() = *move.via;
   }
   const PathKind kind = path_kind_named(name(move.kind));
-  Stretch stretch{route_of(path_through(poses, kind), kind), {}, {}};
-  for (std::size_t k = 0; k < stretch.route.path.segments.size(); ++k) stretch.moves.push_back(k);
-  return stretch;
+  ProgramSection section{route_of(path_through(poses, kind), kind), {}, {}};
+  for (std::size_t k = 0; k < section.route.path.segments.size(); ++k) section.moves.push_back(k);
+  return section;
 }
 
 /// Refuses waypoints that repeat where a path needs different ones. A line alone may stand still.
@@ -101,34 +102,34 @@ void check_distinct(const Program& program, std::size_t i, const std::vector<Pos
 }
 
 /// Appends the moves from move i up to the next stop, with the tool at `from`; returns the next.
-std::size_t add_stretch(const Program& program, std::size_t i, Pose& from, double tool_speed,
+std::size_t add_section(const Program& program, std::size_t i, Pose& from, double tool_speed,
                         ProgramPart& part) {
   std::vector<Pose> poses{from, program.moves[i].target};
   std::size_t last = i;
   while (is_passed(program, last)) poses.push_back(program.moves[++last].target);
   check_distinct(program, i, poses);
-  Stretch stretch;
+  ProgramSection section;
   try {
-    stretch = stretch_through(program, i, poses);
+    section = section_through(program, i, poses);
   } catch (const Error& error) {
     throw MoveError(program, last, error.what());
   }
   Route& route = part.route;
-  stretch.blend_radii.resize(last - i + 1, 0);
-  for (std::size_t k = 0; k < stretch.moves.size(); ++k) {
-    const std::size_t move = i + stretch.moves[k];
-    const Segment& segment = stretch.route.path.segments[k];
+  section.blend_radii.resize(last - i + 1, 0);
+  for (std::size_t k = 0; k < section.moves.size(); ++k) {
+    const std::size_t move = i + section.moves[k];
+    const Segment& segment = section.route.path.segments[k];
     const bool blends = program.moves[move].kind == MoveKind::line &&
                         std::holds_alternative<SplineSegment>(segment);
     route.path.segments.push_back(segment);
-    route.path.spans.push_back(stretch.route.path.spans[k]);
+    route.path.spans.push_back(section.route.path.spans[k]);
     route.path.names.push_back((blends ? "the blend after " : "") + move_name(program, move));
-    route.stops.push_back(stretch.route.stops[k] || k + 1 == stretch.moves.size());
+    route.stops.push_back(section.route.stops[k] || k + 1 == section.moves.size());
     route.speeds.push_back(program.moves[move].speed.value_or(tool_speed));
     part.moves.push_back(move);
   }
-  part.blend_radii.insert(part.blend_radii.end(), stretch.blend_radii.begin(),
-                          stretch.blend_radii.end());
+  part.blend_radii.insert(part.blend_radii.end(), section.blend_radii.begin(),
+                          section.blend_radii.end());
   from = program.moves[last].target;
   return last + 1;
 }
@@ -181,7 +182,7 @@ std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, s
       ++i;
     }
     while (!part.joint && i < program.moves.size() && program.moves[i].kind != MoveKind::joint) {
-      i = add_stretch(program, i, from, tool_speed, part);
+      i = add_section(program, i, from, tool_speed, part);
     }
     part.last = i - 1;
     parts.push_back(std::move(part));

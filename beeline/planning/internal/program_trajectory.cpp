@@ -3,19 +3,12 @@
 
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline::internal {
 namespace {
 
 constexpr double nearest_dwell = 1e-9;  // seconds: shorter dwells have no sample
-
-/// Appends a sample of `from` at time t.
-void push(Trajectory& to, const Trajectory& from, std::size_t k, double t) {
-  to.times.push_back(t);
-  to.positions.push_back(from.positions[k]);
-  if (!from.velocities.empty()) to.velocities.push_back(from.velocities[k]);
-  if (!from.accelerations.empty()) to.accelerations.push_back(from.accelerations[k]);
-}
 
 }  // namespace
 
@@ -23,8 +16,7 @@ void ProgramTrajectory::begin(const Arm& arm, const Configuration& q, Interpolat
                               double rate) {
   rate_ = rate;
   trajectory_ = at_rest(arm, q);
-  if (interpolation != Interpolation::quintic) trajectory_.accelerations.clear();
-  if (interpolation == Interpolation::linear) trajectory_.velocities.clear();
+  keep_columns(trajectory_, interpolation);
 }
 
 void ProgramTrajectory::rest_before(double interval) {
@@ -38,14 +30,15 @@ void ProgramTrajectory::rest_before(double interval) {
   if (rests) {
     t.back() = std::max(t.back(), t[end] + shortest);
   } else if (before != interval) {
-    push(trajectory_, trajectory_, last(), t.back() + shortest);
+    append_sample(trajectory_, trajectory_, last(), t.back() + shortest);
   }
 }
 
 void ProgramTrajectory::append(const Trajectory& motion, std::size_t k) {
   if (stopped_) rest_before(motion.times[k] - motion.times[k - 1]);
   stopped_ = false;
-  push(trajectory_, motion, k, trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
+  append_sample(trajectory_, motion, k,
+                trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
 }
 
 Reason ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
@@ -67,7 +60,7 @@ void ProgramTrajectory::dwell(double seconds) {
   const double periods = rate_ > 0 ? std::max(1.0, std::ceil(seconds * rate_ - rounding)) : 1;
   const double period = rate_ > 0 ? 1 / rate_ : seconds;
   for (double k = 0; k < periods; ++k) {
-    push(trajectory_, trajectory_, last(), trajectory_.times.back() + period);
+    append_sample(trajectory_, trajectory_, last(), trajectory_.times.back() + period);
   }
 }
 
@@ -82,7 +75,8 @@ Trajectory ProgramTrajectory::finished() const {
 
 Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last) {
   Trajectory part{trajectory.joint_names, {}, {}, {}, {}};
-  for (std::size_t k = first; k <= last; ++k) push(part, trajectory, k, trajectory.times[k]);
+  for (std::size_t k = first; k <= last; ++k)
+    append_sample(part, trajectory, k, trajectory.times[k]);
   return part;
 }
 

@@ -28,14 +28,16 @@ constexpr std::size_t max_rests = 16;        // rests at which a move may end
 class ProgramVerifier {
  public:
   ProgramVerifier(const Arm& arm, const Trajectory& trajectory, const Program& program,
-                  const VerifyOptions& options)
+                  const VerifyOptions& options, BudgetMeter& budget)
       : arm_(arm),
         trajectory_(trajectory),
         program_(program),
         options_(options),
+        budget_(budget),
         task_(options.task.value_or(default_task(arm))),
         rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
     options_.task = task_;
+    options_.budget = budget.part();
     interval_bounds_.resize(trajectory.size() - 1);
   }
 
@@ -55,9 +57,8 @@ class ProgramVerifier {
     result_.deviation.interval_bounds = std::move(interval_bounds_);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
                                          options_.limit_tolerance);
-    const Ending ending = options_.budget.whole ? options_.budget.whole(0) : Ending::complete;
-    if (ending != Ending::complete) {
-      end(ending, ended_reason(ReasonCode::ended_before_check, ending));
+    if (!budget_.complete()) {
+      end(budget_.ending(), ended_reason(ReasonCode::ended_before_check, budget_.ending()));
     }
     if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {
       fail(joint->kind, joint->sample, joint->reason);
@@ -125,10 +126,6 @@ class ProgramVerifier {
                   {ReasonField::beyond_dwells, start > trajectory_.times[from]}}});
   }
 
-  bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
-    return check_speed(move, from, to, program_.moves[move].speed);
-  }
-
   bool check_speed(std::size_t move, std::size_t from, std::size_t to,
                    const std::optional<double>& limit) {
     if (!limit || from >= to) return true;
@@ -162,7 +159,7 @@ class ProgramVerifier {
     const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
     const std::optional<double> larger =
         limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
-    if (!check_speed(i, from, before) || !check_speed(i, before, after, larger)) return {};
+    if (!check_speed(i, from, before, limit) || !check_speed(i, before, after, larger)) return {};
     return after;
   }
 
@@ -238,7 +235,10 @@ class ProgramVerifier {
     }
     return check_candidates(rests, [&](std::size_t end) {
       result_.arrivals.push_back(end);
-      if (!check_speed(move, begin_, end) || !check_stop(move) || !check_dwell(move)) return false;
+      if (!check_speed(move, begin_, end, program_.moves[move].speed) || !check_stop(move) ||
+          !check_dwell(move)) {
+        return false;
+      }
       ++part_;
       if (part_ == parts_.size()) return check_rest(move);
       return parts_[part_].joint || check_path();
@@ -252,7 +252,7 @@ class ProgramVerifier {
     for (std::size_t i = 0; i < part.route.stops.size(); ++i) {
       if (!part.route.stops[i]) continue;
       const bool last = last_part && i + 1 == part.route.stops.size();
-      if (!check_stretch(part, begin, i, last)) return false;
+      if (!check_section(part, begin, i, last)) return false;
       begin = i + 1;
     }
     ++part_;
@@ -260,7 +260,7 @@ class ProgramVerifier {
   }
 
   /// The segments of a part from one stop to the next.
-  static Route stretch_of(const ProgramPart& part, std::size_t first, std::size_t last) {
+  static Route section_of(const ProgramPart& part, std::size_t first, std::size_t last) {
     const auto slice = [&](const auto& all) {
       const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
       return std::decay_t<decltype(all)>(begin,
@@ -293,8 +293,8 @@ class ProgramVerifier {
     return rests;
   }
 
-  bool check_stretch(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
-    const Route route = stretch_of(part, first, last);
+  bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
+    const Route route = section_of(part, first, last);
     // Lines of which blends leave nothing have no segment.
     const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
     const std::vector<std::size_t> rests = path_rests(route);
@@ -302,11 +302,11 @@ class ProgramVerifier {
     // At the end of the program the path is checked to the last sample from any of them.
     return check_candidates(std::span(rests).first(to_end ? 1 : rests.size()),
                             [&](std::size_t end) {
-                              return check_stretch(part, route, {first, move, end, to_end});
+                              return check_section(part, route, {first, move, end, to_end});
                             });
   }
 
-  struct StretchEnd {
+  struct SectionEnd {
     std::size_t first = 0;  ///< segment of the part
     std::size_t move = 0;   ///< its last one
     std::size_t sample = 0;
@@ -314,7 +314,7 @@ class ProgramVerifier {
   };
 
   /// Checks a path from the sample `begin_` to a stop.
-  bool check_stretch(const ProgramPart& part, const Route& route, const StretchEnd& end) {
+  bool check_section(const ProgramPart& part, const Route& route, const SectionEnd& end) {
     const std::size_t first = end.first, move = end.move;
     VerifyOptions options = options_;
     options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && end.is_last};
@@ -328,7 +328,7 @@ class ProgramVerifier {
       const std::size_t reached = begin_ + (segment < first ? 0 : found.arrivals[segment - first]);
       result_.arrivals.push_back(reached);
       if (i == move || segment < first) {
-        if (!check_speed(i, from, reached)) return false;
+        if (!check_speed(i, from, reached, program_.moves[i].speed)) return false;
         continue;
       }
       const std::size_t last_sample = begin_ + found.arrivals.back();
@@ -365,6 +365,7 @@ class ProgramVerifier {
   const Trajectory& trajectory_;
   const Program& program_;
   VerifyOptions options_;
+  BudgetMeter& budget_;
   Task task_;
   WaypointRests rests_;
   std::vector<ProgramPart> parts_ = {};
@@ -385,9 +386,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Program& prog
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   BudgetMeter budget(options.budget);
-  VerifyOptions shared = options;
-  shared.budget = budget.part();
-  return ProgramVerifier(arm, trajectory, program, shared).run();
+  return ProgramVerifier(arm, trajectory, program, options, budget).run();
 }
 
 }  // namespace beeline

@@ -17,11 +17,22 @@ namespace {
 constexpr double regular_condition = 1e3;  // above it the arm counts as near a singularity
 constexpr double same_branch = 0.2;        // radians or metres: farther away is another branch
 
-/// The part of a segment as long as the arm's size, as a fraction; 1 where the segment is shorter.
-/// Poses ahead are sought within it.
-double longest_probed(const Arm& arm, const Segment& segment) {
-  return std::min(1.0, unit_of_length(arm) / weighted_length(segment));
-}
+/// The end of the tracked part of a segment: configuration q at its fraction s.
+struct TrackedEnd {
+  const Arm& arm;
+  const Segment& segment;
+  const Task& task;
+  const Configuration& q;
+  double s;
+  const Budget& budget;
+
+  /// The fraction of the segment that is `distance` ahead, in units of the arm's size or of the
+  /// segment, whichever is shorter.
+  double ahead(double distance) const {
+    const double longest = std::min(1.0, unit_of_length(arm) / weighted_length(segment));
+    return std::min(1.0, s + distance * longest);
+  }
+};
 
 /// The joints outside their limits at q: the first, the others as its details.
 Reason joints_outside(const Arm& arm, const Configuration& q) {
@@ -39,17 +50,16 @@ Reason joints_outside(const Arm& arm, const Configuration& q) {
 
 /// Returns the limits that the motion would pass if it continued without limits; none if it cannot
 /// continue so for at least 1e-4 of the segment, or of the arm's size.
-Reason passed_limits(const Arm& arm, const Segment& segment, const Task& task,
-                     const Configuration& q, double s) {
+Reason passed_limits(const TrackedEnd& end) {
   constexpr double continued = 1e-4;
-  const double unit = longest_probed(arm, segment);
   Reason joints;
-  for (const double ahead : {1e-6, 1e-5, 1e-4, 1e-3}) {
-    const Pose next = pose_at(segment, std::min(1.0, s + ahead * unit));
-    const NumericalResult free = levenberg_marquardt(arm, next, task, no_bounds(arm), q);
-    if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > same_branch) return {};
-    if (!joints) joints = joints_outside(arm, free.q);
-    if (joints && ahead >= continued) return joints;
+  for (const double distance : {1e-6, 1e-5, 1e-4, 1e-3}) {
+    const Pose next = pose_at(end.segment, end.ahead(distance));
+    const NumericalResult free =
+        levenberg_marquardt(end.arm, next, end.task, no_bounds(end.arm), end.q);
+    if (!free.converged || (free.q - end.q).lpNorm<Eigen::Infinity>() > same_branch) return {};
+    if (!joints) joints = joints_outside(end.arm, free.q);
+    if (joints && distance >= continued) return joints;
   }
   return {};
 }
@@ -65,21 +75,18 @@ bool is_unreachable(const InverseResult& answer) {
          answer.status == InverseStatus::orientation_unreachable;
 }
 
-Probe probe(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
-            double s, const Budget& budget) {
-  return {
-      s, inverse_kinematics(arm, pose_at(segment, s), {.seed = q, .task = task, .budget = budget})};
+Probe probe(const TrackedEnd& end, double s) {
+  return {s, inverse_kinematics(end.arm, pose_at(end.segment, s),
+                                {.seed = end.q, .task = end.task, .budget = end.budget})};
 }
 
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
 /// no solution exists; then poses farther ahead are tried. Next to a singularity it may miss the
 /// solution by rounding; then one that is found farther ahead counts.
-Probe solve_ahead(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
-                  double s, bool singular, const Budget& budget) {
-  const double unit = longest_probed(arm, segment);
+Probe solve_ahead(const TrackedEnd& end, bool singular) {
   std::optional<Probe> found;
-  for (const double ahead : {1e-3, 1e-2, 1e-1}) {
-    Probe next = probe(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
+  for (const double distance : {1e-3, 1e-2, 1e-1}) {
+    Probe next = probe(end, end.ahead(distance));
     const bool solved = singular && next.answer.status == InverseStatus::solved;
     if (!found || solved || is_unreachable(next.answer)) found = std::move(next);
     if (found->answer.status != InverseStatus::not_found) break;
@@ -110,68 +117,59 @@ Reason unreachable_ahead(const Segment& segment, const Probe& ahead, const Probe
   return reason;
 }
 
-/// Whether the fraction s of the segment is its beginning, up to a thousandth of the arm's size.
-bool is_beginning(const Arm& arm, const Segment& segment, double s) {
+/// Why the arm is singular: at the segment's beginning, up to a thousandth of the arm's size, with
+/// the joint.
+Reason singular_reason(const TrackedEnd& end) {
   constexpr double nearby = 1e-3;
-  return s * weighted_length(segment) <= nearby * unit_of_length(arm);
-}
-
-/// Why a segment cannot begin with a configuration at which the arm is singular.
-Reason singular_start(const Arm& arm, const Task& task, const Configuration& q) {
+  if (end.s * weighted_length(end.segment) > nearby * unit_of_length(end.arm)) {
+    return {ReasonCode::singular_on_path};
+  }
   Reason reason{ReasonCode::singular_at_start};
-  if (const std::optional<int> k = singular_joint(arm, task, q)) {
-    set_joint(arm.joint_of(*k), reason).set(ReasonField::value, q[*k]);
+  if (const std::optional<int> k = singular_joint(end.arm, end.task, end.q)) {
+    set_joint(end.arm.joint_of(*k), reason).set(ReasonField::value, end.q[*k]);
   }
   return reason;
 }
 
 /// The largest distance of a coordinate from q to the nearest configuration for the pose at the
 /// fraction s; infinite where none is found.
-double nearest_distance(const Arm& arm, const Segment& segment, const Task& task,
-                        const Configuration& q, double s, const Budget& budget) {
+double nearest_distance(const TrackedEnd& end, double s) {
   const InverseResult answer = inverse_kinematics(
-      arm, pose_at(segment, s),
-      {.seed = q, .task = task, .redundancy = Redundancy::nearest, .budget = budget});
+      end.arm, pose_at(end.segment, s),
+      {.seed = end.q, .task = end.task, .redundancy = Redundancy::nearest, .budget = end.budget});
   if (answer.status != InverseStatus::solved) return Limits::none;
-  return (answer.solutions.front() - q).lpNorm<Eigen::Infinity>();
+  return (answer.solutions.front() - end.q).lpNorm<Eigen::Infinity>();
 }
 
 /// Whether a configuration continues q without a jump. Its distance from q then vanishes with the
 /// distance along the segment, as the square root of it where two branches meet, such as those of
 /// the stretched elbow. Behind a jump the distance hardly changes.
-bool continues(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
-               double s, const Budget& budget) {
+bool continues(const TrackedEnd& end) {
   constexpr double shortest = 1e-7, longer = 1e-5;  // the square roots have the ratio 0.1
   constexpr double vanishing = 0.3;
-  const double unit = longest_probed(arm, segment);
-  const auto distance = [&](double ahead) {
-    return nearest_distance(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
-  };
+  const auto distance = [&](double ahead) { return nearest_distance(end, end.ahead(ahead)); };
   const double far = distance(longer);
   return far <= same_branch && distance(shortest) <= vanishing * far;
 }
 
 /// The status and reason by inverse kinematics for the poses ahead, with or without solutions.
-SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task& task,
-                             const Configuration& q, double s, const Budget& budget) {
-  const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
+SegmentFailure failure_ahead(const TrackedEnd& end) {
+  const double condition =
+      manipulability_measures(task_jacobian(end.arm, end.q, end.task)).condition;
   const bool singular = !(condition < regular_condition);
-  const Probe ahead = solve_ahead(arm, segment, task, q, s, singular, budget);
+  const Probe ahead = solve_ahead(end, singular);
   switch (ahead.answer.status) {
     case InverseStatus::solved:
-      if (!singular || continues(arm, segment, task, q, s, budget)) {
+      if (!singular || continues(end)) {
         return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
       }
-      return {MotionStatus::singular, is_beginning(arm, segment, s)
-                                          ? singular_start(arm, task, q)
-                                          : Reason{ReasonCode::singular_on_path}};
+      return {MotionStatus::singular, singular_reason(end)};
     case InverseStatus::outside_limits:
       return {MotionStatus::outside_limits,
-              {ReasonCode::pose_outside_limits, {}, {reason_at(segment, ahead)}}};
+              {ReasonCode::pose_outside_limits, {}, {reason_at(end.segment, ahead)}}};
     case InverseStatus::unreachable:
     case InverseStatus::orientation_unreachable:
-      return {MotionStatus::unreachable,
-              unreachable_ahead(segment, ahead, probe(arm, segment, task, q, 1, budget))};
+      return {MotionStatus::unreachable, unreachable_ahead(end.segment, ahead, probe(end, 1))};
     case InverseStatus::time_limit:
     case InverseStatus::cancelled:
     case InverseStatus::work_limit:
@@ -183,7 +181,7 @@ SegmentFailure failure_ahead(const Arm& arm, const Segment& segment, const Task&
   return {MotionStatus::not_found,
           {ReasonCode::no_configuration_found,
            {{ReasonField::near_singular, singular}},
-           {reason_at(segment, ahead)}}};
+           {reason_at(end.segment, ahead)}}};
 }
 
 }  // namespace
@@ -203,8 +201,9 @@ Reason passed_limit(const Arm& arm, int coordinate, bool lower) {
 
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget) {
-  SegmentFailure failure{MotionStatus::outside_limits, passed_limits(arm, segment, task, q, s)};
-  if (!failure.reason) failure = failure_ahead(arm, segment, task, q, s, budget);
+  const TrackedEnd end{arm, segment, task, q, s, budget};
+  SegmentFailure failure{MotionStatus::outside_limits, passed_limits(end)};
+  if (!failure.reason) failure = failure_ahead(end);
   set_stop(segment, s, failure.reason);
   return failure;
 }

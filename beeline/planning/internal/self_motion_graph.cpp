@@ -174,8 +174,7 @@ bool shift_into_limits(const Arm& arm, const std::vector<bool>& cyclic, std::vec
 /// The nodes of a path as knots, with the tool at the path's poses to rounding; cyclic coordinates
 /// are continuous.
 std::vector<Knot> knots_through(const std::vector<Node>& nodes, const SelfMotionSweep& sweep,
-                                const Arm& arm, const ToolPath& path,
-                                const SelfMotionGraphOptions& options) {
+                                const Arm& arm, const ToolPath& path, const GraphOptions& options) {
   std::vector<Knot> knots;
   for (std::size_t r = 0; r < nodes.size(); ++r) {
     const double s = sweep.layers()[r].s;
@@ -206,16 +205,10 @@ std::vector<double> allowances(const std::vector<SelfMotionLayer>& layers, const
 /// search_self_motion_graph() with these coordinates as angles without limits; nothing if the
 /// motion does not fit into those that have limits.
 std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
-                                   const SelfMotionGraphOptions& options,
-                                   const std::vector<bool>& cyclic, BudgetMeter& budget) {
-  SelfMotionSweep sweep(arm, path,
-                        {.task = options.task,
-                         .start = options.start,
-                         .cyclic = cyclic,
-                         .spacing = options.spacing,
-                         .step = options.step,
-                         .share = sweep_share},
-                        budget);
+                                   const GraphOptions& options, const std::vector<bool>& cyclic,
+                                   BudgetMeter& budget) {
+  BudgetMeter sweeping(budget.part(0, sweep_share));
+  SelfMotionSweep sweep(arm, path, options, cyclic, sweeping);
   KnotSequence result;
   result.complete = sweep.run();
   const std::vector<SelfMotionLayer>& layers = sweep.layers();
@@ -226,17 +219,15 @@ std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
   result.knots = knots_through(best.nodes(), sweep, arm, path, options);
   result.complete = result.complete && result.knots.size() == layers.size();
   if (!options.start && !shift_into_limits(arm, cyclic, result.knots)) return {};
-  const Budget rest = budget.part(sweep_share, 1);
-  BudgetMeter smoothing(rest);
-  smooth_knots(arm, path, {options.task, best.required_margin(), options.start.has_value()},
-               smoothing, result.knots);
+  BudgetMeter smoothing(budget.part(sweep_share, 1));
+  smooth_knots(arm, path, options, best.required_margin(), smoothing, result.knots);
   return result;
 }
 
 }  // namespace
 
 KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
-                                      const SelfMotionGraphOptions& options) {
+                                      const GraphOptions& options) {
   BudgetMeter budget(options.budget);
   if (!options.start) {
     const auto found = search(arm, path, options, cyclic_coordinates(arm, true), budget);
@@ -246,17 +237,9 @@ KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
       .value_or(KnotSequence{});
 }
 
-bool has_self_motion_path(const Arm& arm, const ToolPath& path,
-                          const SelfMotionGraphOptions& options) {
+bool has_self_motion_path(const Arm& arm, const ToolPath& path, const GraphOptions& options) {
   BudgetMeter budget(options.budget);
-  return SelfMotionSweep(arm, path,
-                         {.task = options.task,
-                          .start = options.start,
-                          .cyclic = cyclic_coordinates(arm, !options.start),
-                          .spacing = options.spacing,
-                          .step = options.step},
-                         budget)
-      .run();
+  return SelfMotionSweep(arm, path, options, cyclic_coordinates(arm, !options.start), budget).run();
 }
 
 }  // namespace beeline::internal

@@ -8,14 +8,6 @@
 
 namespace beeline::internal {
 
-struct SelfMotionGraphOptions {
-  Task task;
-  std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
-  double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
-  double step = 0.15;     ///< of the nodes along a self-motion, radians or metres
-  Budget budget = {};
-};
-
 /// Resolves the redundancy of an arm with one joint more than the task has rows, along a whole
 /// path. Layer r of the graph has all configurations with the tool at path parameter s_r that a
 /// motion from the path's beginning can reach, as nodes on curves of self-motion: see
@@ -31,11 +23,10 @@ struct SelfMotionGraphOptions {
 /// the same margin. This does not prove that the arm can move from knot to knot: see
 /// track_segment(). Where the budget ends it, the knots are those so far.
 KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
-                                      const SelfMotionGraphOptions& options);
+                                      const GraphOptions& options);
 
 /// Whether the layers of the graph reach the path's end: a quick test for a motion, which it does
 /// not prove. False where the budget ends it.
-bool has_self_motion_path(const Arm& arm, const ToolPath& path,
-                          const SelfMotionGraphOptions& options);
+bool has_self_motion_path(const Arm& arm, const ToolPath& path, const GraphOptions& options);
 
 }  // namespace beeline::internal

@@ -42,13 +42,12 @@ const Node& SelfMotionLayer::node(std::size_t i) const {
   return curves[curve].nodes[i - first[curve]];
 }
 
-SelfMotionSweep::SelfMotionSweep(const Arm& arm, const ToolPath& path, const SweepOptions& options,
-                                 BudgetMeter& budget)
+SelfMotionSweep::SelfMotionSweep(const Arm& arm, const ToolPath& path, const GraphOptions& options,
+                                 const std::vector<bool>& cyclic, BudgetMeter& budget)
     : arm_(arm),
       path_(path),
       options_(options),
-      motion_(arm, options.task, without(options.cyclic, bounds_of(arm)), options.cyclic,
-              options.step),
+      motion_(arm, options.task, without(cyclic, bounds_of(arm)), cyclic, options.step),
       budget_(budget) {}
 
 bool SelfMotionSweep::run() {
@@ -64,8 +63,7 @@ bool SelfMotionSweep::run() {
     };
     while (k + 1 < wanted.size() && follows(wanted[k + 1])) ++k;
     if (!add_up_to(wanted[k], regular)) return false;
-    budget_.report(options_.share * static_cast<double>(k + 1) /
-                   static_cast<double>(wanted.size()));
+    budget_.report(static_cast<double>(k + 1) / static_cast<double>(wanted.size()));
   }
   return true;
 }

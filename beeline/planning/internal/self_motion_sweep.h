@@ -5,6 +5,7 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/path/tool_path.h>
+#include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/self_motion.h>
 
 namespace beeline::internal {
@@ -26,15 +27,6 @@ struct SelfMotionLayer {
   const RedundantConfiguration& node(std::size_t i) const;
 };
 
-struct SweepOptions {
-  Task task;
-  std::optional<Configuration> start = std::nullopt;  ///< all of the first layer; default: any
-  std::vector<bool> cyclic = {};  ///< coordinates that are taken for angles without limits
-  double spacing = 0;             ///< of the layers, metres; rotations count by metres_per_radian
-  double step = 0;                ///< of the nodes along a self-motion, radians or metres
-  double share = 1;               ///< of the sweep in the progress that the meter reports
-};
-
 /// Computes all configurations within the limits that a motion along a path can reach, for an arm
 /// with one joint more than the task has rows. As a motion along the path may be arbitrarily slow,
 /// it can reach a whole curve of self-motion if it can reach one configuration of it.
@@ -48,9 +40,10 @@ struct SweepOptions {
 ///   shrinks to a point between limits, or where all are singular.
 class SelfMotionSweep {
  public:
-  /// Keeps references to the arm, the path and the meter.
-  SelfMotionSweep(const Arm& arm, const ToolPath& path, const SweepOptions& options,
-                  BudgetMeter& budget);
+  /// Coordinates in `cyclic` are taken for angles without limits. The first layer has the start, if
+  /// there is one. Keeps references to the arm, the path, the options and the meter.
+  SelfMotionSweep(const Arm& arm, const ToolPath& path, const GraphOptions& options,
+                  const std::vector<bool>& cyclic, BudgetMeter& budget);
 
   /// Computes the layers; returns whether they reach the path's end.
   bool run();
@@ -73,7 +66,7 @@ class SelfMotionSweep {
 
   const Arm& arm_;
   const ToolPath& path_;
-  SweepOptions options_;
+  const GraphOptions& options_;
   SelfMotion motion_;
   BudgetMeter& budget_;
   std::vector<SelfMotionLayer> layers_;

@@ -79,36 +79,35 @@ Bounds bounds_without_turns(const Arm& arm) {
   return bounds;
 }
 
-SingularWaypoints::SingularWaypoints(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                                     const BranchOptions& options, BudgetMeter& budget)
-    : arm_(arm), path_(path), bounds_(bounds), options_(options), budget_(budget) {}
-
 /// The branches from the beginning of a segment to a pose inside it.
 const std::vector<TrackedSegment>& SingularWaypoints::departures(std::size_t segment) {
   const auto known = departures_.find(segment);
   if (known != departures_.end()) return known->second;
   std::vector<TrackedSegment>& found = departures_[segment];
-  const Segment& forward = path_.segments[segment];
+  const Segment& forward = search_.path.segments[segment];
   InverseResult inside;
   double s = 0;
   for (const double fraction : {0.5, 0.3, 0.7, 0.1}) {
     s = fraction;
-    inside = inverse_kinematics(
-        arm_, pose_at(forward, s),
-        {.task = options_.task, .all = true, .ignore_limits = true, .budget = budget_.part()});
+    inside = inverse_kinematics(search_.arm, pose_at(forward, s),
+                                {.task = search_.options.task,
+                                 .all = true,
+                                 .ignore_limits = true,
+                                 .budget = search_.budget.part()});
     if (!inside.solutions.empty() && !inside.singular) break;
   }
   const Segment backward = reversed(forward);
-  const Bounds bounds = bounds_without_turns(arm_);
+  const Bounds bounds = bounds_without_turns(search_.arm);
   for (const Configuration& q : inside.solutions) {
-    if (budget_.ended()) break;
+    if (search_.budget.ended()) break;
     if (!within(bounds, q)) continue;
-    TrackedSegment tracked = track_segment(arm_, backward, options_.task, bounds, q,
-                                           {.tolerance = options_.tolerance,
-                                            .max_samples = options_.max_samples,
+    TrackedSegment tracked = track_segment(search_.arm, backward, search_.options.task, bounds, q,
+                                           {.tolerance = search_.options.tolerance,
+                                            .max_samples = search_.options.max_samples,
                                             .begin = 1 - s,
-                                            .budget = &budget_});
-    if (!tracked.complete() && !complete_near_end(arm_, backward, options_.task, bounds, tracked)) {
+                                            .budget = search_.budget});
+    if (!tracked.complete() &&
+        !complete_near_end(search_.arm, backward, search_.options.task, bounds, tracked)) {
       continue;
     }
     reverse(tracked);
@@ -123,9 +122,9 @@ std::vector<TrackedSegment> SingularWaypoints::departures_from(std::size_t segme
   constexpr double same = 1e-3;  // radians or metres
   std::vector<TrackedSegment> found;
   for (const TrackedSegment& departure : departures(segment)) {
-    if (!same_posture(arm_, departure.samples.front(), q, same)) continue;
+    if (!same_posture(search_.arm, departure.samples.front(), q, same)) continue;
     found.push_back(departure);
-    begin_near(arm_, q, found.back());
+    begin_near(search_.arm, q, found.back());
   }
   return found;
 }
@@ -137,9 +136,9 @@ const TrackedSegment* SingularWaypoints::next_departure(const Branch& branch, st
   for (std::size_t i = branch.segments.size(); i > first; --i) {
     const std::size_t segment = i - 1;
     if (choices.empty() || choices.back().segment != segment) {
-      if (stands_still(path_.segments[segment], options_.task)) continue;
+      if (stands_still(search_.path.segments[segment], search_.options.task)) continue;
       const Configuration& q = branch.segments[segment].samples.front();
-      if (!is_near_singular(arm_, options_.task, q)) continue;
+      if (!is_near_singular(search_.arm, search_.options.task, q)) continue;
       choices.push_back({segment, departures_from(segment, q)});
     }
     Choice& last = choices.back();
@@ -152,7 +151,7 @@ const TrackedSegment* SingularWaypoints::next_departure(const Branch& branch, st
 bool SingularWaypoints::complete(Branch& branch, std::size_t first, const Accept& accept) {
   std::vector<Choice> choices;
   Branch current = branch;
-  for (int i = 0; !budget_.ended(); ++i) {
+  for (int i = 0; !search_.budget.ended(); ++i) {
     if (current.path_parameter > branch.path_parameter) branch = current;
     if (current && accept(current)) {
       branch = std::move(current);
@@ -163,7 +162,7 @@ bool SingularWaypoints::complete(Branch& branch, std::size_t first, const Accept
     if (departure == nullptr) break;
     current.segments.resize(choices.back().segment);
     current.status = MotionStatus::reached;
-    track_path(arm_, path_, bounds_, options_, budget_, current, guide_along(*departure));
+    track_path(search_, current, guide_along(*departure));
   }
   return false;
 }
@@ -171,14 +170,15 @@ bool SingularWaypoints::complete(Branch& branch, std::size_t first, const Accept
 std::vector<Branch> SingularWaypoints::branches_from_beginning() {
   std::vector<Branch> branches;
   std::size_t first = 0;
-  while (first + 1 < path_.segments.size() && stands_still(path_.segments[first], options_.task)) {
+  while (first + 1 < search_.path.segments.size() &&
+         stands_still(search_.path.segments[first], search_.options.task)) {
     ++first;
   }
-  if (stands_still(path_.segments[first], options_.task)) return branches;
+  if (stands_still(search_.path.segments[first], search_.options.task)) return branches;
   for (const TrackedSegment& departure : departures(first)) {
-    if (budget_.ended()) break;
+    if (search_.budget.ended()) break;
     Branch branch{.start = departure.samples.front()};
-    track_path(arm_, path_, bounds_, options_, budget_, branch, guide_along(departure));
+    track_path(search_, branch, guide_along(departure));
     branches.push_back(std::move(branch));
   }
   return branches;

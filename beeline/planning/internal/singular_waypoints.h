@@ -3,9 +3,7 @@
 #include <functional>
 #include <map>
 
-#include <beeline/internal/budget_meter.h>
-#include <beeline/inverse/numerical/bounds.h>
-#include <beeline/planning/branch.h>
+#include <beeline/planning/internal/track_path.h>
 
 namespace beeline::internal {
 
@@ -23,9 +21,8 @@ Bounds bounds_without_turns(const Arm& arm);
 /// branches. Those that can be tracked back to the waypoint are its departures.
 class SingularWaypoints {
  public:
-  /// `bounds` are those of the branches. Keeps references to all arguments but the bounds.
-  SingularWaypoints(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                    const BranchOptions& options, BudgetMeter& budget);
+  /// Keeps references to what the search refers to.
+  explicit SingularWaypoints(const BranchSearch& search) : search_(search) {}
 
   using Accept = std::function<bool(const Branch&)>;
 
@@ -50,11 +47,7 @@ class SingularWaypoints {
   const TrackedSegment* next_departure(const Branch& branch, std::size_t first,
                                        std::vector<Choice>& choices);
 
-  const Arm& arm_;
-  const ToolPath& path_;
-  Bounds bounds_;
-  const BranchOptions& options_;
-  BudgetMeter& budget_;
+  BranchSearch search_;
   std::map<std::size_t, std::vector<TrackedSegment>> departures_;  ///< of each segment asked for
 };
 

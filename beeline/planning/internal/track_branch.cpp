@@ -127,21 +127,20 @@ bool fits_into_limits(const Arm& arm, const ToolPath& path, const Branch& branch
 }
 
 /// One branch for each solution at the beginning, before fit_into_limits().
-std::vector<Branch> branches_of(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                                const std::vector<Configuration>& starts,
-                                const BranchOptions& options, BudgetMeter& budget) {
+std::vector<Branch> branches_of(const BranchSearch& search,
+                                const std::vector<Configuration>& starts) {
+  BudgetMeter& budget = search.budget;
   std::vector<Branch> branches;
   const auto count = static_cast<double>(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    if (!within(bounds, starts[i])) continue;
+    if (!within(search.bounds, starts[i])) continue;
     Branch branch{.start = starts[i]};
     if (budget.ended()) {
-      set_ended(path, budget.ending(), branch);
+      set_ended(search.path, budget.ending(), branch);
     } else {
       const auto done = static_cast<double>(i);
-      const Budget share = budget.part(done / count, (done + 1) / count);
-      BudgetMeter one(share);
-      track_path(arm, path, bounds, options, one, branch);
+      BudgetMeter one(budget.part(done / count, (done + 1) / count));
+      track_path(search.with(one), branch);
     }
     branches.push_back(std::move(branch));
   }
@@ -151,18 +150,19 @@ std::vector<Branch> branches_of(const Arm& arm, const ToolPath& path, const Boun
 /// Tracks `branches` again from waypoints where the arm is singular, and if one of the `starts` is
 /// singular, or none was found, adds the branches that leave the path's beginning and reach
 /// farther.
-void pass_singular_waypoints(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                             const std::vector<Configuration>& starts, const BranchOptions& options,
-                             BudgetMeter& budget, std::vector<Branch>& branches) {
-  SingularWaypoints waypoints(arm, path, bounds, options, budget);
-  const auto fits = [&](const Branch& branch) { return fits_into_limits(arm, path, branch); };
+void pass_singular_waypoints(const BranchSearch& search, const std::vector<Configuration>& starts,
+                             std::vector<Branch>& branches) {
+  SingularWaypoints waypoints(search);
+  const auto fits = [&](const Branch& branch) {
+    return fits_into_limits(search.arm, search.path, branch);
+  };
   double farthest = 0;
   for (Branch& branch : branches) {
     waypoints.complete(branch, 1, fits);
     farthest = std::max(farthest, branch.path_parameter);
   }
   const auto singular = [&](const Configuration& q) {
-    return is_near_singular(arm, options.task, q);
+    return is_near_singular(search.arm, search.options.task, q);
   };
   if (!starts.empty() && std::none_of(starts.begin(), starts.end(), singular)) return;
   for (Branch& branch : waypoints.branches_from_beginning()) {
@@ -177,11 +177,11 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0),
       {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
-  const Bounds bounds = bounds_without_turns(arm);
-  std::vector<Branch> branches = branches_of(arm, path, bounds, starts.solutions, options, budget);
+  const BranchSearch search{arm, path, bounds_without_turns(arm), options, budget};
+  std::vector<Branch> branches = branches_of(search, starts.solutions);
   if (std::none_of(branches.begin(), branches.end(),
                    [&](const Branch& branch) { return fits_into_limits(arm, path, branch); })) {
-    pass_singular_waypoints(arm, path, bounds, starts.solutions, options, budget, branches);
+    pass_singular_waypoints(search, starts.solutions, branches);
   }
   for (Branch& branch : branches) fit_into_limits(arm, path, branch);
   return branches;
@@ -243,13 +243,11 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
   check_task(arm, path, options.task);
   BudgetMeter budget(options.budget);
   Branch branch{.start = start};
-  const Bounds bounds = bounds_of(arm);
-  track_path(arm, path, bounds, options, budget, branch);
+  const BranchSearch search{arm, path, bounds_of(arm), options, budget};
+  track_path(search, branch);
   const bool redundant = arm.dof() > options.task.size();
   if (!branch && !options.guide && !redundant) {
-    SingularWaypoints(arm, path, bounds, options, budget).complete(branch, 0, [](const Branch&) {
-      return true;
-    });
+    SingularWaypoints(search).complete(branch, 0, [](const Branch&) { return true; });
   }
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
   measure(arm, options.task, budget, branch);

@@ -16,8 +16,7 @@ void set_segment(const ToolPath& path, std::size_t i, Reason& reason) {
 }
 
 void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
-  branch.status = status_of<MotionStatus>(ending);
-  branch.reason = ended_reason(ReasonCode::ended_on_path, ending);
+  set_ended(ReasonCode::ended_on_path, ending, branch);
   if (!(branch.path_parameter > 0)) return;
   const auto i = static_cast<std::size_t>(branch.path_parameter);
   const bool whole = i == path.segments.size();
@@ -26,9 +25,11 @@ void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
                     whole ? 1 : branch.path_parameter - static_cast<double>(i));
 }
 
-void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                const BranchOptions& options, BudgetMeter& budget, Branch& branch,
+void track_path(const BranchSearch& search, Branch& branch,
                 std::function<Configuration(double)> departure) {
+  const ToolPath& path = search.path;
+  const BranchOptions& options = search.options;
+  BudgetMeter& budget = search.budget;
   Configuration q = branch.start;
   std::size_t samples_left = options.max_samples;
   // The sample at the joint of two segments belongs to both.
@@ -45,7 +46,7 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
       continue;
     }
     TrackOptions track_options{
-        .tolerance = options.tolerance, .max_samples = samples_left, .budget = &budget};
+        .tolerance = options.tolerance, .max_samples = samples_left, .budget = budget};
     if (departure) {
       track_options.guide = std::exchange(departure, {});
     } else if (options.guide) {
@@ -55,7 +56,7 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
       track_options.progress = [&](double s) { budget.report((begin + s) / segments); };
     }
     branch.segments.push_back(
-        track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
+        track_segment(search.arm, path.segments[i], options.task, search.bounds, q, track_options));
     const TrackedSegment& tracked = branch.segments.back();
     branch.path_parameter = begin + tracked.fractions.back();
     q = tracked.samples.back();

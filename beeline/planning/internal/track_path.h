@@ -8,6 +8,18 @@
 
 namespace beeline::internal {
 
+/// What the branches along a path are tracked with.
+struct BranchSearch {
+  const Arm& arm;
+  const ToolPath& path;
+  Bounds bounds;
+  const BranchOptions& options;
+  BudgetMeter& budget;  ///< in the place of options.budget
+
+  /// The same search with another meter, for a part of it.
+  BranchSearch with(BudgetMeter& part) const { return {arm, path, bounds, options, part}; }
+};
+
 /// Sets the segment of a reason, and its name: "line 2 of 3".
 void set_segment(const ToolPath& path, std::size_t i, Reason& reason);
 
@@ -18,8 +30,7 @@ void set_ended(const ToolPath& path, Ending ending, Branch& branch);
 /// `departure` returns the initial guess at a fraction of the first segment that moves, or an empty
 /// configuration: see TrackOptions::guide. A branch that remains incomplete gets the status
 /// not_found and no reason: see explain(); or the budget's status, if that ended it.
-void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                const BranchOptions& options, BudgetMeter& budget, Branch& branch,
+void track_path(const BranchSearch& search, Branch& branch,
                 std::function<Configuration(double)> departure = {});
 
 }  // namespace beeline::internal

@@ -77,7 +77,7 @@ struct SegmentTracker {
     const Pose target = pose_at(segment, s);
     for (int k = 0; k < arm.dof(); ++k) {
       for (const double side : {side_step, -side_step}) {
-        if (ended(options.budget)) return {};
+        if (options.budget.ended()) return {};
         Configuration guess = last.q;
         guess[k] += side;
         if (auto next = proved(last, s, target, guess)) return next;
@@ -150,7 +150,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   const double longest = std::clamp(longest_span * size, longest_step, 1.0);
   double length = std::clamp(first_span * size, first_step, longest);
   while (!tracked.complete() && length >= shortest(tracked.fractions.back()) &&
-         tracked.samples.size() < options.max_samples && !ended(options.budget)) {
+         tracked.samples.size() < options.max_samples && !options.budget.ended()) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
     // Equal steps to the end, so that no step is as short as rounding.
     const double steps = std::ceil(left / length);

@@ -16,7 +16,7 @@ struct TrackOptions {
   /// predict_configuration().
   std::function<Configuration(double)> guide = {};
   std::function<void(double)> progress = {};  ///< called now and then with the fraction tracked
-  BudgetMeter* budget = nullptr;              ///< asked before each step; default: none
+  BudgetMeter& budget = unlimited();          ///< asked before each step; default: none
 };
 
 /// Tracks the segment from `start`, whose tool is at options.begin, and returns the samples. Each

@@ -6,6 +6,7 @@
 #include <beeline/planning/internal/waypoint_rests.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/limit_fraction.h>
 
 namespace beeline::internal {
 
@@ -18,8 +19,11 @@ constexpr double at_waypoint = 1e-3;    // of the tolerance
 
 WaypointRests::WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
                              const Deviation& tolerance)
-    : arm_(arm), trajectory_(trajectory), task_(task), tolerance_(tolerance) {
-  for (const Limits& known : arm.limits()) limits_.push_back(motion_limits(known));
+    : arm_(arm),
+      trajectory_(trajectory),
+      task_(task),
+      tolerance_(tolerance),
+      limits_(motion_limits_of(arm)) {
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     tool_.push_back(forward_kinematics(arm, trajectory.positions[k]));
     rests_.push_back(is_slow(k));

@@ -46,8 +46,8 @@ class WaypointRests {
   const Trajectory& trajectory_;
   Task task_;
   Deviation tolerance_;
-  std::vector<Limits> limits_ = {};  ///< of motion_limits()
-  std::vector<Pose> tool_ = {};      ///< at the samples
+  std::vector<Limits> limits_;   ///< of motion_limits()
+  std::vector<Pose> tool_ = {};  ///< at the samples
   std::vector<bool> rests_ = {};
   std::vector<std::size_t> resting_ = {};  ///< the samples at rest
 };

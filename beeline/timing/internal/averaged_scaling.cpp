@@ -74,11 +74,11 @@ ParameterState AveragedScaling::at(double t) const {
   return {a.s + integral / width_, (b.s - a.s) / width_, (b.speed - a.speed) / width_};
 }
 
-double AveragedScaling::time_of(double s, BudgetMeter* budget) const {
+double AveragedScaling::time_of(double s, BudgetMeter& budget) const {
   double low = 0, high = duration();
   for (;;) {
     const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high) || ended(budget, 0)) return high;
+    if (!(middle > low && middle < high) || budget.ended(0)) return high;
     (at(middle).s < s ? low : high) = middle;
   }
 }

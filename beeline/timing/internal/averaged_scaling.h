@@ -27,7 +27,7 @@ class AveragedScaling {
   ParameterState at(double t) const;
 
   /// The time at which s is reached, by bisection; coarse where the budget ends it.
-  double time_of(double s, BudgetMeter* budget = nullptr) const;
+  double time_of(double s, BudgetMeter& budget = unlimited()) const;
 
   /// The times, in order and inside the duration, at which the highest derivative of the given
   /// scaling that is not smooth jumps by more than `fraction` of its largest magnitude, and `width`

@@ -5,7 +5,7 @@
 #include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/step_polygon.h>
-#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/internal/timed_section.h>
 
 namespace beeline::internal {
 namespace {
@@ -34,31 +34,29 @@ inline Middle middle(const JointPath& path, std::size_t k, Eigen::Index i, doubl
 /// constraints.
 class Constraints {
  public:
-  Constraints(const JointPath& path, const PathLimits& limits, BudgetMeter* budget)
+  Constraints(const JointPath& path, const PathLimits& limits, BudgetMeter& budget)
       : path_(path),
         limits_(limits),
         budget_(budget),
         slowness_(limits.velocity.cwiseInverse()),
-        polygon_(strips_, strips_of_a_step()) {
+        polygon_(constraints_, constraints_of_a_step()) {
     prepare();
   }
 
   /// Whether the budget has ended the computation, asked at some of the steps k.
-  bool ended(std::size_t k) const {
-    return k % steps_between_asks == 0 && internal::ended(budget_, 0);
-  }
+  bool ended(std::size_t k) const { return k % steps_between_asks == 0 && budget_.ended(0); }
 
   /// The largest squared speed at grid point k that the velocity limits allow.
   double largest(std::size_t k) const { return largest_[k]; }
 
   /// See StepPolygon, for step k.
   SquaredSpeeds begins(std::size_t k, const SquaredSpeeds& ends) {
-    polygon_.go_to(k * strips_of_a_step());
+    polygon_.go_to(k * constraints_of_a_step());
     return polygon_.begins(ends, largest_[k]);
   }
 
   double furthest_end(std::size_t k, double x, const SquaredSpeeds& ends) {
-    polygon_.go_to(k * strips_of_a_step());
+    polygon_.go_to(k * constraints_of_a_step());
     return polygon_.furthest_end(x, ends);
   }
 
@@ -72,7 +70,7 @@ class Constraints {
   }
 
   /// The largest fraction of a velocity limit that is used, between the quarters of the steps, at
-  /// which the strips keep it.
+  /// which the constraints keep it.
   double velocity_fraction(const std::vector<double>& b) const {
     double largest = 0;
     for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) {
@@ -92,7 +90,7 @@ class Constraints {
   }
 
  private:
-  std::size_t strips_of_a_step() const {
+  std::size_t constraints_of_a_step() const {
     return static_cast<std::size_t>(3 * slowness_.size() + 3);
   }
 
@@ -104,8 +102,8 @@ class Constraints {
       if (!limits_.speed.empty()) slowest = std::max(slowest, 1 / limits_.speed[k]);
       largest_[k] = std::min(fastest, 1 / squared(slowest));
     }
-    strips_.along.resize((path_.size() - 1) * strips_of_a_step());
-    strips_.across.resize(strips_.along.size());
+    constraints_.begin.resize((path_.size() - 1) * constraints_of_a_step());
+    constraints_.end.resize(constraints_.begin.size());
     for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) prepare_step(k);
   }
 
@@ -115,8 +113,8 @@ class Constraints {
   /// and here at the quarters.
   void prepare_step(std::size_t k) {
     const double h = path_.s[k + 1] - path_.s[k], half = 0.5 / h;
-    double* along = &strips_.along[k * strips_of_a_step()];
-    double* across = &strips_.across[k * strips_of_a_step()];
+    double* begin = &constraints_.begin[k * constraints_of_a_step()];
+    double* end = &constraints_.end[k * constraints_of_a_step()];
     const auto& fraction = limits_.fraction;
     const double usable = fraction.empty() ? 1 : std::min(fraction[k], fraction[k + 1]);
     double slowest[3] = {0, 0, 0};  // inverse of the speed at each quarter of the step
@@ -126,12 +124,12 @@ class Constraints {
       const Middle mid = middle(path_, k, i, h);
       const double e0 = d0 * half, e = mid.dq * half, e1 = d1 * half;  // q' / 2h
       const double x0 = path_.ddq[k][i] - e0, y1 = path_.ddq[k + 1][i] + e1;
-      *along++ = x0 * scale;
-      *across++ = e0 * scale;
-      *along++ = (mid.ddq - 2 * e - 0.5 * (x0 - e1)) * scale;
-      *across++ = (mid.ddq + 2 * e - 0.5 * (e0 + y1)) * scale;
-      *along++ = -e1 * scale;
-      *across++ = y1 * scale;
+      *begin++ = x0 * scale;
+      *end++ = e0 * scale;
+      *begin++ = (mid.ddq - 2 * e - 0.5 * (x0 - e1)) * scale;
+      *end++ = (mid.ddq + 2 * e - 0.5 * (e0 + y1)) * scale;
+      *begin++ = -e1 * scale;
+      *end++ = y1 * scale;
       const double first = 0.375 * d0 + 0.75 * mid.dq - 0.125 * d1;
       const double third = -0.125 * d0 + 0.75 * mid.dq + 0.375 * d1;
       slowest[0] = std::max(slowest[0], std::abs(first) * slowness_[i]);
@@ -140,16 +138,16 @@ class Constraints {
     }
     for (int j = 0; j < 3; ++j) {
       const double u = 0.25 * (j + 1), inverse = squared(slowest[j]);
-      *along++ = (1 - u) * inverse;
-      *across++ = u * inverse;
+      *begin++ = (1 - u) * inverse;
+      *end++ = u * inverse;
     }
   }
 
   const JointPath& path_;
   const PathLimits& limits_;
-  BudgetMeter* budget_;
-  Configuration slowness_;  ///< inverses of the limits of velocity
-  Strips strips_;           ///< of all steps
+  BudgetMeter& budget_;
+  Configuration slowness_;       ///< inverses of the limits of velocity
+  StepConstraints constraints_;  ///< of all steps
   StepPolygon polygon_;
   std::vector<double> largest_;
 };
@@ -227,13 +225,13 @@ void check(const JointPath& path, const PathLimits& limits, const EndSpeeds& end
 }  // namespace
 
 TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends,
-                    BudgetMeter* budget) {
+                    BudgetMeter& budget) {
   check(path, limits, ends);
   Constraints constraints(path, limits, budget);
   std::vector<double> b;
   Reason reason = squared_speeds(path, ends, constraints, b);
   const double found = reason ? 0 : constraints.velocity_fraction(b);
-  if (ended(budget, 0)) return ended_scaling(*budget);
+  if (budget.ended(0)) return ended_scaling(budget);
   // The peaks are between the eighths at which it is evaluated; a quarter more bounds a parabola.
   const double over = found + 0.25 * std::max(0.0, found - 1);
   const bool at_rest = ends.begin == 0 && ends.end == 0;
@@ -246,7 +244,7 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
     constraints.slow_down(over * (1 + 1e-9));
     reason = squared_speeds(path, ends, constraints, b);
   }
-  if (ended(budget, 0)) return ended_scaling(*budget);
+  if (budget.ended(0)) return ended_scaling(budget);
   if (!reason) return scaling_of(path, b);
   TimeScaling none;
   none.reason = std::move(reason);

@@ -25,6 +25,6 @@ struct EndSpeeds {
 /// budget ends the computation. Throws Error for speeds at the ends that are negative or not
 /// finite, and what check_path() and check_limits() refuse.
 TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends = {},
-                    BudgetMeter* budget = nullptr);
+                    BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

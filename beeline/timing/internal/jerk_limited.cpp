@@ -8,7 +8,7 @@
 #include <beeline/timing/internal/minimise_duration.h>
 #include <beeline/timing/internal/quintic_motion.h>
 #include <beeline/timing/internal/scalar_profile.h>
-#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline::internal {
@@ -69,16 +69,16 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
 }
 
 /// Whether the result is no longer wanted; where another limit ended the search, it is.
-bool cancelled(BudgetMeter* budget) {
-  return ended(budget, 0) && budget->ending() == Ending::cancelled;
+bool cancelled(BudgetMeter& budget) {
+  return budget.ended(0) && budget.ending() == Ending::cancelled;
 }
 
 /// The same, asked at some of the steps k.
-bool cancelled(BudgetMeter* budget, std::size_t k) { return k % 64 == 0 && cancelled(budget); }
+bool cancelled(BudgetMeter& budget, std::size_t k) { return k % 64 == 0 && cancelled(budget); }
 
 /// Minimises the duration over the splines with these knots.
 SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots,
-                               BudgetMeter* budget) {
+                               BudgetMeter& budget) {
   SquaredRateSpline spline(std::move(knots));
   DurationProblem problem(spline, motion.limits().acceleration, motion.limits().jerk);
   double largest = 1;
@@ -113,7 +113,7 @@ double slowdown_at(QuinticMotion& motion, double tau, const SquaredRate& rate) {
 /// The same for each step of the spline: the largest at its ends, three times between them, and on
 /// both sides of the path's grid points.
 std::vector<double> slowdowns(QuinticMotion& motion, const SquaredRateSpline& spline,
-                              BudgetMeter* budget) {
+                              BudgetMeter& budget) {
   std::vector<double> factors(spline.steps());
   auto passed = motion.times().begin();
   for (std::size_t k = 0; k < spline.steps() && !cancelled(budget, k); ++k) {
@@ -182,7 +182,7 @@ double seconds(const SquaredRate& first, double from, double to) {
 }
 
 TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spline,
-                       BudgetMeter* budget) {
+                       BudgetMeter& budget) {
   TimeScaling scaling;
   scaling.smooth = true;
   const std::vector<double>& knots = spline.knots();
@@ -190,7 +190,7 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
   SquaredRate first = spline.begin_of(0);
   double time = 0, before = 0;
   for (const auto& [tau, s] : scaling_points(motion, spline)) {
-    if (cancelled(budget, scaling.s.size())) return ended_scaling(*budget);
+    if (cancelled(budget, scaling.s.size())) return ended_scaling(budget);
     for (; k + 1 < spline.steps() && knots[k + 1] <= tau; before = knots[++k]) {
       time += seconds(first, before - knots[k], knots[k + 1] - knots[k]);
       first = spline.begin_of(k + 1);
@@ -210,13 +210,13 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
 /// Returns the best time scaling of the whole path by one spline among several attempts. Each has
 /// more knots where the previous one violates limits, because slowing the whole motion down
 /// increases the duration everywhere.
-TimeScaling without_stops(const JointPath& path, const PathLimits& limits, BudgetMeter* budget) {
+TimeScaling without_stops(const JointPath& path, const PathLimits& limits, BudgetMeter& budget) {
   TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits, budget);
   if (!best) return best;
   QuinticMotion motion(path, limits, best);
   std::vector<double> knots = knots_for(motion);
   const int attempts = path.size() > large_grid ? max_large_attempts : max_attempts;
-  for (int attempt = 0; attempt < attempts && !ended(budget); ++attempt) {
+  for (int attempt = 0; attempt < attempts && !budget.ended(); ++attempt) {
     const SquaredRateSpline spline = optimal_rate(motion, std::move(knots), budget);
     const std::vector<double> factors = slowdowns(motion, spline, budget);
     const double factor = *std::max_element(factors.begin(), factors.end());
@@ -286,9 +286,10 @@ void append(TimeScaling& scaling, const TimeScaling& next) {
 /// Returns the time scaling without stops or, if that is slow because of a tight corner, the faster
 /// of it and the one that stops there. Both parts are computed by recursion, to this depth.
 TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bisections,
-                       BudgetMeter* budget) {
+                       BudgetMeter& budget) {
   TimeScaling scaling = without_stops(path, limits, budget);
-  if (!scaling || bisections == 0 || ended(budget) || best_stop(scaling.speed) == 0) return scaling;
+  if (!scaling || bisections == 0 || budget.ended() || best_stop(scaling.speed) == 0)
+    return scaling;
   const TimeScaling bound = fastest(path, limits, {}, budget);
   if (!bound || scaling.duration() < slow * bound.duration()) return scaling;
   const std::size_t stop = best_stop(bound.speed);
@@ -305,7 +306,7 @@ TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bise
 
 }  // namespace
 
-TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits, BudgetMeter* budget) {
+TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits, BudgetMeter& budget) {
   check_path(path);
   check_limits(limits, path);
   if (!limits.jerk.array().isFinite().any()) {

@@ -26,6 +26,6 @@ namespace beeline::internal {
 /// limits, or none, with the reason, before there is one. Throws Error for what check_path() and
 /// check_limits() refuse, and without any jerk limit.
 TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits,
-                         BudgetMeter* budget = nullptr);
+                         BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

@@ -4,7 +4,7 @@
 
 #include <beeline/path/joint_path.h>
 #include <beeline/timing/internal/averaged_scaling.h>
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 
 namespace beeline::internal {
 

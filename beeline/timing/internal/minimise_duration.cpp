@@ -52,7 +52,7 @@ void add(std::vector<double>& to, double fraction, const std::vector<double>& st
 }  // namespace
 
 void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem,
-                       BudgetMeter* budget) {
+                       BudgetMeter& budget) {
   const auto size = static_cast<std::size_t>(spline.coefficients.size());
   std::vector<double> c(problem.coefficients(), 1), next(c), dc(c.size(), 0);
   std::copy(spline.coefficients.begin(), spline.coefficients.end(), c.begin());
@@ -66,9 +66,9 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
   bool inside = set_up(equations, problem, c.data(), multipliers.data(), gap);
   constexpr std::size_t steps_of_work = 16;  // of the spline, in an iteration that counts once
   const auto work = static_cast<std::int64_t>(1 + spline.steps() / steps_of_work);
-  for (int i = 0; i < max_steps && inside && !ended(budget, work); ++i) {
+  for (int i = 0; i < max_steps && inside && !budget.ended(work); ++i) {
     solve(equations, size, dc);
-    if (ended(budget, 0)) break;
+    if (budget.ended(0)) break;
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());
     double primal = std::min(1.0, step_fraction * step.coefficients);
@@ -78,7 +78,7 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
     gap = reached * gap_reduction(std::min(primal, dual));
     // The limits are not linear, so coefficients that satisfy them to first order may violate them.
     for (int tries = 0; tries < max_backtracks; ++tries, primal *= 0.7) {
-      inside = !ended(budget, 0);
+      inside = !budget.ended(0);
       if (!inside) break;
       next = c;
       add(next, primal, dc);

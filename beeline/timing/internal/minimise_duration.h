@@ -12,6 +12,6 @@ namespace beeline::internal {
 /// are not convex, so the result is a local optimum. Where the budget ends it, the coefficients are
 /// those of the last step, which satisfy the limits.
 void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem,
-                       BudgetMeter* budget = nullptr);
+                       BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

@@ -203,11 +203,11 @@ struct Point {
 };
 
 /// The grid points of the path and the ends of the phases, in the order of time.
-std::vector<Point> points_of(const Shape& shape, const JointPath& path, BudgetMeter* budget) {
+std::vector<Point> points_of(const Shape& shape, const JointPath& path, BudgetMeter& budget) {
   std::vector<Point> all;
   double u = 0;
   for (std::size_t k = 0; k < path.size(); ++k) {
-    if (k % points_between_asks == 0 && ended(budget, 0)) return {};
+    if (k % points_between_asks == 0 && budget.ended(0)) return {};
     const bool last = k + 1 == path.size();
     u = k == 0 ? 0 : last ? 1 : shape.time_at(path.s[k] - path.s[0], u);
     all.push_back({path.s[k], u, true});
@@ -232,7 +232,7 @@ std::vector<Point> points_of(const Shape& shape, const JointPath& path, BudgetMe
 /// Returns the smallest duration T that the limits allow at the points, on both sides of each, and
 /// half-way between them.
 double seconds_for(const Shape& shape, const std::vector<Point>& points, const JointPath& path,
-                   const PathLimits& limits, BudgetMeter* budget) {
+                   const PathLimits& limits, BudgetMeter& budget) {
   const PathDerivatives derivatives(path);
   std::vector<double> dq(3 * derivatives.joints());
   double *const ddq = dq.data() + derivatives.joints(), *const dddq = ddq + derivatives.joints();
@@ -240,7 +240,7 @@ double seconds_for(const Shape& shape, const std::vector<Point>& points, const J
   double longest = 0;
   std::size_t step = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (i % points_between_asks == 0 && ended(budget, 0)) break;
+    if (i % points_between_asks == 0 && budget.ended(0)) break;
     while (step + 2 < path.size() && path.s[step + 1] <= points[i].s) ++step;
     const double begin = path.s[step], h = path.s[step + 1] - begin;
     const double first = points[i].u, length = points[i + 1].u - first;
@@ -261,13 +261,13 @@ double seconds_for(const Shape& shape, const std::vector<Point>& points, const J
 }  // namespace
 
 TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits,
-                           BudgetMeter* budget) {
+                           BudgetMeter& budget) {
   check_path(path);
   check_limits(limits, path);
   const Shape shape = best_shape(form, path, limits);
   const std::vector<Point> points = points_of(shape, path, budget);
   const double seconds = seconds_for(shape, points, path, limits, budget);
-  if (ended(budget, 0)) return ended_scaling(*budget);
+  if (budget.ended(0)) return ended_scaling(budget);
   TimeScaling scaling;
   scaling.smooth = form != ScalarForm::trapezoidal;
   for (const Point& point : points) {

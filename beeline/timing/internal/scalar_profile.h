@@ -22,6 +22,6 @@ enum class ScalarForm {
 /// where the budget ends the computation. Throws Error for what check_path() and
 /// check_limits() refuse.
 TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits,
-                           BudgetMeter* budget = nullptr);
+                           BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

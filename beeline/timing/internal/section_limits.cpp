@@ -13,7 +13,7 @@ std::vector<Limits> kept_limits(const Arm& arm, const SectionOptions& options) {
   std::vector<Limits> limits;
   for (const Limits& known : arm.limits()) {
     limits.push_back(motion_limits(known));
-    if (!options.keep_jerk) limits.back().jerk = known.jerk;
+    if (!options.keeps_jerk()) limits.back().jerk = known.jerk;
   }
   return limits;
 }
@@ -49,8 +49,8 @@ std::vector<double> tool_excess(const Arm& arm, const SampledSection& samples,
 NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
                                const SectionOptions& options) {
   NeededSlowdown needed = needed_slowdown(arm, samples.trajectory, options);
-  if (options.tool_speed.limits.size() == 1) return needed;
-  for (const double factor : tool_excess(arm, samples, options.tool_speed)) {
+  if (options.tool_speeds.limits.size() == 1) return needed;
+  for (const double factor : tool_excess(arm, samples, options.tool_speeds)) {
     needed.speed = std::max(needed.speed, factor);
   }
   return needed;
@@ -62,31 +62,31 @@ NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
   const auto usage = [&](int order) {
     return limit_fraction(limits, trajectory, order, options.budget).fraction;
   };
-  NeededSlowdown needed{slowdown_factor(usage(1), usage(2), 0) / options.speed_scale,
-                        slowdown_factor(0, 0, usage(3)) / options.speed_scale};
-  const ToolSpeeds& tool = options.tool_speed;
+  NeededSlowdown needed{slowdown_factor(usage(1), usage(2), 0) / options.timing.speed_scale,
+                        slowdown_factor(0, 0, usage(3)) / options.timing.speed_scale};
+  const ToolSpeeds& tool = options.tool_speeds;
   if (tool.limits.size() == 1 && tool.lowest() < Limits::none) {
     const double bound = tool_speed_bound(arm, trajectory, options.budget);
     needed.speed = std::max(needed.speed, bound / tool.lowest());
   }
-  if (options.budget != nullptr && !options.budget->complete()) needed.speed = Limits::none;
+  if (!options.budget.complete()) needed.speed = Limits::none;
   return needed;
 }
 
 bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
-                  TimedPath& section) {
+                  TimedSection& section) {
   constexpr double worthwhile = 1.001;  // smaller excesses are left to a slowdown of the whole
   const auto excess = [&, limits = kept_limits(arm, options)](int order) {
     std::vector<double> factors =
         limit_fractions(limits, samples.trajectory, order, options.budget);
-    for (double& factor : factors) factor /= std::pow(options.speed_scale, order);
+    for (double& factor : factors) factor /= std::pow(options.timing.speed_scale, order);
     return factors;
   };
   auto velocity = excess(1);
   const auto acceleration = excess(2), jerk = excess(3);
-  if (ended(options.budget, 0)) return false;
-  if (options.tool_speed.limits.size() > 1) {
-    const std::vector<double> tool = tool_excess(arm, samples, options.tool_speed);
+  if (options.budget.ended(0)) return false;
+  if (options.tool_speeds.limits.size() > 1) {
+    const std::vector<double> tool = tool_excess(arm, samples, options.tool_speeds);
     for (std::size_t k = 0; k < tool.size(); ++k) velocity[k] = std::max(velocity[k], tool[k]);
   }
   const auto& s = section.path.s;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 
 namespace beeline::internal {
 
@@ -25,6 +25,6 @@ NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
 /// and the tool's along the path: of its speed, or the fraction of acceleration and jerk if the
 /// scaling is smooth. Returns whether there are such places.
 bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
-                  TimedPath& section);
+                  TimedSection& section);
 
 }  // namespace beeline::internal

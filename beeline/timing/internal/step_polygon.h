@@ -11,21 +11,23 @@ struct SquaredSpeeds {
   bool none() const { return !(min <= max); }
 };
 
-/// Constraints |along x + across y| <= 1 on two squared speeds x and y.
-struct Strips {
-  std::vector<double> along, across;
+/// Constraints |begin x + end y| <= 1 on the squared speeds x and y at the beginning and the
+/// end of a step.
+struct StepConstraints {
+  std::vector<double> begin, end;  ///< coefficients of x and of y
 };
 
 /// The pairs (x, y) of squared speeds at the beginning and the end of one step of a path's grid
 /// that satisfy the constraints of the step. With x, y >= 0 they form a convex polygon with the
 /// origin inside. Each query is a linear program in two variables, solved by walking over the
-/// edges. The polygon uses `count` strips from number `first` on; only the constructor allocates.
+/// edges. The polygon uses `count` constraints from number `first` on; only the constructor
+/// allocates.
 class StepPolygon {
  public:
-  StepPolygon(const Strips& strips, std::size_t count)
-      : strips_(strips), count_(count), p_(count), m_(count) {}
+  StepPolygon(const StepConstraints& constraints, std::size_t count)
+      : constraints_(constraints), count_(count), p_(count), m_(count) {}
 
-  /// Uses the strips from number `first` on.
+  /// Uses the constraints from number `first` on.
   void go_to(std::size_t first) { first_ = first; }
 
   /// Returns the interval of x, up to `max_begin`, from which some y in `ends` can be reached.
@@ -41,10 +43,10 @@ class StepPolygon {
     double at(double y) const { return p - m * y; }
   };
   Edge edge(double y, double side) const;
-  double summit(SquaredSpeeds ends, double side, double enough) const;
-  double retreat(double y) const;
+  double max_vertex(SquaredSpeeds ends, double side, double enough) const;
+  double largest_feasible(double y) const;
 
-  const Strips& strips_;
+  const StepConstraints& constraints_;
   std::size_t first_ = 0, count_ = 0, edges_ = 0;
   std::vector<double> p_, m_;  ///< edges x <= p - m y and, by symmetry, x >= -p - m y
 };

@@ -21,8 +21,8 @@ double rounded_down(double x) {
 SampledSection too_many(double duration, const SectionOptions& options) {
   SampledSection none;
   none.reason = {ReasonCode::too_many_samples_at_rate,
-                 {{ReasonField::rate, options.rate},
-                  {ReasonField::max_samples, options.max_samples + 1},
+                 {{ReasonField::rate, options.timing.rate},
+                  {ReasonField::max_samples, options.samples_left + 1},
                   {ReasonField::duration, duration}}};
   return none;
 }
@@ -49,60 +49,61 @@ TimeScaling in_whole_periods(const TimeScaling& given, double periods, double pe
 }
 
 /// No samples where the budget ends it.
-SampledSection in_periods(const Arm& arm, const TimedPath& section, const SectionOptions& options,
-                          const Periods& periods) {
-  const double period = 1 / options.rate;
+SampledSection in_periods(const Arm& arm, const TimedSection& section,
+                          const SectionOptions& options, const Periods& periods) {
+  const double period = 1 / options.timing.rate;
   const TimeScaling uniform = in_whole_periods(section.scaling, periods.scaling, period);
   const AveragedScaling scaling(uniform, periods.average * period);
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples;
   constexpr std::size_t batch = 64;  // samples
   for (double k = 0; k <= periods.all(); ++k) {
-    if (samples.size() % batch == 0 && ended(options.budget, batch)) return {};
-    const double t = round_to_nanoseconds(k / options.rate);
+    if (samples.size() % batch == 0 && options.budget.ended(batch)) return {};
+    const double t = round_to_nanoseconds(k / options.timing.rate);
     samples.push_back({t, motion.at(k == periods.all() ? scaling.duration() : t)});
   }
-  return with_columns(arm, samples, options.interpolation);
+  return with_columns(arm, samples, options.timing.interpolation);
 }
 
 /// The ends of a section of one period.
-SampledSection in_one_period(const Arm& arm, const TimedPath& section,
+SampledSection in_one_period(const Arm& arm, const TimedSection& section,
                              const SectionOptions& options) {
   const AveragedScaling scaling(section.scaling, section.scaling.duration());
   const JointMotion motion(section.path, scaling);
-  return with_columns(arm,
-                      {{0, motion.at(0.0)},
-                       {round_to_nanoseconds(1 / options.rate), motion.at(scaling.duration())}},
-                      options.interpolation);
+  return with_columns(
+      arm,
+      {{0, motion.at(0.0)},
+       {round_to_nanoseconds(1 / options.timing.rate), motion.at(scaling.duration())}},
+      options.timing.interpolation);
 }
 
-SampledSection sampled(const Arm& arm, const TimedPath& section, const SectionOptions& options,
+SampledSection sampled(const Arm& arm, const TimedSection& section, const SectionOptions& options,
                        const Periods& periods) {
   return periods.scaling < 2 ? in_one_period(arm, section, options)
                              : in_periods(arm, section, options, periods);
 }
 
-Periods fewest_periods(const TimedPath& section, const SectionOptions& options) {
-  const bool linear = options.interpolation == Interpolation::linear;
-  return {std::max(1.0, std::ceil(section.scaling.duration() * options.rate - 1e-6)),
+Periods fewest_periods(const TimedSection& section, const SectionOptions& options) {
+  const bool linear = options.timing.interpolation == Interpolation::linear;
+  return {std::max(1.0, std::ceil(section.scaling.duration() * options.timing.rate - 1e-6)),
           linear ? 0.0 : 1.0};
 }
 
 /// The fewest periods within limits; no samples where there would be too many or none are found.
-SampledSection within_limits(const Arm& arm, const TimedPath& section,
+SampledSection within_limits(const Arm& arm, const TimedSection& section,
                              const SectionOptions& options) {
   Periods periods = fewest_periods(section, options);
   bool widen = periods.average > 0;  // while it lowers the jerk
   double jerk_before = 0;            // of the average before it was widened
   double average_before = 0;
   for (int tries = 0; tries < max_tries; ++tries) {
-    if (ended(options.budget)) return {};
+    if (options.budget.ended()) return {};
     const double count = periods.all();
-    if (!(count <= options.max_samples)) return too_many(count / options.rate, options);
+    if (!(count <= options.samples_left)) return too_many(count / options.timing.rate, options);
     SampledSection tried = sampled(arm, section, options, periods);
     if (!tried) return {};
     const NeededSlowdown needed = needed_slowdown(arm, tried, options);
-    if (ended(options.budget)) return {};
+    if (options.budget.ended()) return {};
     if (!(needed.both() > 1)) return tried;
     // Most of the slowdown at once: the excess is at few samples, and others are the worst later.
     constexpr double at_once = 0.7;
@@ -131,7 +132,7 @@ SampledSection within_limits(const Arm& arm, const TimedPath& section,
     }
   }
   SampledSection none;
-  none.reason = {ReasonCode::no_motion_at_rate, {{ReasonField::rate, options.rate}}};
+  none.reason = {ReasonCode::no_motion_at_rate, {{ReasonField::rate, options.timing.rate}}};
   return none;
 }
 
@@ -155,26 +156,26 @@ TimeScaling uniform_scaling(double periods, double period, double length,
   return uniform;
 }
 
-SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
+SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
                                         const SectionOptions& options) {
   return sampled(arm, section, options, fewest_periods(section, options));
 }
 
-SampledSection uniform_section(const Arm& arm, const TimedPath& section,
+SampledSection uniform_section(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options) {
   SampledSection found = within_limits(arm, section, options);
-  if (found || ended(options.budget)) return found;
+  if (found || options.budget.ended()) return found;
   SectionOptions other = options;
   if (found.too_many()) {
     constexpr double usual_rate = 1000;
-    other.rate = rounded_down(options.max_samples / section.scaling.duration());
-    other.rate = std::min({other.rate, options.rate, 2 * usual_rate});
+    other.timing.rate = rounded_down(options.samples_left / section.scaling.duration());
+    other.timing.rate = std::min({other.timing.rate, options.timing.rate, 2 * usual_rate});
   }
   for (const double factor : {0.5, 2.0, 4.0}) {
     SectionOptions tried = other;
-    tried.rate *= factor;
-    if (tried.rate == options.rate || !within_limits(arm, section, tried)) continue;
-    found.reason.set(ReasonField::possible_rate, tried.rate);
+    tried.timing.rate *= factor;
+    if (tried.timing.rate == options.timing.rate || !within_limits(arm, section, tried)) continue;
+    found.reason.set(ReasonField::possible_rate, tried.timing.rate);
     break;
   }
   return found;

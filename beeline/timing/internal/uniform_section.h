@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 
 namespace beeline::internal {
 
@@ -12,11 +12,11 @@ namespace beeline::internal {
 /// whole periods, and that by its moving average over a whole number of periods: s(t) then is a
 /// cubic between two samples, with d2s/dt2 continuous. The joints' polynomials agree with q(s(t))
 /// at the samples, and needed_slowdown() checks them between these.
-SampledSection uniform_section(const Arm& arm, const TimedPath& section,
+SampledSection uniform_section(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options);
 
 /// The same, as short as its time scaling allows, whatever limits it exceeds.
-SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
+SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
                                         const SectionOptions& options);
 
 /// The time scaling from rest at s = 0 to rest at `length` in so many periods, with the speed

@@ -7,6 +7,9 @@ namespace beeline::internal {
 /// The time rounded to a whole number of nanoseconds, as trajectory files of ROS hold it.
 double round_to_nanoseconds(double t);
 
+/// Appends sample k of a trajectory with the same columns, at time t.
+void append_sample(Trajectory& trajectory, const Trajectory& from, std::size_t k, double t);
+
 /// Appends a trajectory with the same columns. Its first sample is that at which `trajectory` ends,
 /// and is left out, unless `trajectory` has none yet; times are shifted accordingly.
 void append(Trajectory& trajectory, const Trajectory& next);

@@ -21,6 +21,15 @@ inline Polynomial interval_polynomial(const Trajectory& trajectory, std::size_t 
                          h * h * at(trajectory.accelerations, k + 1));
 }
 
+/// The same for all coordinates.
+inline std::vector<Polynomial> interval_polynomials(const Trajectory& trajectory, std::size_t k) {
+  std::vector<Polynomial> all;
+  for (Eigen::Index i = 0; i < trajectory.positions[k].size(); ++i) {
+    all.push_back(interval_polynomial(trajectory, k, i));
+  }
+  return all;
+}
+
 /// Removes the columns that the interpolation does not have.
 inline void keep_columns(Trajectory& trajectory, Interpolation interpolation) {
   if (interpolation != Interpolation::quintic) trajectory.accelerations.clear();

@@ -40,23 +40,29 @@ constexpr std::size_t batch = 64;  // samples, of less than a microsecond
 
 }  // namespace
 
+std::vector<Limits> motion_limits_of(const Arm& arm) {
+  std::vector<Limits> limits;
+  for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
+  return limits;
+}
+
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
-                                  int order, BudgetMeter* budget) {
+                                  int order, BudgetMeter& budget) {
   CoordinateFraction largest;
   largest.exact = order <= bounded_order(trajectory.interpolation());
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
-    if (k % batch == 0 && ended(budget, batch)) break;
+    if (k % batch == 0 && budget.ended(batch)) break;
     take_interval(largest, limits, trajectory, k, order);
   }
   return largest;
 }
 
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
-                                    int order, BudgetMeter* budget) {
+                                    int order, BudgetMeter& budget) {
   std::vector<double> fractions(trajectory.size() - 1, 0.0);
   if (order > bounded_order(trajectory.interpolation())) return fractions;
   for (std::size_t k = 0; k < fractions.size(); ++k) {
-    if (k % batch == 0 && ended(budget, 0)) break;
+    if (k % batch == 0 && budget.ended(0)) break;
     CoordinateFraction largest;
     take_interval(largest, limits, trajectory, k, order);
     fractions[k] = largest.fraction;

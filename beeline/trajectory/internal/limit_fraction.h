@@ -8,6 +8,9 @@
 
 namespace beeline::internal {
 
+/// The limits of a motion of the arm, of each coordinate: see motion_limits().
+std::vector<Limits> motion_limits_of(const Arm& arm);
+
 /// The largest fraction of the limits of one kind that a trajectory uses, and where.
 struct CoordinateFraction {
   double fraction = 0;
@@ -20,11 +23,11 @@ struct CoordinateFraction {
 /// column of the trajectory; infinite ones count as not used. The largest so far where the budget
 /// ends it.
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
-                                  int order, BudgetMeter* budget = nullptr);
+                                  int order, BudgetMeter& budget = unlimited());
 
 /// The largest fraction of the limits of that order between each two samples; 0 for an order that
 /// the interpolation does not bound, and where the budget ends it.
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
-                                    int order, BudgetMeter* budget = nullptr);
+                                    int order, BudgetMeter& budget = unlimited());
 
 }  // namespace beeline::internal

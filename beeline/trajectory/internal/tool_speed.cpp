@@ -57,20 +57,12 @@ class SpeedBound {
   double largest_, reached_ = 0;
 };
 
-std::vector<Polynomial> interval_polynomials(const Arm& arm, const Trajectory& trajectory,
-                                             std::size_t k) {
-  std::vector<Polynomial> coordinates;
-  for (int i = 0; i < arm.dof(); ++i) coordinates.push_back(interval_polynomial(trajectory, k, i));
-  return coordinates;
-}
-
 }  // namespace
 
-double tool_speed_bound(const Arm& arm, const Trajectory& trajectory, BudgetMeter* budget) {
+double tool_speed_bound(const Arm& arm, const Trajectory& trajectory, BudgetMeter& budget) {
   SpeedBound bound(arm, 0);
-  for (std::size_t k = 0; k + 1 < trajectory.size() && !ended(budget); ++k) {
-    bound.take(interval_polynomials(arm, trajectory, k),
-               trajectory.times[k + 1] - trajectory.times[k]);
+  for (std::size_t k = 0; k + 1 < trajectory.size() && !budget.ended(); ++k) {
+    bound.take(interval_polynomials(trajectory, k), trajectory.times[k + 1] - trajectory.times[k]);
   }
   return bound.largest();
 }
@@ -80,8 +72,7 @@ std::vector<double> tool_speed_bounds(const Arm& arm, const Trajectory& trajecto
   std::vector<double> bounds;
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
     SpeedBound bound(arm, known[k]);
-    bound.take(interval_polynomials(arm, trajectory, k),
-               trajectory.times[k + 1] - trajectory.times[k]);
+    bound.take(interval_polynomials(trajectory, k), trajectory.times[k + 1] - trajectory.times[k]);
     bounds.push_back(bound.largest());
   }
   return bounds;

@@ -11,7 +11,7 @@ namespace beeline::internal {
 /// most 1/384 of the fourth derivative, which tool_taylor_bound() bounds. Intervals are halved
 /// until the difference is below a thousandth. 0 for one sample; no bound where the budget ends it.
 double tool_speed_bound(const Arm& arm, const Trajectory& trajectory,
-                        BudgetMeter* budget = nullptr);
+                        BudgetMeter& budget = unlimited());
 
 /// The same between each sample and the next; known[k] where it is not above that.
 std::vector<double> tool_speed_bounds(const Arm& arm, const Trajectory& trajectory,

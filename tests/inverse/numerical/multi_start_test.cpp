@@ -163,10 +163,9 @@ TEST(MultiStart, OutOfReachEndsWithTheNearest) {
 TEST(MultiStart, ATimeLimitEndsTheSearch) {
   const Arm arm = built_in("ur5");
   Solver solve(arm, Task::spatial(), bounds_of(arm));
-  MultiStartOptions options{.max_restarts = 1'000'000'000};
   const Budget limit{.time_limit = 2e-3};
   BudgetMeter budget(limit);
-  options.budget = &budget;
+  const MultiStartOptions options{.max_restarts = 1'000'000'000, .budget = budget};
   const SearchResult& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
   EXPECT_TRUE(result.solutions.empty());
   EXPECT_LT(result.restarts, 1'000'000'000);

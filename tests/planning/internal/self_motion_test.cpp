@@ -60,14 +60,8 @@ TEST(SelfMotionSweep, FirstLayerHasAllSelfMotions) {
     for (int i = 0; i < cases(20); ++i) {
       const Pose from = forward_kinematics(arm, random.configuration(arm));
       const ToolPath path = lines_through(std::vector{from, nearby_pose(random, arm, from)});
-      const Budget unlimited;
-      BudgetMeter budget(unlimited);
-      SelfMotionSweep sweep(arm, path,
-                            {.task = Task::spatial(),
-                             .cyclic = std::vector<bool>(7, false),
-                             .spacing = 0.06,
-                             .step = 0.15},
-                            budget);
+      const GraphOptions options{.task = Task::spatial()};
+      SelfMotionSweep sweep(arm, path, options, std::vector<bool>(7, false), unlimited());
       sweep.run();
       const InverseResult all = inverse_kinematics(arm, from, {.all = true, .grid = 200});
       ASSERT_FALSE(all.solutions.empty());

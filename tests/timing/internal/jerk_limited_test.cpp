@@ -6,7 +6,7 @@
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/jerk_limited.h>
 #include <beeline/timing/internal/scalar_profile.h>
-#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/internal/timed_section.h>
 #include <beeline/timing/point_to_point.h>
 
 #include <tests/path/random_joint_path.h>

@@ -20,7 +20,8 @@ TEST(NeededSlowdown, BringsAMotionExactlyToItsLimits) {
     const Arm arm = testing::limited_arm(random);
     const Trajectory motion = testing::random_motion(
         random, arm.joint_names(), random.integer(2, 6), testing::interpolations[1 + i % 2]);
-    SectionOptions options{.keep_jerk = i % 3 > 0, .speed_scale = random.uniform(0.1, 1)};
+    const SectionOptions options{.timing = {.profile = i % 3 > 0 ? Profile::jerk : Profile::fastest,
+                                            .speed_scale = random.uniform(0.1, 1)}};
     const NeededSlowdown needed = needed_slowdown(arm, motion, options);
     const auto fraction = [&](int order) {
       return std::pow(testing::asked_fraction(arm, motion, options, order, 200), 1.0 / order);
@@ -59,11 +60,11 @@ Arm with_weaker_joint(Random& random, const Arm& arm, double factor) {
   return {"weaker", joints};
 }
 
-/// Checks the lowered limits at each grid point: the limits of the worst interval at it or beside it,
-/// and none where no interval near it exceeds a limit. Returns the number of such points.
+/// Checks the lowered limits at each grid point: the limits of the worst interval at it or beside
+/// it, and none where no interval near it exceeds a limit. Returns the number of such points.
 int expect_lowered_only_there(const Arm& arm, const SampledSection& samples,
-                              const SectionOptions& options, const TimedPath& before,
-                              const TimedPath& lowered) {
+                              const SectionOptions& options, const TimedSection& before,
+                              const TimedSection& lowered) {
   const std::vector<double>& s = before.path.s;
   const std::size_t intervals = samples.progress.size() - 1;
   std::vector<double> speed(intervals), force(intervals);
@@ -110,7 +111,7 @@ TEST(LowerLimits, OnlyLowersThemAndOnlyWhereSamplesExceedThem) {
         testing::random_section(random, profile, Interpolation::quintic, i % 4 < 2 ? 0 : 250, 1);
     const SampledSection samples = sample_section(made.arm, made.timed, made.options);
     const Arm weaker = with_weaker_joint(random, made.arm, random.uniform(0.3, 1));
-    TimedPath lowered = made.timed;
+    TimedSection lowered = made.timed;
     const bool any = lower_limits(weaker, samples, made.options, lowered);
     ASSERT_EQ(lowered.limits.fraction.size(), made.timed.path.size());
     ASSERT_EQ(lowered.limits.speed.size(), made.timed.path.size());
@@ -131,7 +132,7 @@ TEST(LowerLimits, ChangesNothingWhereNothingExceeds) {
     const RandomSection made =
         testing::random_section(random, profile, testing::interpolations[i % 3], 0, 1);
     const SampledSection samples = sample_section(made.arm, made.timed, made.options);
-    TimedPath lowered = made.timed;
+    TimedSection lowered = made.timed;
     EXPECT_FALSE(lower_limits(made.arm, samples, made.options, lowered));
     for (std::size_t g = 0; g < made.timed.path.size(); ++g) {
       ASSERT_EQ(lowered.limits.speed[g], Limits::none);

@@ -57,7 +57,7 @@ TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
   for (int i = 0; i < testing::cases(60); ++i) {
     RandomSection made = testing::random_section(random, testing::profiles[i % 5],
                                                  testing::interpolations[i % 3], 100, 1);
-    made.options.rate = random.uniform(1.01, 4) / made.timed.scaling.duration();
+    made.options.timing.rate = random.uniform(1.01, 4) / made.timed.scaling.duration();
     const SampledSection sampled = uniform_section(made.arm, made.timed, made.options);
     if (!sampled) {
       std::cout << sampled.reason << '\n';
@@ -65,7 +65,7 @@ TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
     }
     const Trajectory& motion = sampled.trajectory;
     for (std::size_t k = 0; k < motion.size(); ++k) {
-      ASSERT_EQ(motion.times[k], std::round(double(k) / made.options.rate * 1e9) / 1e9);
+      ASSERT_EQ(motion.times[k], std::round(double(k) / made.options.timing.rate * 1e9) / 1e9);
     }
     for (int order = 1; order <= 3; ++order) {
       ASSERT_LE(testing::asked_fraction(made.arm, motion, made.options, order), 1 + 1e-9);
@@ -77,23 +77,23 @@ TEST(UniformSection, LengthensASectionShorterThanAPeriod) {
   Random random;
   RandomSection made =
       testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
-  made.options.rate = 0.1 / made.timed.scaling.duration();
+  made.options.timing.rate = 0.1 / made.timed.scaling.duration();
   const Trajectory motion = uniform_section(made.arm, made.timed, made.options).trajectory;
   ASSERT_EQ(motion.size(), 2);
-  EXPECT_NEAR(motion.times[1] * made.options.rate, 1, 1e-6);
+  EXPECT_NEAR(motion.times[1] * made.options.timing.rate, 1, 1e-6);
 }
 
 TEST(UniformSection, ReportsARateThatMakesFewEnoughSamples) {
   Random random;
   RandomSection made =
       testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
-  made.options.max_samples = 50;
-  made.options.rate = 200 / made.timed.scaling.duration();
+  made.options.samples_left = 50;
+  made.options.timing.rate = 200 / made.timed.scaling.duration();
   const SampledSection none = uniform_section(made.arm, made.timed, made.options);
   EXPECT_TRUE(none.too_many());
   const auto possible = testing::field<double>(none.reason, ReasonField::possible_rate);
   ASSERT_TRUE(possible) << none.reason;
-  made.options.rate = *possible;
+  made.options.timing.rate = *possible;
   EXPECT_TRUE(uniform_section(made.arm, made.timed, made.options)) << none.reason;
 }
 

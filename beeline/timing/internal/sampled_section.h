@@ -5,8 +5,7 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/averaged_scaling.h>
-#include <beeline/timing/internal/timed_path.h>
-#include <beeline/timing/retime.h>
+#include <beeline/timing/internal/timed_section.h>
 
 namespace beeline::internal {
 
@@ -17,20 +16,9 @@ struct SampledSection {
   Reason reason = {};                         ///< why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
-  /// Whether there are none because there would be more than max_samples.
+  /// Whether there are none because there would be more than SectionOptions::samples_left.
   bool too_many() const { return reason.code == ReasonCode::too_many_samples_at_rate; }
   double duration() const { return trajectory.times.back(); }
-};
-
-struct SectionOptions {
-  Interpolation interpolation = Interpolation::quintic;
-  bool keep_jerk = true;
-  double speed_scale = 1;             ///< see RetimeOptions
-  ToolSpeeds tool_speed = {};         ///< limits along the path
-  double rate = 0;                    ///< see RetimeOptions
-  double max_samples = 200'000;       ///< with a rate, after the first
-  std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
-  BudgetMeter* budget = nullptr;      ///< default: none
 };
 
 /// Returns the samples of a section, slowed down until the motion that they mean is within the
@@ -42,9 +30,8 @@ struct SectionOptions {
 /// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
 /// last one included: the section lasts a whole number of periods. Where the budget ends the
 /// search, the motion may take longer than necessary, or there are no samples. Returns none, with
-/// the reason and a rate that works, where there would be more than max_samples or none are found
-/// within limits.
-SampledSection sample_section(const Arm& arm, const TimedPath& section,
+/// the reason and a rate that works, where there would be too many or none are found within limits.
+SampledSection sample_section(const Arm& arm, const TimedSection& section,
                               const SectionOptions& options);
 
 }  // namespace beeline::internal

@@ -8,7 +8,7 @@
 #include <beeline/math/minimum_norm.h>
 #include <beeline/math/polynomial.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/planning/internal/section_path.h>
+#include <beeline/planning/internal/section_joint_path.h>
 
 namespace beeline::internal {
 namespace {
@@ -25,32 +25,34 @@ bool moves_back(const Polynomial& p) {
 }
 
 /// The rows of a task, in the axes of its frame, of a twist in world axes.
-Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, Twist twist) {
-  if (task.frame == Frame::tool) {
-    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
-  }
-  return task_rows(task, twist);
+Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, const Twist& twist) {
+  return task_rows(task, in_task_axes(task, world_R_tool, twist));
 }
 
 }  // namespace
 
-SectionPath::SectionPath(const Arm& arm, const ToolPath& path, const Task& task,
-                         BranchSection samples, const Deviation& tolerance, BudgetMeter& budget)
-    : arm_(arm), path_(path), task_(task), bounds_(bounds_of(arm)), samples_(std::move(samples)) {
+SectionJointPath::SectionJointPath(const MotionRequest& request, BranchSection samples,
+                                   BudgetMeter& budget)
+    : arm_(request.arm),
+      path_(request.route.path),
+      task_(request.task()),
+      bounds_(bounds_of(arm_)),
+      samples_(std::move(samples)) {
+  constexpr double tolerated = 0.01;
   // Tasks with one orientation row, whose error is no linear function of the angular velocity, may
   // need very many; the proof decides whether these are enough.
   constexpr std::size_t max_samples = 1024;
   const std::size_t given = samples_.samples.size();
   interpolate();
   while (samples_.samples.size() < std::max(max_samples, 2 * given) &&
-         add_samples(tolerance, budget)) {
+         add_samples(request.tolerance(tolerated), budget)) {
     interpolate();
   }
 }
 
 /// The smooth path through the samples, with the derivatives of the tool path there. Jumps of its
 /// third derivative would be jumps of the joints' jerk.
-void SectionPath::interpolate() {
+void SectionJointPath::interpolate() {
   joint_path_ = joint_spline(samples_.samples, chord_length(samples_.samples));
   const auto& parameters = samples_.path_parameters;
   const auto follow_at = [&](std::size_t k) {
@@ -64,15 +66,15 @@ void SectionPath::interpolate() {
 
 /// The tool's deviation from the path at fraction u from sample k - 1 to k, where the segment
 /// parameter is p(u).
-Deviation SectionPath::deviation(std::size_t k, const Polynomial& p, double u) const {
-  const PathPlace place = between(k, p, u);
+Deviation SectionJointPath::deviation(std::size_t k, const Polynomial& p, double u) const {
+  const SegmentPoint place = between(k, p, u);
   const Pose pose = forward_kinematics(arm_, path_point(joint_path_, k - 1, u).q);
   return deviation_from(path_.segments[place.index], place.fraction, pose, task_);
 }
 
 /// Adds one half-way between any two between which the tool is off the path; returns whether
 /// there were any, and the budget has not ended.
-bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
+bool SectionJointPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
   BranchSection refined{{samples_.samples.front()}, {samples_.path_parameters.front()}};
   for (std::size_t k = 1; k < samples_.samples.size(); ++k) {
     if (budget.ended()) return false;
@@ -80,7 +82,7 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
     const auto off = [&](double u) { return !within(deviation(k, p, u), tolerance); };
     const bool back = moves_back(p);
     if (back || off(0.5) || off(0.2) || off(0.8)) {
-      PathPlace place = between(k, p, 0.5);
+      SegmentPoint place = between(k, p, 0.5);
       if (back) {
         const double a = samples_.path_parameters[k - 1], b = samples_.path_parameters[k];
         place = at(0.5 * (a + b), b);
@@ -114,12 +116,12 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
 }
 
 /// The path parameter s on the segment on which `end` is.
-SectionPath::PathPlace SectionPath::at(double s, double end) const {
+SectionJointPath::SegmentPoint SectionJointPath::at(double s, double end) const {
   const std::size_t i = segment_at(path_, end);
   return {i, std::clamp(s - static_cast<double>(i), 0.0, 1.0)};
 }
 
-ParameterRates SectionPath::rates_of(const PathPlace& place, std::size_t k) const {
+ParameterRates SectionJointPath::rates_of(const SegmentPoint& place, std::size_t k) const {
   return following(
       path_.segments[place.index], place.fraction, task_,
       internal::tool_motion(arm_, joint_path_.q[k], joint_path_.dq[k], joint_path_.ddq[k]));
@@ -127,10 +129,10 @@ ParameterRates SectionPath::rates_of(const PathPlace& place, std::size_t k) cons
 
 /// The segment parameter from sample j - 1 to j: the quintic with the rates at which the tool
 /// follows the path at both.
-Polynomial SectionPath::segment_parameter(std::size_t j) const {
+Polynomial SectionJointPath::segment_parameter(std::size_t j) const {
   const auto& parameters = samples_.path_parameters;
-  const PathPlace begin = at(parameters[j - 1], parameters[j]);
-  const PathPlace end = at(parameters[j], parameters[j]);
+  const SegmentPoint begin = at(parameters[j - 1], parameters[j]);
+  const SegmentPoint end = at(parameters[j], parameters[j]);
   const double h = joint_path_.s[j] - joint_path_.s[j - 1];
   const ParameterRates a = rates_of(begin, j - 1), b = rates_of(end, j);
   return quintic_between(begin.fraction, end.fraction, h * a.first, h * b.first, h * h * a.second,
@@ -138,18 +140,20 @@ Polynomial SectionPath::segment_parameter(std::size_t j) const {
 }
 
 /// The point of the tool path at fraction u from sample j - 1 to j.
-SectionPath::PathPlace SectionPath::between(std::size_t j, const Polynomial& p, double u) const {
+SectionJointPath::SegmentPoint SectionJointPath::between(std::size_t j, const Polynomial& p,
+                                                         double u) const {
   const auto& parameters = samples_.path_parameters;
   const std::size_t i = at(parameters[j], parameters[j]).index;
   return {i, std::clamp(p(u), 0.0, 1.0)};
 }
 
-double SectionPath::path_parameter(const Configuration& q, double s, double rounding) const {
+double SectionJointPath::path_parameter(const Configuration& q, double s, double rounding) const {
   const auto& grid = joint_path_.s;
   const auto next = std::lower_bound(grid.begin() + 1, grid.end() - 1, s - rounding);
   const auto j = static_cast<std::size_t>(next - grid.begin());
   if (std::abs(s - grid[j]) <= rounding) return samples_.path_parameters[j];
-  PathPlace place = between(j, segment_parameter(j), (s - grid[j - 1]) / (grid[j] - grid[j - 1]));
+  SegmentPoint place =
+      between(j, segment_parameter(j), (s - grid[j - 1]) / (grid[j] - grid[j - 1]));
   if (const auto* line = std::get_if<Line>(&path_.segments[place.index])) {
     // The polynomial between two samples is no measure near a singularity.
     place.fraction = nearest_fraction(*line, forward_kinematics(arm_, q), task_);
@@ -157,7 +161,7 @@ double SectionPath::path_parameter(const Configuration& q, double s, double roun
   return static_cast<double>(place.index) + place.fraction;
 }
 
-std::vector<double> SectionPath::segment_ends() const {
+std::vector<double> SectionJointPath::segment_ends() const {
   std::vector<double> ends;
   for (std::size_t k = 1; k + 1 < joint_path_.size(); ++k) {
     const double s = samples_.path_parameters[k];
@@ -166,7 +170,7 @@ std::vector<double> SectionPath::segment_ends() const {
   return ends;
 }
 
-double SectionPath::parameter_at(double path_parameter) const {
+double SectionJointPath::parameter_at(double path_parameter) const {
   const auto& parameters = samples_.path_parameters;
   const auto sample = std::lower_bound(parameters.begin(), parameters.end() - 1, path_parameter);
   return joint_path_.s[static_cast<std::size_t>(sample - parameters.begin())];
@@ -175,7 +179,7 @@ double SectionPath::parameter_at(double path_parameter) const {
 /// Changes the derivatives at sample k as little as possible, so that the tool has the path's
 /// tangent and curvature in the task's rows. Near a singularity, where that is much, they stay
 /// those of the spline.
-void SectionPath::follow(std::size_t k, const PathPlace& place) {
+void SectionJointPath::follow(std::size_t k, const SegmentPoint& place) {
   const Configuration& q = joint_path_.q[k];
   Configuration &dq = joint_path_.dq[k], &ddq = joint_path_.ddq[k];
   const Segment& segment = path_.segments[place.index];

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <beeline/timing/internal/joint_motion.h>
-#include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/sampled_section.h>
 #include <beeline/timing/internal/section_limits.h>
 #include <beeline/timing/internal/uniform_section.h>
 #include <beeline/trajectory/internal/append.h>
@@ -41,7 +41,7 @@ class Refinement {
   /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs; some
   /// where the budget ends it.
   void append(std::vector<Sample>& samples, const Sample& a, const Sample& b) const {
-    if (ended(options_.budget, 0)) return;
+    if (options_.budget.ended(0)) return;
     const double h = b.t - a.t;
     std::array<Sample, 3> inner;  // at the quarters
     for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ class Refinement {
     const double h = b.t - a.t;
     for (Eigen::Index i = 0; i < a.state.q.size(); ++i) {
       const Polynomial p =
-          options_.interpolation == Interpolation::cubic
+          options_.timing.interpolation == Interpolation::cubic
               ? cubic_between(a.state.q[i], b.state.q[i], h * a.state.v[i], h * b.state.v[i])
               : quintic_between(a.state.q[i], b.state.q[i], h * a.state.v[i], h * b.state.v[i],
                                 h * h * a.state.a[i], h * h * b.state.a[i]);
@@ -74,7 +74,7 @@ class Refinement {
         if (std::abs(v(u) - exact.v[i]) > velocity_error * limits_.velocity[i]) return false;
         if (std::abs(error) > acceleration_error * limits_.acceleration[i]) return false;
         const double jerk = std::abs(error - error_before) / (0.25 * h);
-        if (options_.keep_jerk && jerk > jerk_error * limits_.jerk[i]) return false;
+        if (options_.keeps_jerk() && jerk > jerk_error * limits_.jerk[i]) return false;
         error_before = error;
       }
     }
@@ -97,18 +97,18 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   std::vector<std::pair<double, ParameterState>> points{{0, {scaling.at(0).s, 0, 0}},
                                                         {duration, {scaling.at(duration).s, 0, 0}}};
   const auto add = [&](double t) { points.emplace_back(t, scaling.at(t)); };
-  const bool linear = options.interpolation == Interpolation::linear;
+  const bool linear = options.timing.interpolation == Interpolation::linear;
   const double gaps = linear ? 1 : first_intervals;
   for (double i = 1; i < gaps; ++i) add(duration * i / gaps);
   if (!linear) {
     for (const double t : scaling.kinks(large_jump)) {
-      if (ended(options.budget)) return {};
+      if (options.budget.ended()) return {};
       add(t);
     }
   }
   for (const double s : options.required) {
     if (!(s > given.s.front() && s < given.s.back())) continue;
-    if (ended(options.budget)) return {};
+    if (options.budget.ended()) return {};
     const double t = scaling.time_of(s, options.budget);
     ParameterState now = scaling.at(t);
     now.s = s;
@@ -152,46 +152,46 @@ void slow_down_in_nanoseconds(SampledSection& section, double slower) {
 
 /// The samples before they are slowed down, with ramps of this width. Empty where the budget ends
 /// it.
-SampledSection refined_samples(const Arm& arm, const TimedPath& section,
+SampledSection refined_samples(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options, double width) {
   const AveragedScaling scaling(section.scaling, width);
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples = first_samples(motion, section.scaling, options);
   if (samples.empty()) return {};
-  if (options.interpolation != Interpolation::linear) {
-    const PathLimits limits = path_limits(arm, options.speed_scale);
+  if (options.timing.interpolation != Interpolation::linear) {
+    const PathLimits limits = path_limits(arm, options.timing.speed_scale);
     const Refinement refinement(motion, limits, options);
     std::vector<Sample> refined{samples.front()};
     for (std::size_t k = 1; k < samples.size(); ++k) {
-      if (ended(options.budget)) return {};
+      if (options.budget.ended()) return {};
       refinement.append(refined, samples[k - 1], samples[k]);
     }
-    if (ended(options.budget, 0)) return {};
+    if (options.budget.ended(0)) return {};
     samples = std::move(refined);
   }
-  return with_columns(arm, samples, options.interpolation);
+  return with_columns(arm, samples, options.timing.interpolation);
 }
 
 /// Whether samples would need an acceleration that jumps.
-bool has_jumps(const TimedPath& section, const SectionOptions& options) {
-  return !section.scaling.smooth && options.interpolation != Interpolation::linear;
+bool has_jumps(const TimedSection& section, const SectionOptions& options) {
+  return !section.scaling.smooth && options.timing.interpolation != Interpolation::linear;
 }
 
-double ramp_width(const TimedPath& section, const SectionOptions& options) {
+double ramp_width(const TimedSection& section, const SectionOptions& options) {
   return has_jumps(section, options) ? ramp * section.scaling.duration() : 0;
 }
 
-SampledSection without_rate(const Arm& arm, const TimedPath& section,
+SampledSection without_rate(const Arm& arm, const TimedSection& section,
                             const SectionOptions& options) {
   const bool jumps = has_jumps(section, options);
   double width = ramp_width(section, options);
   SampledSection result = refined_samples(arm, section, options, width);
   if (result.trajectory.size() == 0) return result;
   double factor = std::max(1.0, needed_slowdown(arm, result, options).both());
-  if (ended(options.budget)) return {};
+  if (options.budget.ended()) return {};
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
-    if (ended(options.budget)) break;
+    if (options.budget.ended()) break;
     const double wider = width * factor * factor * factor;
     if (wider > widest_ramp * section.scaling.duration()) break;
     SampledSection tried = refined_samples(arm, section, options, wider);
@@ -208,42 +208,44 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
     result = exact;
     slow_down_in_nanoseconds(result, factor * (1 + margin));
     if (!(needed_slowdown(arm, result, options).both() > 1)) return result;
-    if (ended(options.budget)) return {};
+    if (options.budget.ended()) return {};
   }
 }
 
 /// Samples slowed down as a whole.
-SampledSection slowed(const Arm& arm, const TimedPath& section, const SectionOptions& options) {
-  return options.rate > 0 ? uniform_section(arm, section, options)
-                          : without_rate(arm, section, options);
+SampledSection slowed(const Arm& arm, const TimedSection& section, const SectionOptions& options) {
+  return options.timing.rate > 0 ? uniform_section(arm, section, options)
+                                 : without_rate(arm, section, options);
 }
 
 /// Samples that exceed limits where the interpolation or the path between grid points does.
-SampledSection unslowed(const Arm& arm, const TimedPath& section, const SectionOptions& options) {
-  return options.rate > 0 ? shortest_uniform_section(arm, section, options)
-                          : refined_samples(arm, section, options, ramp_width(section, options));
+SampledSection unslowed(const Arm& arm, const TimedSection& section,
+                        const SectionOptions& options) {
+  return options.timing.rate > 0
+             ? shortest_uniform_section(arm, section, options)
+             : refined_samples(arm, section, options, ramp_width(section, options));
 }
 
 /// Samples whose places that exceed limits get lower ones, where the slowdown of the whole is
 /// large.
-SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOptions& options) {
+SampledSection locally_slowed(const Arm& arm, TimedSection section, const SectionOptions& options) {
   SampledSection best = slowed(arm, section, options);
   if (!best) return best;
   const bool optimised = section.profile == Profile::fastest || section.profile == Profile::jerk;
-  if (!optimised || options.interpolation == Interpolation::linear) return best;
+  if (!optimised || options.timing.interpolation == Interpolation::linear) return best;
   constexpr std::size_t large_grid = 2000;  // grid points, for which a round takes seconds
   const int max_rounds = section.path.size() > large_grid ? 2 : 6;
   constexpr double small = 1.006, periods = 2;
-  const double period = options.rate > 0 ? 1 / options.rate : 0;
+  const double period = options.timing.rate > 0 ? 1 / options.timing.rate : 0;
   const double shortest_duration = section.scaling.duration();
   for (int round = 0; round < max_rounds; ++round) {
-    if (ended(options.budget)) return best;
+    if (options.budget.ended()) return best;
     const double duration = best.duration();
     if (duration <= small * shortest_duration + periods * period) return best;
     const SampledSection free = unslowed(arm, section, options);
     if (!free || !lower_limits(arm, free, options, section)) return best;
     section.scaling =
-        time_scaling(section.path, section.limits, section.profile, budget_of(options.budget));
+        time_scaling(section.path, section.limits, section.profile, options.budget.part());
     if (!section.scaling) return best;
     SampledSection tried = slowed(arm, section, options);
     if (tried && tried.duration() < duration) best = std::move(tried);
@@ -253,19 +255,18 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
 
 }  // namespace
 
-SampledSection sample_section(const Arm& arm, const TimedPath& section,
+SampledSection sample_section(const Arm& arm, const TimedSection& section,
                               const SectionOptions& options) {
   SampledSection best = locally_slowed(arm, section, options);
-  if (section.profile != Profile::fastest || ended(options.budget)) return best;
+  if (section.profile != Profile::fastest || options.budget.ended()) return best;
   // The ramps of acceleration may take longer than a motion with limited jerk.
-  TimedPath gentle = section;
+  TimedSection gentle = section;
   gentle.profile = Profile::jerk;
-  gentle.scaling =
-      time_scaling(section.path, section.limits, Profile::jerk, budget_of(options.budget));
+  gentle.scaling = time_scaling(section.path, section.limits, Profile::jerk, options.budget.part());
   if (!gentle.scaling) return best;
   if (best && !(gentle.scaling.duration() < best.duration())) return best;
   SectionOptions limited = options;
-  limited.keep_jerk = true;
+  limited.timing.profile = Profile::jerk;
   SampledSection other = locally_slowed(arm, gentle, limited);
   return other && (!best || other.duration() < best.duration()) ? other : best;
 }

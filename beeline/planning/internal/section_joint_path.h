@@ -8,24 +8,23 @@
 #include <beeline/path/internal/following.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/path/tool_path.h>
-#include <beeline/planning/branch.h>
+#include <beeline/planning/internal/motion_request.h>
 
 namespace beeline::internal {
 
-/// Samples of a branch from one stop to the next, and their path parameters.
+/// A section of a branch, from one stop to the next: configurations with their path parameters.
 struct BranchSection {
   std::vector<Configuration> samples;
   std::vector<double> path_parameters;
 };
 
-/// The joint path of a section: quintics between samples of the branch, at which the tool has the
-/// path's position, tangent and curvature. Samples are added where the tool leaves the path by more
-/// than `tolerance` between them.
-class SectionPath {
+/// The joint path of a section, which makes the tool follow the tool path: quintics between samples
+/// of the branch, at which the tool has the path's position, tangent and curvature. Samples are
+/// added where the tool leaves the path by more than a hundredth of the tolerance between them.
+class SectionJointPath {
  public:
-  /// Keeps references to the arm, the path and the task.
-  SectionPath(const Arm& arm, const ToolPath& path, const Task& task, BranchSection samples,
-              const Deviation& tolerance, BudgetMeter& budget);
+  /// Keeps references to the request's arm, path and task.
+  SectionJointPath(const MotionRequest& request, BranchSection samples, BudgetMeter& budget);
 
   const JointPath& joint_path() const { return joint_path_; }
 
@@ -41,19 +40,19 @@ class SectionPath {
 
  private:
   /// A point of a segment.
-  struct PathPlace {
+  struct SegmentPoint {
     std::size_t index = 0;
     double fraction = 0;  ///< the segment parameter
   };
 
-  PathPlace at(double s, double end) const;
+  SegmentPoint at(double s, double end) const;
   Polynomial segment_parameter(std::size_t j) const;
-  PathPlace between(std::size_t j, const Polynomial& p, double u) const;
-  ParameterRates rates_of(const PathPlace& place, std::size_t k) const;
+  SegmentPoint between(std::size_t j, const Polynomial& p, double u) const;
+  ParameterRates rates_of(const SegmentPoint& place, std::size_t k) const;
   void interpolate();
   Deviation deviation(std::size_t k, const Polynomial& p, double u) const;
   bool add_samples(const Deviation& tolerance, BudgetMeter& budget);
-  void follow(std::size_t k, const PathPlace& place);
+  void follow(std::size_t k, const SegmentPoint& place);
 
   const Arm& arm_;
   const ToolPath& path_;

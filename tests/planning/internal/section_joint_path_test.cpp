@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/planning/internal/section_path.h>
+#include <beeline/planning/internal/section_joint_path.h>
 
 #include <tests/planning/random_branch.h>
 
@@ -41,8 +41,14 @@ void for_random_sections(int count, std::size_t samples, const Check& check) {
     if (!made) continue;
     Budget budget;
     BudgetMeter meter(budget);
-    const SectionPath section(made->arm, made->route.path, made->task,
-                              few_samples(made->branch, samples), path_tolerance, meter);
+    const MotionRequest request{made->arm,
+                                std::nullopt,
+                                made->route,
+                                {.task = made->task},
+                                {},
+                                {.tolerance = 100 * path_tolerance.position,
+                                 .orientation_tolerance = 100 * path_tolerance.orientation}};
+    const SectionJointPath section(request, few_samples(made->branch, samples), meter);
     ++found;
     check(*made, section);
     if (::testing::Test::HasFatalFailure()) return;
@@ -58,10 +64,10 @@ Deviation error_at(const RandomBranch& made, const Pose& tool, double s) {
   return task_deviation(made.task, pose_at(made.route.path, s), tool);
 }
 
-TEST(SectionPath, StaysWithinTheToleranceAtThePathParameter) {
+TEST(SectionJointPath, StaysWithinTheToleranceAtThePathParameter) {
   Deviation worst;
   for_random_sections(testing::cases(40), 8,
-                      [&](const RandomBranch& made, const SectionPath& section) {
+                      [&](const RandomBranch& made, const SectionJointPath& section) {
                         const JointPath& path = section.joint_path();
                         double before = 0;
                         for (std::size_t step = 0; step + 1 < path.size(); ++step) {
@@ -81,10 +87,10 @@ TEST(SectionPath, StaysWithinTheToleranceAtThePathParameter) {
   EXPECT_LE(worst.orientation, 1.5 * path_tolerance.orientation);
 }
 
-TEST(SectionPath, PathParameterIsThatOfTheNearestPoint) {
+TEST(SectionJointPath, PathParameterIsThatOfTheNearestPoint) {
   double worst = 0;
   for_random_sections(
-      testing::cases(20), 8, [&](const RandomBranch& made, const SectionPath& section) {
+      testing::cases(20), 8, [&](const RandomBranch& made, const SectionJointPath& section) {
         const JointPath& path = section.joint_path();
         for (std::size_t step = 0; step + 1 < path.size(); step += 3) {
           const double u = 0.37, s = std::lerp(path.s[step], path.s[step + 1], u);
@@ -107,12 +113,12 @@ TEST(SectionPath, PathParameterIsThatOfTheNearestPoint) {
   EXPECT_LE(worst, path_tolerance.position);
 }
 
-// The tool's velocity and acceleration along the joint path equal those along the tool path for some
-// rates of its parameter: first and second differences of forward kinematics, both sides.
-TEST(SectionPath, FollowsTangentAndCurvatureOfTheToolPathAtTheSamples) {
+// The tool's velocity and acceleration along the joint path equal those along the tool path for
+// some rates of its parameter: first and second differences of forward kinematics, both sides.
+TEST(SectionJointPath, FollowsTangentAndCurvatureOfTheToolPathAtTheSamples) {
   double worst_tangent = 0, worst_curvature = 0;
   for_random_sections(
-      testing::cases(30), 8, [&](const RandomBranch& made, const SectionPath& section) {
+      testing::cases(30), 8, [&](const RandomBranch& made, const SectionJointPath& section) {
         const JointPath& path = section.joint_path();
         const double end = double(made.route.path.segments.size());
         for (std::size_t k = 1; k + 1 < path.size(); ++k) {
@@ -143,7 +149,7 @@ TEST(SectionPath, FollowsTangentAndCurvatureOfTheToolPathAtTheSamples) {
 
 /// The largest jump of the third derivative at grid points inside segments, relative to the largest
 /// third derivative. Where segments meet, the third derivative of the tool path jumps too.
-double largest_jump(const SectionPath& section) {
+double largest_jump(const SectionJointPath& section) {
   const JointPath& path = section.joint_path();
   const std::vector<double> ends = section.segment_ends();
   double largest = 0, jump = 0;
@@ -157,11 +163,12 @@ double largest_jump(const SectionPath& section) {
   return largest > 0 ? jump / largest : 0;
 }
 
-TEST(SectionPath, ThirdDerivativesAreNearlyContinuousInsideMostSegments) {
+TEST(SectionJointPath, ThirdDerivativesAreNearlyContinuousInsideMostSegments) {
   std::vector<double> jumps;
-  for_random_sections(testing::cases(40), 32, [&](const RandomBranch&, const SectionPath& section) {
-    jumps.push_back(largest_jump(section));
-  });
+  for_random_sections(testing::cases(40), 32,
+                      [&](const RandomBranch&, const SectionJointPath& section) {
+                        jumps.push_back(largest_jump(section));
+                      });
   std::sort(jumps.begin(), jumps.end());
   std::cout << "jumps of the third derivative, of the largest one: median "
             << jumps[jumps.size() / 2] << ", nine of ten " << jumps[jumps.size() * 9 / 10]

@@ -113,7 +113,7 @@ ProfileDurations measured_durations(Random& random, Interpolation interpolation,
     for (const Profile profile : {Profile::jerk, Profile::fastest}) {
       made.timed.profile = profile;
       made.timed.scaling = time_scaling(made.timed.path, made.timed.limits, profile);
-      made.options.keep_jerk = keeps_jerk(profile);
+      made.options.timing.profile = profile;
       const double duration = made.timed.scaling.duration();
       if (profile == Profile::jerk) with_jerk = duration;
       Durations& durations = profile == Profile::jerk ? both.jerk : both.fastest;
@@ -162,10 +162,8 @@ TEST(SampleSection, KeepsTheToolsSpeed) {
       const auto interpolation = testing::interpolations[1 + i % 2];
       RandomSection made = random_section(random, Profile::jerk, interpolation, rate, 1);
       const double limit = random.uniform(0.05, 0.5);
-      Budget budget;
-      BudgetMeter meter(budget);
-      made.timed = timed_path(made.arm, made.timed.path, Profile::jerk, 1, limit, meter);
-      made.options.tool_speed = limit;
+      made.options.tool_speeds = limit;
+      made.timed = timed_section(made.arm, made.timed.path, made.options);
       const Trajectory motion = sample_section(made.arm, made.timed, made.options).trajectory;
       double largest = 0;
       for (std::size_t k = 0; k + 1 < motion.size(); ++k) {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/planning/internal/timed_plan.h>
+#include <beeline/planning/internal/branch_timing.h>
 
 #include <tests/planning/random_branch.h>
 
@@ -29,8 +29,10 @@ void for_random_plans(int count, const RetimeOptions& options, const Check& chec
     }
     Budget budget;
     BudgetMeter meter(budget);
-    PlanTiming timing(made->arm, made->route, made->branch, made->task, plan_tolerance, 16, options,
-                      meter);
+    const MotionRequest request{made->arm,   std::nullopt,
+                                made->route, {.task = made->task},
+                                options,     {.tolerance = 1e-3, .orientation_tolerance = 1e-3}};
+    BranchTiming timing(request, made->branch, 16, meter);
     if (timing.status != MotionStatus::reached) continue;
     ++found;
     check(*made, timing, random);
@@ -39,7 +41,7 @@ void for_random_plans(int count, const RetimeOptions& options, const Check& chec
 }
 
 /// The parameters never decrease, and the tool is at the path's pose there at each sample.
-void expect_parameters(const RandomBranch& made, const TimedPlan& plan) {
+void expect_parameters(const RandomBranch& made, const TimedBranch& plan) {
   const auto& s = plan.path_parameters;
   ASSERT_EQ(s.size(), plan.trajectory.size());
   ASSERT_EQ(s.front(), 0);
@@ -55,23 +57,23 @@ void expect_parameters(const RandomBranch& made, const TimedPlan& plan) {
   }
 }
 
-TEST(PlanTiming, PathParametersNeverDecreaseAndAreThoseOfTheSamples) {
+TEST(BranchTiming, PathParametersNeverDecreaseAndAreThoseOfTheSamples) {
   for (const double rate : {0.0, 100.0}) {
     for_random_plans(testing::cases(15), {.rate = rate},
-                     [](const RandomBranch& made, PlanTiming& timing, Random&) {
-                       expect_parameters(made, timing.sample());
+                     [rate](const RandomBranch& made, BranchTiming& timing, Random&) {
+                       expect_parameters(made, timing.sample(rate));
                      });
   }
 }
 
-TEST(PlanTiming, DivideAddsTheSamplesAskedForAndKeepsTheEndsOfSegments) {
+TEST(BranchTiming, DivideAddsTheSamplesAskedForAndKeepsTheEndsOfSegments) {
   for_random_plans(
-      testing::cases(20), {}, [&](const RandomBranch& made, PlanTiming& timing, Random& random) {
-        const TimedPlan before = timing.sample();
+      testing::cases(20), {}, [&](const RandomBranch& made, BranchTiming& timing, Random& random) {
+        const TimedBranch before = timing.sample(0);
         std::vector<int> times(before.trajectory.size() - 1, 1);
         for (int& parts : times) parts = random.integer(0, 3) == 0 ? random.integer(2, 4) : 1;
         timing.divide(times);
-        const TimedPlan after = timing.sample();
+        const TimedBranch after = timing.sample(0);
         ASSERT_NO_FATAL_FAILURE(expect_parameters(made, after));
         const auto& s = after.path_parameters;
         const auto between = [&](double a, double b) {  // samples

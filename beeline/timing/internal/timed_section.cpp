@@ -5,7 +5,8 @@
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/path/tool_path.h>
 #include <beeline/timing/internal/ended_scaling.h>
-#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/internal/timed_section.h>
+#include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
@@ -75,28 +76,32 @@ void slow_down(TimeScaling& scaling, double k) {
   for (double& a : scaling.acceleration) a /= k * k;
 }
 
-void check_options(double tool_speed, double rate) {
-  if (!(tool_speed >= slowest_tool)) {
+void check_options(const RetimeOptions& options) {
+  if (!(options.tool_speed >= slowest_tool)) {
     throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
-                number(tool_speed) + " m/s");
+                number(options.tool_speed) + " m/s");
   }
-  check_rate(rate, "the samples of the path");
+  check_rate(options.rate, "the samples of the path");
+  check_duration(options.duration);
+  refuse_duration_with_rate(options.duration, options.rate);
+  if (options.max_samples >= 2) return;
+  throw Error("", "max_samples", " must be at least 2, not " + std::to_string(options.max_samples));
 }
 
-TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
-                     const ToolSpeeds& tool_speed, BudgetMeter& budget) {
-  TimedPath section;
+TimedSection timed_section(const Arm& arm, const JointPath& path, const SectionOptions& options) {
+  BudgetMeter& budget = options.budget;
+  TimedSection section;
   section.path = refined(path, {.min_steps = steps_above_rounding(path), .budget = budget.part()});
   section.scaling.reason = outside(arm, path, section.path, budget);
   if (section.scaling.reason) return section;
-  section.profile = profile;
-  section.limits = path_limits(arm, speed_scale);
-  section.limits.speed = path_speeds(arm, section.path, tool_speed, budget);
+  section.profile = options.profile();
+  section.limits = path_limits(arm, options.timing.speed_scale);
+  section.limits.speed = path_speeds(arm, section.path, options.tool_speeds, budget);
   if (budget.ended(0)) {
     section.scaling = ended_scaling(budget);
     return section;
   }
-  section.scaling = time_scaling(section.path, section.limits, profile, budget.part());
+  section.scaling = time_scaling(section.path, section.limits, section.profile, budget.part());
   return section;
 }
 

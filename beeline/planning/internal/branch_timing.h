@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deque>
+
+#include <beeline/planning/internal/section_joint_path.h>
+#include <beeline/timing/internal/sampled_section.h>
+
+namespace beeline::internal {
+
+/// A branch with times: a trajectory from rest to rest.
+struct TimedBranch {
+  Trajectory trajectory = {};
+  std::vector<double> path_parameters = {};  ///< of each sample
+};
+
+/// The timing of a complete branch, section by section from stop to stop: joint path, time scaling
+/// and samples of each.
+class BranchTiming {
+ public:
+  /// The joint path passes through `samples` of each of the branch's segments, at most, and those
+  /// that the tolerance needs. Keeps references to the request and the budget.
+  BranchTiming(const MotionRequest& request, const Branch& branch, std::size_t samples,
+               BudgetMeter& budget);
+
+  MotionStatus status = MotionStatus::reached;
+  Reason reason = {};  ///< unless reached
+
+  /// Returns the samples at a rate, see RetimeOptions, of the sections before the budget ended;
+  /// where there are none at the rate, sets status and reason.
+  TimedBranch sample(double rate);
+
+  /// From now on there are `times` as many samples between sample k and the next, if `times[k]` is
+  /// above 1. For samples without a rate.
+  void divide(const std::vector<int>& times);
+
+ private:
+  struct Section {
+    SectionJointPath path;
+    SectionOptions options;
+    double end = 0;  ///< the path parameter, after segments at rest too
+    TimedSection timed = {};
+    std::vector<double> sampled = {};  ///< parameters of the last samples
+  };
+
+  /// Adds the section along these segments of the route.
+  void add(BranchSection samples, std::size_t first, std::size_t last);
+  ToolSpeeds tool_speeds(const SectionJointPath& path, std::size_t first, std::size_t last) const;
+
+  const MotionRequest& request_;
+  BudgetMeter& budget_;
+  Configuration start_;
+  double start_parameter_ = 0;
+  std::deque<Section> sections_;
+};
+
+}  // namespace beeline::internal

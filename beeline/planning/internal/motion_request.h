@@ -1,0 +1,33 @@
+#pragma once
+
+#include <beeline/certificate/verify.h>
+#include <beeline/planning/move_along.h>
+#include <beeline/timing/retime.h>
+
+namespace beeline::internal {
+
+/// A motion along a route, with the options of each of its stages. Each stage takes its own options
+/// and a meter in the place of their budgets.
+struct MotionRequest {
+  const Arm& arm;
+  std::optional<Configuration> start;  ///< default: the best configuration at the path's beginning
+  const Route& route;
+  BranchOptions branch;  ///< of the plan without times, whose budget is that of the plan
+  RetimeOptions timing;
+  VerifyOptions proof;
+
+  const Task& task() const { return branch.task; }
+
+  /// A fraction of the tolerance of the proof.
+  Deviation tolerance(double fraction = 1) const {
+    return {fraction * proof.tolerance, fraction * proof.orientation_tolerance};
+  }
+};
+
+/// The options of the stages, from those of a motion; `tolerated`: the fraction of the tolerance
+/// that a branch may use.
+BranchOptions branch_options(const Arm& arm, const PathMotionOptions& options, double tolerated);
+RetimeOptions timing_options(const PathMotionOptions& options);
+VerifyOptions proof_options(const PathMotionOptions& options);
+
+}  // namespace beeline::internal
