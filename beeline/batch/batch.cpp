@@ -20,15 +20,12 @@ using internal::batch_kernel;
 using internal::batch_width;
 using internal::BatchJob;
 using internal::BatchPlan;
-using internal::BatchWrite;
 using internal::Copies;
 using internal::in_parallel;
 
 constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
 constexpr Eigen::Index chunk = batch_width;  // configurations copied through a buffer at a time
-// Bytes of results that a level-1 cache of 32 KiB holds beside its other contents; and those that
-// stay in a last-level cache of a common machine.
-constexpr double near_bytes = 24e3, cached_bytes = 16e6;
+constexpr double cached_bytes = 16e6;        // that stay in a last-level cache of a common machine
 
 template <class Matrix>
 void check_rows(const Arm& arm, const std::string& name, const Matrix& matrix, Eigen::Index rows) {
@@ -85,7 +82,7 @@ void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
   Eigen::Index numbers = q.rows();
   for (const Output<Real>& output : outputs) numbers += output.rows();
   const Buffer<Real> buffer = allocated<Real>(chunk * numbers);
-  job.write = BatchWrite::directly;
+  job.past_caches = false;
   job.count = chunk;
   job.q = buffer.get();
   for (; first < last; first += chunk) {
@@ -156,9 +153,7 @@ BatchResult run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Re
   all.plan = &plan;
   all.layout = options.layout;
   all.frame = options.frame;
-  all.write = bytes > cached_bytes ? BatchWrite::past_caches
-              : bytes > near_bytes ? BatchWrite::by_lines
-                                   : BatchWrite::directly;
+  all.past_caches = bytes > cached_bytes;
   Counts counts(options.budget, q.cols());
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     if (counts.budget().ended(last - first)) {

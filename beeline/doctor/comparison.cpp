@@ -4,11 +4,8 @@
 #include <utility>
 
 #include <beeline/doctor/comparison.h>
-#include <beeline/doctor/internal/frame_explanation.h>
+#include <beeline/doctor/internal/explanations.h>
 #include <beeline/doctor/internal/hypotheses.h>
-#include <beeline/doctor/internal/other_differences.h>
-#include <beeline/doctor/internal/screw_explanation.h>
-#include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/doctor/internal/verdict.h>
 
 namespace beeline {

@@ -1,5 +1,6 @@
 #include <beeline/doctor/diagnosis.h>
 #include <beeline/doctor/internal/findings.h>
+#include <beeline/internal/enum_names.h>
 
 namespace beeline {
 
@@ -23,10 +24,12 @@ Diagnosis diagnose(const std::string& text, const ChainEnds& ends) {
 }
 
 std::string name(FindingKind kind) {
-  constexpr const char* names[] = {
-      "length_unit",  "angle_unit",  "rounded_angle", "nearly_special",   "coincident_axes",
-      "missing_axis", "axis_length", "no_range",      "unknown_velocity", "fault"};
-  return names[static_cast<int>(kind)];
+  constexpr internal::EnumNames<FindingKind::fault> names(
+      "finding",
+      "length_unit angle_unit rounded_angle nearly_special coincident_axes missing_axis "
+      "axis_length "
+      "no_range unknown_velocity fault");
+  return names.of(kind);
 }
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/draw/arm_figure.h>
+#include <beeline/draw/internal/animation_frames.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/text.h>
@@ -63,12 +64,6 @@ std::string motion_caption(const Arm& arm, const Trajectory& trajectory) {
     caption += "\nup to " + fixed(depth, decimals) + " m below the plane of the base";
   }
   return caption;
-}
-
-void add_numbered(Drawing& drawing, const std::vector<Pose>& waypoints) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < waypoints.size(); ++i) names.push_back(std::to_string(i + 1));
-  add_poses(drawing, waypoints, names);
 }
 
 constexpr int max_ghosts = 1000;
@@ -156,7 +151,7 @@ Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<
   add_arm(drawing, arm, end,
           {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
   add_trail(drawing, arm, trajectory, {.dots = options.dots});
-  add_numbered(drawing, waypoints);
+  add_poses(drawing, waypoints);
   if (options.jacobian) add_jacobian_arrows(drawing, arm, end, jacobian_arrow_scale(arm, end));
   const std::string caption =
       options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
@@ -169,24 +164,14 @@ Animation motion_animation(const Arm& arm, const Trajectory& given,
   Drawing drawing;
   if (options.ghosts > 0) add_arm(drawing, arm, trajectory.positions.front(), {.faded = true});
   add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
-  add_numbered(drawing, waypoints);
-  Animation animation;
-  const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
-  constexpr double rate = 50, max_steps = 999;
-  const int steps = static_cast<int>(std::min(max_steps, std::ceil(rate * duration)));
+  add_poses(drawing, waypoints);
   double arrow_scale = 0;
-  for (int k = 0; k <= steps; ++k) {
-    const double since = steps == 0 ? 0 : duration * k / steps;
-    const Configuration q = sample(trajectory, begin + since).position;
-    Drawing frame;
+  Animation animation = motion_frames(trajectory, [&](Drawing& frame, const Configuration& q) {
     add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian});
-    if (options.jacobian) {
-      if (k == 0) arrow_scale = jacobian_arrow_scale(arm, q);
-      add_jacobian_arrows(frame, arm, q, arrow_scale);
-    }
-    animation.times.push_back(since);
-    animation.frames.push_back(std::move(frame));
-  }
+    if (!options.jacobian) return;
+    if (arrow_scale == 0) arrow_scale = jacobian_arrow_scale(arm, q);
+    add_jacobian_arrows(frame, arm, q, arrow_scale);
+  });
   const std::string caption =
       options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
   animation.figure = views_of(std::move(drawing), arm, caption, options);

@@ -6,6 +6,7 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
 #include <beeline/draw/arm_figure.h>
+#include <beeline/draw/internal/animation_frames.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/concept_figures.h>
@@ -23,6 +24,12 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 Configuration degrees(double a, double b, double c) { return degree * Eigen::Vector3d(a, b, c); }
+
+std::vector<Pose> waypoints_1_9() {
+  std::vector<Pose> waypoints;
+  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
+  return waypoints;
+}
 
 /// Figure 1.6: the worked example's two configurations.
 Figure figure_1_6(const Arm& arm) {
@@ -77,11 +84,9 @@ FigureMotion motion_1_7(const Arm& arm) {
 
 /// Figure 1.9: Cartesian control makes a straight trail.
 FigureMotion motion_1_9(const Arm& /*arm*/) {
-  std::vector<Pose> waypoints;
-  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
   return {figure_1_9_motion(),
-          waypoints,
-          {"1", "2", "3"},
+          waypoints_1_9(),
+          {},
           "eq. 1.6 from " + angles_text(figure_1_9_start()) + " through three waypoints",
           {.dots = 200}};
 }
@@ -114,8 +119,7 @@ Figure figure_1_8(const Arm& arm) {
 /// The waypoints of Figure 1.9 by certified motions in minimum time: along straight lines with a
 /// stop at each waypoint, and along one spline without a stop.
 Figure figure_splines(const Arm& arm) {
-  std::vector<Pose> waypoints;
-  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
+  const std::vector<Pose> waypoints = waypoints_1_9();
   std::vector<Pose> poses = waypoints;
   const Configuration start = figure_1_9_start();
   poses.insert(poses.begin(), forward_kinematics(arm, start));
@@ -129,7 +133,7 @@ Figure figure_splines(const Arm& arm) {
     add_arm(panel.drawing, arm, motion.trajectory.positions.back(), {.tool = false});
     add_trail(panel.drawing, arm, motion.trajectory,
               {.dots = 1 + twentieths_of(motion.trajectory)});
-    add_poses(panel.drawing, waypoints, {"1", "2", "3"});
+    add_poses(panel.drawing, waypoints);
     panel.caption = (path == PathKind::line ? "straight lines, a stop at each waypoint: "
                                             : "one spline, no stop: ") +
                     fixed(motion.trajectory.times.back(), 2) + " s; a dot each 0.05 s";
@@ -177,17 +181,9 @@ Animation chapter_animation(std::string_view number) {
   }
   const Arm arm = built_in("rrr");
   const FigureMotion motion = number == "1.7" ? motion_1_7(arm) : motion_1_9(arm);
-  Animation animation;
+  Animation animation = motion_frames(
+      motion.trajectory, [&](Drawing& frame, const Configuration& q) { add_arm(frame, arm, q); });
   animation.figure.columns = {{still_panel(arm, motion, true)}};
-  const double begin = motion.trajectory.times.front(), end = motion.trajectory.times.back();
-  constexpr double rate = 50;
-  const int steps = static_cast<int>(std::ceil(rate * (end - begin)));
-  for (int k = 0; k <= steps; ++k) {
-    const double since = (end - begin) * k / steps;
-    animation.times.push_back(since);
-    animation.frames.emplace_back();
-    add_arm(animation.frames.back(), arm, sample(motion.trajectory, begin + since).position);
-  }
   return animation;
 }
 
@@ -207,13 +203,11 @@ std::vector<Pose2> figure_1_9_waypoints() {
 }
 
 Trajectory figure_1_9_motion() {
-  std::vector<Pose> waypoints;
-  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
   CartesianOptions options;
   options.gain = 0.01;  // small: the deviation between steps is proportional to the gain
   options.simulation.tolerance = 2e-3;
   options.simulation.time_step = 0.005;
-  return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints, options).trajectory;
+  return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints_1_9(), options).trajectory;
 }
 
 }  // namespace beeline

@@ -64,7 +64,8 @@ std::array<Tiles, shades> tiles_of(const ReachSlice& slice, double most) {
 }
 
 /// The shades from 0 to `most`, as high as the slice.
-Panel scale_panel(double height, double most) {
+Panel scale_of(const ReachSlice& slice, double most) {
+  const double height = slice.grid[1].upper() - slice.grid[1].lower;
   Panel panel{.axes = false};
   const double step = height / shades, width = height / 14;
   for (int k = 0; k < shades; ++k) {
@@ -114,10 +115,6 @@ Panel panel_of(const ReachSlice& slice, double most) {
   }
   internal::add_arm(panel.drawing, slice.arm, display_configuration(slice.arm), {.tool = false});
   return panel;
-}
-
-Panel scale_of(const ReachSlice& slice, double most) {
-  return scale_panel(slice.grid[1].upper() - slice.grid[1].lower, most);
 }
 
 }  // namespace

@@ -97,13 +97,7 @@ Picture timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
-  const std::vector<double> waypoints = waypoint_times(trajectory, options);
-  for (std::size_t w = 0; w < waypoints.size(); ++w) {
-    for (Chart& chart : over_time.charts) {
-      const bool first = &chart == over_time.charts.data();
-      chart.markers.push_back({waypoints[w], first ? std::to_string(w + 1) : ""});
-    }
-  }
+  add_numbered_markers(over_time.charts, waypoint_times(trajectory, options));
   const double height = static_cast<double>(over_time.charts.size()) * (plot_height + 20) + 30;
   sheet.columns.push_back(std::move(over_time));
   if (options.path) {

@@ -24,14 +24,11 @@ std::vector<ComputationGraph::Id> task_entries(const std::vector<ComputationGrap
 }
 
 ComputationGraph::Id determinant_of(ChainGraph& chain, const DeterminantFormula& determinant) {
-  ComputationGraph& graph = chain.graph();
-  ComputationGraph::Id product = chain.expression(determinant.constant);
+  internal::GraphNumber product = chain.expression(determinant.constant);
   for (const auto& [factor, exponent] : determinant.factors) {
-    for (int k = 0; k < exponent; ++k) {
-      product = graph.multiply(product, chain.expression(factor));
-    }
+    for (int k = 0; k < exponent; ++k) product = product * chain.expression(factor);
   }
-  return product;
+  return product.id;
 }
 
 bool has_rates(const SymbolicArm& arm, const ExpressionMatrix& matrix) {
@@ -57,7 +54,9 @@ GeneratedCode formula_code(const SymbolicArm& arm, const ExpressionMatrix& matri
   }
   ChainGraph chain(arm, numbers);
   std::vector<ComputationGraph::Id> entries;
-  for (const Expression& entry : matrix.entries) entries.push_back(chain.expression(entry));
+  for (const Expression& entry : matrix.entries) {
+    entries.push_back(chain.expression(entry).id);
+  }
   if (entries.empty()) throw Error("a matrix without entries has no code");
   CodeWriter writer(arm, chain, language);
   const bool one = entries.size() == 1;

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include <beeline/formula/document.h>
-#include <beeline/formula/internal/convention_text.h>
 #include <beeline/formula/internal/document_writer.h>
 #include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/planar_inverse.h>
@@ -13,6 +12,42 @@ namespace beeline {
 namespace {
 
 using internal::DocumentWriter;
+
+/// A sentence on the names of an arm's dimensions.
+struct Sentence {
+  const char* text;
+  const char* latex;
+};
+
+constexpr Sentence convention_sentence(NamingConvention convention) {
+  switch (convention) {
+    case NamingConvention::planar:
+      return {"Planar links: Tᵢ = Rz(qᵢ + θᵢ) Tx(aᵢ), for a prismatic joint Rz(θᵢ) Tx(aᵢ + qᵢ).",
+              "Planar links: $T_i = R_z(q_i + \\theta_i)\\,T_x(a_i)$, for a prismatic joint "
+              "$R_z(\\theta_i)\\,T_x(a_i + q_i)$."};
+    case NamingConvention::standard:
+      return {
+          "Standard Denavit-Hartenberg parameters: Tᵢ = Rz(qᵢ + θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ), "
+          "for a prismatic joint Rz(θᵢ) Tz(qᵢ + dᵢ) Tx(aᵢ) Rx(αᵢ).",
+          "Standard Denavit--Hartenberg parameters: $T_i = "
+          "R_z(q_i + \\theta_i)\\,T_z(d_i)\\,T_x(a_i)\\,R_x(\\alpha_i)$, for a prismatic joint "
+          "$R_z(\\theta_i)\\,T_z(q_i + d_i)\\,T_x(a_i)\\,R_x(\\alpha_i)$."};
+    case NamingConvention::modified:
+      return {
+          "Modified Denavit-Hartenberg parameters: Tᵢ = Tx(aᵢ₋₁) Rx(αᵢ₋₁) Rz(qᵢ + θᵢ) Tz(dᵢ), "
+          "for a prismatic joint Tx(aᵢ₋₁) Rx(αᵢ₋₁) Rz(θᵢ) Tz(qᵢ + dᵢ).",
+          "Modified Denavit--Hartenberg parameters: $T_i = "
+          "T_x(a_{i-1})\\,R_x(\\alpha_{i-1})\\,R_z(q_i + \\theta_i)\\,T_z(d_i)$, for a prismatic "
+          "joint $T_x(a_{i-1})\\,R_x(\\alpha_{i-1})\\,R_z(\\theta_i)\\,T_z(q_i + d_i)$."};
+    case NamingConvention::offsets:
+      break;
+  }
+  return {
+      "Tᵢ is the offset of joint i in link i−1, a translation (xᵢ, yᵢ, zᵢ) and fixed rotations, "
+      "then the motion of the joint.",
+      "$T_i$ is the offset of joint $i$ in link $i-1$, a translation $(x_i, y_i, z_i)$ and fixed "
+      "rotations, then the motion of the joint."};
+}
 
 bool is_identity(const ExpressionMatrix& matrix) {
   for (std::size_t row = 0; row < matrix.rows; ++row) {
@@ -168,8 +203,9 @@ bool has_inverse_formula(const SymbolicArm& arm) { return internal::has_inverse_
 FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& content,
                                  const FormulaStyle& style) {
   DocumentWriter writer(arm, style);
+  const Sentence convention = convention_sentence(arm.convention);
   FormulaDocument document{.title = "Formulas of " + arm.name,
-                           .convention = internal::convention_text(arm.convention, style.latex),
+                           .convention = style.latex ? convention.latex : convention.text,
                            .latex = style.latex};
   if (content.links) document.sections.push_back(links_section(writer, arm));
   if (content.products) document.sections.push_back(products_section(writer, arm));

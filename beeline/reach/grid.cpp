@@ -4,6 +4,7 @@
 #include <string>
 
 #include <beeline/reach/grid.h>
+#include <beeline/reach/internal/orientation_names.h>
 #include <beeline/reach/internal/turning_joint.h>
 
 namespace beeline {
@@ -133,8 +134,7 @@ Rotation about_z(double angle) {
 }  // namespace
 
 std::string name(ReachOrientations orientations) {
-  constexpr std::array<const char*, 5> names{"fixed", "headings", "directions", "rolls", "any"};
-  return names.at(static_cast<std::size_t>(orientations));
+  return internal::orientation_names.of(orientations);
 }
 
 std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {

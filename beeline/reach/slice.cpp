@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include <beeline/internal/enum_names.h>
 #include <beeline/reach/internal/positions.h>
 #include <beeline/reach/surface.h>
 
@@ -25,17 +26,9 @@ float value_of(const ReachPositions& best, std::size_t k, ReachMeasure measure) 
 }  // namespace
 
 std::string name(ReachMeasure measure) {
-  switch (measure) {
-    case ReachMeasure::directions:
-      return "directions";
-    case ReachMeasure::branches:
-      return "branches";
-    case ReachMeasure::manipulability:
-      return "manipulability";
-    case ReachMeasure::margin:
-      break;
-  }
-  return "margin";
+  constexpr internal::EnumNames<ReachMeasure::margin> names(
+      "measure", "directions branches manipulability margin");
+  return names.of(measure);
 }
 
 ReachSlice slice_of(const ReachMap& map, int normal, double at, ReachMeasure measure) {

@@ -20,6 +20,7 @@ namespace beeline {
 using namespace internal;
 namespace {
 
+using testing::box_of;
 using testing::expect_within_page;
 using testing::Random;
 

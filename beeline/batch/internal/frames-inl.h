@@ -17,48 +17,23 @@ namespace beeline::HWY_NAMESPACE {
 // The passes over one packet of configurations: sines of all links, frames, poses, Jacobian
 // columns. Intermediate results are rows of Packet::width numbers.
 
-/// Stores sines and cosines of `count` links, and adds the squares of their angles to `squares`.
-template <int count, class Real>
-HWY_INLINE void store_sines_of(const typename BatchPlan<Real>::Link* link, const Real* q,
-                               Real* sines, Real* cosines, Packet<Real>& squares) {
-  using W = Packet<Real>;
-  W r[count], sign[count];
-  for (int i = 0; i < count; ++i) {
-    W value = W::load(q + link[i].coordinate * W::width);
-    if (link[i].rotates && !link[i].unit_rate) value = value * W(link[i].theta_per_q);
-    squares = fma(value, value, squares);
-    r[i] = reduced_angle(value, link[i], sign[i]);
-  }
-  sines_to_rows<count>(r, sign, sines, cosines);
-}
-
 /// Stores sines and cosines of all links. Returns false where an angle exceeds
 /// SineCoefficients::largest_angle or is NaN. Calls `between` once for each link.
 template <class Real, class Between>
 HWY_INLINE bool store_sines(const BatchPlan<Real>& plan, const Real* q, Real* sines, Real* cosines,
                             const Between& between) {
-  constexpr int width = Packet<Real>::width;
-  constexpr int group = HWY_MAX_BYTES >= 64 ? 4 : 2;  // as the registers allow
-  const int links = static_cast<int>(plan.links.size());
-  const auto* link = plan.links.data();
-  Packet<Real> squares = Real(0);
-  int i = 0;
-  for (; i + group <= links; i += group, sines += group * width, cosines += group * width) {
-    store_sines_of<group>(link + i, q, sines, cosines, squares);
-    for (int k = 0; k < group; ++k) between();
+  using W = Packet<Real>;
+  W squares = Real(0);
+  for (const auto& link : plan.links) {
+    W value = W::load(q + link.coordinate * W::width), sign;
+    if (link.rotates && !link.unit_rate) value = value * W(link.theta_per_q);
+    squares = fma(value, value, squares);
+    const W r = reduced_angle(value, link, sign);
+    store_sine_cosine(r, sign, sines, cosines);
+    sines += W::width;
+    cosines += W::width;
+    between();
   }
-  // The remaining links as one group: each group loads the coefficients again.
-  switch (links - i) {
-    case 3:
-      store_sines_of<3>(link + i, q, sines, cosines, squares);
-      break;
-    case 2:
-      store_sines_of<2>(link + i, q, sines, cosines, squares);
-      break;
-    case 1:
-      store_sines_of<1>(link + i, q, sines, cosines, squares);
-  }
-  for (; i < links; ++i) between();
   constexpr Real largest = SineCoefficients<Real>::largest_angle;
   return all_at_most(squares, largest * largest);
 }
@@ -246,8 +221,10 @@ template <class Real>
 HWY_INLINE void store_matrix(const PacketFrame<Real>& frame, Real* to, Eigen::Index stride) {
   const Packet<Real> zero = Real(0), one = Real(1);
   const auto& [x, y, z, origin] = frame;
-  store_eight({x.x, x.y, x.z, zero, y.x, y.y, y.z, zero}, to, stride);
-  store_eight({z.x, z.y, z.z, zero, origin.x, origin.y, origin.z, one}, to + 8, stride);
+  store_four(x.x, x.y, x.z, zero, to, stride);
+  store_four(y.x, y.y, y.z, zero, to + 4, stride);
+  store_four(z.x, z.y, z.z, zero, to + 8, stride);
+  store_four(origin.x, origin.y, origin.z, one, to + 12, stride);
 }
 
 /// sqrt(det(J J^T)) as the volume that the rows of J span, x, y and theta of a planar arm or all

@@ -132,11 +132,10 @@ HWY_NOINLINE void run_all(const BatchJob<Real>& job) {
   const Rows<Real> rows(job);
   constexpr bool every_link = wanted == Wanted::links;
   const auto links = static_cast<Eigen::Index>(job.plan->links.size());
-  LineWriter<Real, buffered> columns(job.columns, 6 * job.plan->dof, rows.columns, links,
-                                     job.write);
+  LineWriter<Real, buffered> columns(job.columns, 6 * job.plan->dof, rows.columns, links);
   LineWriter<Real, buffered> poses(every_link ? job.world_T_link : job.world_T_tool,
                                    size(job.layout) * (every_link ? links + 1 : 1), rows.poses,
-                                   links, job.write);
+                                   links);
   for (Eigen::Index i = 0; i < job.count; i += Packet<Real>::width) {
     run_packet<wanted>(job, rows, i, columns, poses);
   }
@@ -158,7 +157,7 @@ HWY_INLINE void run(const BatchJob<Real>& job) {
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
 #if HWY_TARGET != HWY_SCALAR  // there arithmetic takes longer than writing: not worth compiling
-  if (job.write != BatchWrite::directly) return run<true>(job);
+  if (job.past_caches) return run<true>(job);
 #endif
   run<false>(job);
 }

@@ -8,13 +8,6 @@ namespace beeline::internal {
 /// The number of configurations of a job is a multiple of this.
 inline constexpr Eigen::Index batch_width = 16;
 
-/// How results reach the memory.
-enum class BatchWrite {
-  directly,     ///< for results that fit into the level-1 cache
-  by_lines,     ///< through a buffer in it, by whole cache lines
-  past_caches,  ///< by non-temporal stores of whole lines, for results larger than the caches
-};
-
 /// The results wanted for `count` contiguous configurations. Null: not wanted.
 template <class Real>
 struct BatchJob {
@@ -27,8 +20,8 @@ struct BatchJob {
   Real* world_T_link;    ///< (links + 1) size(layout) numbers each
   Real* columns;         ///< the Jacobian, 6 dof numbers each
   Real* manipulability;  ///< one each
-  BatchWrite write;
-  Real* work;  ///< batch_work_size() numbers, at a multiple of 64 bytes
+  bool past_caches;      ///< by non-temporal stores of whole cache lines, for large results
+  Real* work;            ///< batch_work_size() numbers, at a multiple of 64 bytes
 };
 
 /// The size of a job's work buffer.

@@ -20,19 +20,17 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
 using internal::batch_width;
-using internal::BatchWrite;
 
-/// Writes one kind of results to memory. Results that exceed the level-1 cache are collected in a
-/// buffer there and written from it by whole cache lines of 64 bytes, a few at a time while the
+/// Writes one kind of results to memory. Results that exceed the caches are collected in a buffer
+/// and written from it past the caches by whole cache lines of 64 bytes, a few at a time while the
 /// next results are computed, so that both overlap. Without `buffered` it only advances a pointer.
 template <class Real, bool buffered>
 class LineWriter {
  public:
   /// For `size` numbers of each configuration. `buffers` holds two buffers, one after the other, of
   /// size * Packet::width + batch_width numbers each. write_some() is called twice for each link.
-  HWY_INLINE LineWriter(Real* to, Eigen::Index size, Real* buffers, Eigen::Index links,
-                        BatchWrite how)
-      : to_(to), buffer_(buffers), packet_size_(size * Packet<Real>::width), how_(how) {
+  HWY_INLINE LineWriter(Real* to, Eigen::Index size, Real* buffers, Eigen::Index links)
+      : to_(to), buffer_(buffers), packet_size_(size * Packet<Real>::width) {
     if (!buffered) return;
     other_ = buffers + packet_size_ + batch_width;
     lines_at_once_ = packet_size_ / line / (2 * links) + 1;
@@ -75,7 +73,7 @@ class LineWriter {
     if (!buffered) return;
     write_lines(lines_);
     std::copy_n(buffer_, held_, to_);
-    if (how_ == BatchWrite::past_caches) hwy::FlushStream();
+    hwy::FlushStream();
   }
 
  private:
@@ -86,12 +84,7 @@ class LineWriter {
     lines_ -= lines;
     for (; lines > 0; --lines, from_ += line, to_ += line) {
       for (Eigen::Index i = 0; i < line; i += Packet<Real>::width) {
-        const auto values = hn::LoadU(d, from_ + i);
-        if (how_ == BatchWrite::past_caches) {
-          hn::Stream(values, d, to_ + i);
-        } else {
-          hn::StoreU(values, d, to_ + i);
-        }
+        hn::Stream(hn::LoadU(d, from_ + i), d, to_ + i);
       }
     }
   }
@@ -99,7 +92,6 @@ class LineWriter {
   Real *to_, *buffer_, *other_ = nullptr;
   const Real* from_ = nullptr;
   Eigen::Index packet_size_, held_ = 0, head_ = 0, lines_ = 0, lines_at_once_ = 0;
-  BatchWrite how_;
 };
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -93,32 +93,23 @@ HWY_INLINE Packet<Real> reduced_angle(Packet<Real> value,
   return r;
 }
 
-/// Stores sines and cosines of `count` reduced angles with their signs, as rows. The error is about
-/// 1.5 units in the last place of 1. The polynomials of all angles are interleaved, which hides the
-/// latency of each step.
-template <int count, class Real>
-HWY_INLINE void sines_to_rows(const Packet<Real> (&r)[count], const Packet<Real> (&sign)[count],
-                              Real* sines, Real* cosines) {
+/// Stores the sine and the cosine of a reduced angle with its sign. The error is about 1.5 units in
+/// the last place of 1.
+template <class Real>
+HWY_INLINE void store_sine_cosine(Packet<Real> r, Packet<Real> sign, Real* sine, Real* cosine) {
   using Coefficients = SineCoefficients<Real>;
   using W = Packet<Real>;
-  constexpr int width = W::width;
   constexpr int terms = std::size(Coefficients::sine), even_terms = std::size(Coefficients::cosine);
-  W z[count], s[count], c[count];
-  for (int i = 0; i < count; ++i) z[i] = r[i] * r[i];
-  for (int i = 0; i < count; ++i) s[i] = Coefficients::sine[terms - 1];
-  for (int i = 0; i < count; ++i) c[i] = Coefficients::cosine[even_terms - 1];
+  const W z = r * r;
+  W s = Coefficients::sine[terms - 1], c = Coefficients::cosine[even_terms - 1];
   for (int k = terms - 2; k >= 0; --k) {
-    for (int i = 0; i < count; ++i) s[i] = fma(z[i], s[i], W(Coefficients::sine[k]));
-    for (int i = 0; i < count && k < even_terms - 1; ++i) {
-      c[i] = fma(z[i], c[i], W(Coefficients::cosine[k]));
-    }
+    s = fma(z, s, W(Coefficients::sine[k]));
+    if (k < even_terms - 1) c = fma(z, c, W(Coefficients::cosine[k]));
   }
-  for (int i = 0; i < count; ++i) {
-    s[i] = fma(z[i] * r[i], s[i], r[i]);
-    c[i] = fma(z[i] * z[i], c[i], fnma(z[i], W(Real(0.5)), W(Real(1))));
-    W(hn::Xor(s[i].v, sign[i].v)).store(sines + i * width);
-    W(hn::Xor(c[i].v, sign[i].v)).store(cosines + i * width);
-  }
+  s = fma(z * r, s, r);
+  c = fma(z * z, c, fnma(z, W(Real(0.5)), W(Real(1))));
+  W(hn::Xor(s.v, sign.v)).store(sine);
+  W(hn::Xor(c.v, sign.v)).store(cosine);
 }
 
 /// Replaces the values beyond largest_angle, lane by lane, by the C library's. They are NaN where

@@ -45,17 +45,6 @@ HWY_INLINE void pair_blocks(V& a, V& b) {
   a = first;
 }
 
-#if HWY_TARGET <= HWY_AVX3
-/// The same by one instruction each, which Highway does not offer.
-HWY_INLINE void pair_blocks(hn::Vec512<double>& a, hn::Vec512<double>& b) {
-  const __m512i firsts = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-  const __m512i seconds = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-  const __m512d first = _mm512_permutex2var_pd(a.raw, firsts, b.raw);
-  b.raw = _mm512_permutex2var_pd(a.raw, seconds, b.raw);
-  a.raw = first;
-}
-#endif
-
 /// Loads blocks of `block_size` numbers that are `apart` numbers from each other into one register;
 /// and stores them.
 template <class D, class Real>
@@ -157,31 +146,6 @@ HWY_INLINE void store_four(Packet<Real> a, Packet<Real> b, Packet<Real> e, Packe
 #endif
 }
 
-/// Stores eight rows. Adjacent numbers are stored one right after the other, which lets the machine
-/// combine the stores.
-template <class Real>
-HWY_INLINE void store_eight(const Packet<Real> (&row)[8], Real* to, Eigen::Index stride) {
-#if HWY_MAX_BYTES >= 64
-  if constexpr (sizeof(Real) == 8) {
-    const typename Packet<Real>::Tag d;
-    const hn::Half<decltype(d)> half;
-    PacketRegister<Real> v[4] = {row[0].v, row[1].v, row[2].v, row[3].v};
-    PacketRegister<Real> w[4] = {row[4].v, row[5].v, row[6].v, row[7].v};
-    transpose_rows<Real>(v);
-    transpose_rows<Real>(w);
-    for (int c = 0; c < 4; ++c, to += stride) {
-      hn::StoreU(hn::LowerHalf(half, v[c]), half, to);
-      hn::StoreU(hn::LowerHalf(half, w[c]), half, to + 4);
-      hn::StoreU(hn::UpperHalf(half, v[c]), half, to + 4 * stride);
-      hn::StoreU(hn::UpperHalf(half, w[c]), half, to + 4 * stride + 4);
-    }
-    return;
-  }
-#endif
-  store_four(row[0], row[1], row[2], row[3], to, stride);
-  store_four(row[4], row[5], row[6], row[7], to + 4, stride);
-}
-
 #else
 
 template <class Real>
@@ -191,11 +155,6 @@ HWY_INLINE void store_four(Packet<Real> a, Packet<Real> b, Packet<Real> e, Packe
   b.store(to + 1);
   e.store(to + 2);
   f.store(to + 3);
-}
-
-template <class Real>
-HWY_INLINE void store_eight(const Packet<Real> (&row)[8], Real* to, Eigen::Index) {
-  for (int i = 0; i < 8; ++i) row[i].store(to + i);
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

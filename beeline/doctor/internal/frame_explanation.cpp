@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include <beeline/doctor/internal/frame_explanation.h>
+#include <beeline/doctor/internal/explanations.h>
 #include <beeline/doctor/internal/number_relation.h>
 #include <beeline/pose/se3.h>
 
@@ -16,13 +16,7 @@ Vector3 axis_of(const Joint& joint) {
   return kind(joint) == JointKind::prismatic ? joint.screw.head<3>() : joint.screw.tail<3>();
 }
 
-std::string vector_text(const Vector3& v) {
-  std::string text;
-  for (const double value : v) {
-    text += (text.empty() ? "" : " ") + number(std::abs(value) < 5e-10 ? 0 : value);
-  }
-  return text;
-}
+std::string vector_text(const Vector3& v) { return number_list(v, " "); }
 
 ModelDifference axis_difference(const Joint& a, const Joint& b, std::size_t joint) {
   const Vector3 axis_a = axis_of(a), axis_b = axis_of(b);
@@ -62,15 +56,6 @@ ModelDifference orientation_difference(const Joint& a, const Joint& b, std::size
                   " in B" + (relation.empty() ? "" : " (" + relation + ")")};
 }
 
-/// The value of the joint at which a motion of its frame is that of the joint; nothing if none is.
-std::optional<double> value_of(const Joint& joint, const Pose& motion, double tolerance) {
-  const bool slides = kind(joint) == JointKind::prismatic;
-  const double value =
-      axis_of(joint).dot(slides ? Vector3(motion.translation()) : so3_log(motion.linear()));
-  if (!same_pose(screw_motion(joint.screw, value), motion, tolerance)) return std::nullopt;
-  return value;
-}
-
 /// Adds the differences of one joint's origin and orientation.
 void add_offset_differences(const Joint& a, const Joint& b, std::size_t joint, double tolerance,
                             std::vector<ModelDifference>& found) {
@@ -108,7 +93,7 @@ std::vector<Reconciliation> frame_explanations(const Arm& a, const Arm& b, doubl
     }
     const Pose motion = joint.offset.inverse(Eigen::Isometry) * other.offset;
     if (same_pose(motion, Pose::Identity(), tolerance)) continue;
-    if (const std::optional<double> value = value_of(joint, motion, tolerance)) {
+    if (const std::optional<double> value = motion_of(joint.screw, motion, tolerance)) {
       explanation.offset[k] = opposite ? *value : -*value;
       explanation.differences.push_back(offset_difference(a, i, explanation.offset[k]));
       continue;

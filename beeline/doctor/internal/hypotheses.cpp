@@ -3,10 +3,10 @@
 #include <functional>
 #include <numbers>
 
+#include <beeline/doctor/internal/explanations.h>
 #include <beeline/doctor/internal/hypotheses.h>
 #include <beeline/doctor/internal/link_table.h>
 #include <beeline/doctor/internal/number_relation.h>
-#include <beeline/doctor/internal/table_explanation.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {

@@ -21,13 +21,6 @@ bool parallel(const JointLine& a, const JointLine& b) {
   return a.direction.cross(b.direction).norm() < nearly_parallel;
 }
 
-/// The point of line `a` that is nearest to line `b`, which is not parallel to it.
-Vector3 foot_of_normal(const JointLine& a, const JointLine& b) {
-  const Vector3 normal = a.direction.cross(b.direction);
-  const double along = (b.point - a.point).cross(b.direction).dot(normal) / normal.squaredNorm();
-  return a.point + along * a.direction;
-}
-
 /// The point of the line where it crosses the plane through `point` with the normal `normal`.
 Vector3 in_plane(const JointLine& line, const Vector3& point, const Vector3& normal) {
   return line.point +
@@ -146,6 +139,12 @@ Joint joint_like(const Joint& named, const Pose& offset, const Twist& screw) {
 }
 
 }  // namespace
+
+Vector3 foot_of_normal(const JointLine& a, const JointLine& b) {
+  const Vector3 normal = a.direction.cross(b.direction);
+  const double along = (b.point - a.point).cross(b.direction).dot(normal) / normal.squaredNorm();
+  return a.point + along * a.direction;
+}
 
 std::vector<JointLine> joint_lines(const Arm& arm) {
   std::vector<JointLine> lines;

@@ -16,6 +16,9 @@ struct JointLine {
 };
 std::vector<JointLine> joint_lines(const Arm& arm);
 
+/// The point of line `a` that is nearest to line `b`, which is not parallel to it.
+Vector3 foot_of_normal(const JointLine& a, const JointLine& b);
+
 /// The arm with these axes; `world_T_tool` is the tool's pose where all joints are at 0. Joints
 /// have the names and limits of `named`.
 Arm arm_along(const std::vector<JointLine>& lines, const Pose& world_T_tool, const Arm& named);

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include <beeline/doctor/internal/other_differences.h>
 #include <beeline/doctor/internal/reconciliation.h>
+#include <beeline/doctor/internal/verdict.h>
 
 namespace beeline::internal {
 namespace {

@@ -31,14 +31,6 @@ std::string in_brackets(const std::string& clause) {
   return clause.empty() ? "" : " (" + clause + ")";
 }
 
-std::string list(const Vector3& v) {
-  std::string text;
-  for (const double value : v) {
-    text += (text.empty() ? "" : ",") + number(std::abs(value) < 5e-10 ? 0 : value);
-  }
-  return text;
-}
-
 }  // namespace
 
 Deviation deviation(const Reconciliation& explanation, const Arm& b, int count) {
@@ -79,9 +71,25 @@ std::string joint_text(const Arm& arm, std::size_t joint) {
   return "joint " + number + (name == "joint" + number ? "" : " (" + name + ")");
 }
 
+std::string number_list(const Vector3& v, const std::string& separator) {
+  std::string text;
+  for (const double value : v) {
+    text += (text.empty() ? "" : separator) + number(std::abs(value) < 5e-10 ? 0 : value);
+  }
+  return text;
+}
+
 bool same_pose(const Pose& a, const Pose& b, double tolerance) {
   const Twist difference = pose_difference(a, b);
   return difference.head<3>().norm() <= tolerance && difference.tail<3>().norm() <= tolerance;
+}
+
+std::optional<double> motion_of(const Twist& screw, const Pose& motion, double tolerance) {
+  const bool slides = screw.tail<3>().isZero(0);
+  const double value = slides ? screw.head<3>().dot(motion.translation())
+                              : screw.tail<3>().dot(so3_log(motion.linear()));
+  if (!same_pose(screw_motion(screw, value), motion, tolerance)) return std::nullopt;
+  return value;
 }
 
 Pose without_rounding(const Pose& pose, double tolerance) {
@@ -95,8 +103,8 @@ Pose without_rounding(const Pose& pose, double tolerance) {
 std::string pose_argument(const Pose& pose) {
   const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
   const Vector3 angles(rpy.roll, rpy.pitch, rpy.yaw);
-  const std::string position = list(pose.translation());
-  return angles.isZero(1e-9) ? position : position + "," + list(angles);
+  const std::string position = number_list(pose.translation(), ",");
+  return angles.isZero(1e-9) ? position : position + "," + number_list(angles, ",");
 }
 
 ModelDifference mount_difference(const Pose& mount) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,15 @@ Arm bare(const Arm& arm);
 /// `joint 3 (elbow)`.
 std::string joint_text(const Arm& arm, std::size_t joint);
 
+/// The numbers of a vector; those below 5e-10 as 0.
+std::string number_list(const Vector3& v, const std::string& separator);
+
 /// Whether two poses are equal within the tolerance (m, rad).
 bool same_pose(const Pose& a, const Pose& b, double tolerance);
+
+/// The coordinate, rad or m, of a joint with this screw at which its motion is `motion`; nothing if
+/// it is another motion.
+std::optional<double> motion_of(const Twist& screw, const Pose& motion, double tolerance);
 
 /// The pose without the digits that rounding leaves: lengths to 1e-9 m; roll, pitch and yaw that
 /// are a multiple of 15 degrees within `tolerance` (rad) made exactly that.

@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
+#include <beeline/doctor/internal/explanations.h>
 #include <beeline/doctor/internal/link_table.h>
-#include <beeline/doctor/internal/screw_explanation.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/so3.h>
 
@@ -105,16 +105,11 @@ Signs best_signs(const LinkTable& a, const std::vector<JointLine>& lines, const 
   return best;
 }
 
-/// The angle (rad) or distance of a pose that is a motion about or along a line, by a joint with
-/// that line; nothing if it is another motion.
-std::optional<double> motion_of(const JointLine& line, const Pose& pose, double tolerance) {
-  const bool slides = line.kind == JointKind::prismatic;
-  const double value =
-      slides ? line.direction.dot(pose.translation()) : line.direction.dot(so3_log(pose.linear()));
-  const Twist screw = slides ? translation_screw(line.direction)
-                             : rotation_screw(line.direction, line.point, line.pitch);
-  if (!same_pose(screw_motion(screw, value), pose, tolerance)) return std::nullopt;
-  return value;
+std::optional<double> motion_along(const JointLine& line, const Pose& pose, double tolerance) {
+  return motion_of(line.kind == JointKind::prismatic
+                       ? translation_screw(line.direction)
+                       : rotation_screw(line.direction, line.point, line.pitch),
+                   pose, tolerance);
 }
 
 /// Adds what the links differ in, and takes B's numbers for them.
@@ -197,7 +192,7 @@ std::vector<Reconciliation> screw_explanations(const Arm& a, const Arm& b, doubl
   explanation.tcp = without_rounding(pair.tcp(), tolerance);
 
   std::vector<Reconciliation> explanations{explanation};
-  const std::optional<double> first = motion_of(lines_a.front(), explanation.mount, tolerance);
+  const std::optional<double> first = motion_along(lines_a.front(), explanation.mount, tolerance);
   if (first && std::abs(*first) > tolerance) {
     Reconciliation& other = explanations.emplace_back(explanation);
     other.mount = Pose::Identity();
@@ -205,7 +200,7 @@ std::vector<Reconciliation> screw_explanations(const Arm& a, const Arm& b, doubl
   }
   const JointLine last{.kind = lines_a.back().kind, .pitch = lines_a.back().pitch};
   const Pose moved = table_b.tool * table_a.tool.inverse(Eigen::Isometry);
-  const std::optional<double> value = motion_of(last, moved, tolerance);
+  const std::optional<double> value = motion_along(last, moved, tolerance);
   if (value && std::abs(*value) > tolerance) {
     const std::size_t count = explanations.size();
     for (std::size_t i = 0; i < count; ++i) {

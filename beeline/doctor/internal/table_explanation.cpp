@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <beeline/doctor/internal/table_explanation.h>
+#include <beeline/doctor/internal/explanations.h>
 #include <beeline/model/internal/dh_row.h>
 #include <beeline/pose/so3.h>
 

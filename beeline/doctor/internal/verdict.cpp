@@ -2,6 +2,7 @@
 
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/doctor/internal/verdict.h>
+#include <beeline/internal/enum_names.h>
 
 namespace beeline::internal {
 namespace {
@@ -129,48 +130,18 @@ void judge(const Arm& a, const Arm& b, ArmComparison& comparison) {
 namespace beeline {
 
 std::string name(DifferenceKind kind) {
-  switch (kind) {
-    case DifferenceKind::convention:
-      return "convention";
-    case DifferenceKind::unit:
-      return "unit";
-    case DifferenceKind::columns:
-      return "columns";
-    case DifferenceKind::joint_order:
-      return "joint_order";
-    case DifferenceKind::joint_count:
-      return "joint_count";
-    case DifferenceKind::joint_kind:
-      return "joint_kind";
-    case DifferenceKind::mount:
-      return "mount";
-    case DifferenceKind::tool:
-      return "tool";
-    case DifferenceKind::joint_offset:
-      return "joint_offset";
-    case DifferenceKind::joint_sign:
-      return "joint_sign";
-    case DifferenceKind::length:
-      return "length";
-    case DifferenceKind::angle:
-      return "angle";
-    case DifferenceKind::axis:
-      return "axis";
-    case DifferenceKind::orientation:
-      return "orientation";
-    case DifferenceKind::mimic:
-      return "mimic";
-    case DifferenceKind::name:
-      return "name";
-    case DifferenceKind::limit:
-      return "limit";
-  }
-  return "";
+  constexpr internal::EnumNames<DifferenceKind::limit> names(
+      "difference",
+      "convention unit columns joint_order joint_count joint_kind mount tool joint_offset "
+      "joint_sign "
+      "length angle axis orientation mimic name limit");
+  return names.of(kind);
 }
 
 std::string name(ModelComparison status) {
-  constexpr const char* names[] = {"same", "reconciled", "different"};
-  return names[static_cast<int>(status)];
+  constexpr internal::EnumNames<ModelComparison::different> names("status",
+                                                                  "same reconciled different");
+  return names.of(status);
 }
 
 }  // namespace beeline

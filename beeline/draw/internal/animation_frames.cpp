@@ -35,9 +35,25 @@ Timeline timeline_of(const Animation& animation, const PlaybackOptions& options)
   return timeline;
 }
 
+Animation motion_frames(const Trajectory& trajectory,
+                        const std::function<void(Drawing& frame, const Configuration& q)>& draw) {
+  constexpr double rate = 50, max_steps = 999;
+  const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
+  const int steps = static_cast<int>(std::min(max_steps, std::ceil(rate * duration)));
+  Animation animation;
+  for (int k = 0; k <= steps; ++k) {
+    const double since = steps == 0 ? 0 : duration * k / steps;
+    animation.times.push_back(since);
+    draw(animation.frames.emplace_back(), sample(trajectory, begin + since).position);
+  }
+  return animation;
+}
+
 }  // namespace beeline::internal
 
-void beeline::check_playback(const Animation& animation, const PlaybackOptions& options) {
+namespace beeline {
+
+void check_playback(const Animation& animation, const PlaybackOptions& options) {
   if (animation.frames.empty() || animation.frames.size() != animation.times.size()) {
     throw Error("an animation has " + std::to_string(animation.frames.size()) + " frames and " +
                 std::to_string(animation.times.size()) +
@@ -49,15 +65,17 @@ void beeline::check_playback(const Animation& animation, const PlaybackOptions& 
     throw Error("time " + number(animation.times[k]) + " of frame " + std::to_string(k) +
                 " of an animation must be finite and after the one before");
   }
-  check_range("speed", options.speed, 1e-3, 1e3);
-  check_range("rest_before", options.rest_before, 0, 60);
-  check_range("rest_after", options.rest_after, 0, 60);
-  check_range("frames_per_second", options.frames_per_second, 1, 60);
+  internal::check_range("speed", options.speed, 1e-3, 1e3);
+  internal::check_range("rest_before", options.rest_before, 0, 60);
+  internal::check_range("rest_after", options.rest_after, 0, 60);
+  internal::check_range("frames_per_second", options.frames_per_second, 1, 60);
   constexpr double longest = 86400;  // a day
-  const double seconds = loop_seconds(animation, options);
+  const double seconds = internal::loop_seconds(animation, options);
   if (!(seconds <= longest)) {
     throw Error("an animation of " + number(seconds) +
                 " s is longer than a day; a playback speed of " + number(options.speed) +
                 " is too slow for it");
   }
 }
+
+}  // namespace beeline

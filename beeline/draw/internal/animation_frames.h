@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+
 #include <beeline/draw/animation.h>
 #include <beeline/draw/internal/keyframes.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
 
@@ -10,5 +13,10 @@ Timeline timeline_of(const Animation& animation, const PlaybackOptions& options)
 
 /// Returns when the animation's time t is shown, as a fraction of the loop.
 double fraction_at(const Animation& animation, const PlaybackOptions& options, double t);
+
+/// Returns the frames of a motion, one each 1/50 s, at most 1000: `draw` adds what moves to a
+/// frame.
+Animation motion_frames(const Trajectory& trajectory,
+                        const std::function<void(Drawing& frame, const Configuration& q)>& draw);
 
 }  // namespace beeline::internal

@@ -3,8 +3,8 @@
 
 #include <beeline/draw/internal/axes.h>
 #include <beeline/draw/internal/chart.h>
-#include <beeline/draw/internal/curve_thinning.h>
 #include <beeline/draw/internal/paper_shapes.h>
+#include <beeline/draw/internal/simplification.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/error.h>
 
@@ -116,6 +116,28 @@ void draw_markers(const ChartCell& cell, std::vector<PaperMark>& marks) {
   }
 }
 
+constexpr double strip = 0.5;  // width of a strip of which the extremes are kept, points
+
+/// Keeps the first, lowest, highest and last of each run of points within one vertical strip.
+std::vector<PaperPoint> strip_extremes(const std::vector<PaperPoint>& points) {
+  std::vector<PaperPoint> kept;
+  for (std::size_t begin = 0; begin < points.size();) {
+    const double at = std::floor(points[begin].x() / strip);
+    std::size_t end = begin + 1;
+    while (end < points.size() && std::floor(points[end].x() / strip) == at) ++end;
+    std::size_t low = begin, high = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (points[i].y() < points[low].y()) low = i;
+      if (points[i].y() > points[high].y()) high = i;
+    }
+    std::vector<std::size_t> few{begin, std::min(low, high), std::max(low, high), end - 1};
+    few.erase(std::unique(few.begin(), few.end()), few.end());
+    for (const std::size_t i : few) kept.push_back(points[i]);
+    begin = end;
+  }
+  return kept;
+}
+
 void draw_curve(const ChartCell& cell, const Curve& curve, std::vector<PaperMark>& marks) {
   std::vector<PaperPoint> points;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -131,6 +153,17 @@ void draw_curve(const ChartCell& cell, const Curve& curve, std::vector<PaperMark
 }
 
 }  // namespace
+
+std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points) {
+  const std::vector<PaperPoint> all = strip_extremes(points);
+  if (all.size() < 3) return all;
+  const auto off = [&](std::size_t i, std::size_t a, std::size_t b) {
+    return distance_from_chord(all[i], all[a], all[b]);
+  };
+  std::vector<PaperPoint> few;
+  for (const std::size_t i : simplified(0, all.size() - 1, 0.1, off)) few.push_back(all[i]);
+  return few;
+}
 
 ChartCell cell_of(const Chart& chart) {
   ChartCell cell{.chart = &chart};
@@ -154,6 +187,15 @@ double heading_height(const ChartCell& cell) {
   const bool names = std::any_of(markers.begin(), markers.end(),
                                  [](const Marker& marker) { return !marker.name.empty(); });
   return names ? 24 : 15;
+}
+
+void add_numbered_markers(std::vector<Chart>& charts, const std::vector<double>& values) {
+  for (std::size_t w = 0; w < values.size(); ++w) {
+    for (Chart& chart : charts) {
+      const bool first = &chart == charts.data();
+      chart.markers.push_back({values[w], first ? std::to_string(w + 1) : ""});
+    }
+  }
 }
 
 double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, double width,

@@ -63,6 +63,14 @@ ChartCell cell_of(const Chart& chart);
 /// Draws the chart in `cell.plot`.
 void draw(const ChartCell& cell, std::vector<PaperMark>& marks);
 
+/// Returns a subset of the curve's points that looks the same on paper: no omitted point is farther
+/// than a tenth of a point from the polyline through the kept ones. Of points that coincide on
+/// paper only the first, lowest, highest and last are kept. The ends are kept.
+std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points);
+
+/// Adds markers at these values of x to all charts, numbered from 1 in the first one.
+void add_numbered_markers(std::vector<Chart>& charts, const std::vector<double>& values);
+
 /// Draws the legend of the curves in rows that begin at `corner`. Returns its height, points; draws
 /// nothing when `marks` is null.
 double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, double width,

@@ -4,7 +4,6 @@
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_drawing.h>
 #include <beeline/draw/internal/concept_figures.h>
-#include <beeline/draw/internal/joint_pictures.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>

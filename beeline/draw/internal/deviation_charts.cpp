@@ -127,12 +127,7 @@ std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& 
   if (followed.task.orientations() > 0) {
     charts.push_back(chart_of(trace, followed, &Deviation::orientation, "orientation", "rad"));
   }
-  for (std::size_t w = 0; w < trace.waypoints.size(); ++w) {
-    for (Chart& chart : charts) {
-      const bool first = &chart == charts.data();
-      chart.markers.push_back({trace.waypoints[w], first ? std::to_string(w + 1) : ""});
-    }
-  }
+  add_numbered_markers(charts, trace.waypoints);
   return charts;
 }
 
@@ -141,14 +136,9 @@ double exaggeration(const PathTrace& trace) {
   double largest = 0;
   for (const PathTrace::Point& point : trace.points)
     largest = std::max(largest, point.deviation_vector.norm());
-  Vector3 low = trace.polyline.front(), high = low;
-  for (const Vector3& point : trace.polyline) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const double extent = (high - low).norm();
-  if (largest <= rounding * std::max(1.0, extent)) return 1;
-  const double factor = visible * extent / largest;
+  const double size = extent(trace.polyline);
+  if (largest <= rounding * std::max(1.0, size)) return 1;
+  const double factor = visible * size / largest;
   return factor > 2.5 ? round_step(factor / 2.5) : 1;
 }
 
@@ -159,10 +149,7 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
   const std::vector<Vector3> trail = enlarged(trace, factor);
   drawing.add(Layer::trail, Polyline{trail, amber, 0.9});
   drawing.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
-  const PlacedWaypoints waypoints = placed_waypoints(followed);
-  std::vector<std::string> names;
-  for (std::size_t w = 0; w < waypoints.poses.size(); ++w) names.push_back(std::to_string(w + 1));
-  add_poses(drawing, waypoints.poses, names);
+  add_poses(drawing, placed_waypoints(followed).poses);
   Panel panel{.drawing = std::move(drawing)};
   panel.view = arm.planar() ? top_view() : widest_view(trail);
   panel.caption = factor > 1

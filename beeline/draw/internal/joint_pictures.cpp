@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <beeline/draw/internal/joint_pictures.h>
+#include <beeline/draw/internal/concept_figures.h>
 #include <beeline/error.h>
 
 namespace beeline::internal {

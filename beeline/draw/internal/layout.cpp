@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <beeline/draw/internal/axes.h>
-#include <beeline/draw/internal/layout.h>
+#include <beeline/draw/internal/page_layout.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
 #include <beeline/draw/internal/text.h>

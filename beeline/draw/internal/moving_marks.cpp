@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <beeline/draw/internal/moving_marks.h>
 #include <beeline/draw/internal/svg.h>
@@ -91,6 +92,20 @@ class Run {
     return text + colour_animation(j, "stroke", &PaperStroke::line);
   }
 
+  /// Returns the animation of the attribute `name` of mark j: `text(k)` is its value in frame k.
+  std::string animation(const char* name, double tolerance, const auto& off,
+                        const auto& text) const {
+    const std::vector<std::size_t> keys =
+        thinned_keyframes(timeline_, first_, last_, tolerance, off);
+    std::vector<std::string> values;
+    for (const std::size_t k : keys) values.push_back(text(k));
+    if (std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end()) {
+      return "";
+    }
+    return std::string("<animate attributeName=\"") + name + "\" " +
+           animation_values(timeline_, keys, values) + "/>";
+  }
+
   std::string path_animation(std::size_t j) const {
     const auto off = [&](std::size_t i, std::size_t a, std::size_t b, double t) {
       const auto &from = stroke(a, j)->path.points, &to = stroke(b, j)->path.points,
@@ -101,15 +116,8 @@ class Run {
       }
       return std::sqrt(largest);
     };
-    const std::vector<std::size_t> keys =
-        thinned_keyframes(timeline_, first_, last_, tolerance_, off);
-    std::vector<std::string> values;
-    for (const std::size_t k : keys) values.push_back(path_data(stroke(k, j)->path));
-    if (std::all_of(values.begin(), values.end(),
-                    [&](const std::string& value) { return value == values.front(); })) {
-      return "";
-    }
-    return "<animate attributeName=\"d\" " + animation_values(timeline_, keys, values) + "/>";
+    const auto text = [&](std::size_t k) { return path_data(stroke(k, j)->path); };
+    return animation("d", tolerance_, off, text);
   }
 
   std::string colour_animation(std::size_t j, const char* name, Colour PaperStroke::*part) const {
@@ -117,12 +125,8 @@ class Run {
     const auto off = [&](std::size_t i, std::size_t a, std::size_t b, double t) {
       return distance(stroke(i, j)->*part, blend_of(stroke(a, j)->*part, stroke(b, j)->*part, t));
     };
-    const std::vector<std::size_t> keys =
-        thinned_keyframes(timeline_, first_, last_, same_colour, off);
-    std::vector<std::string> values;
-    for (const std::size_t k : keys) values.push_back(svg_colour(stroke(k, j)->*part));
-    return std::string("<animate attributeName=\"") + name + "\" " +
-           animation_values(timeline_, keys, values) + "/>";
+    return animation(name, same_colour, off,
+                     [&](std::size_t k) { return svg_colour(stroke(k, j)->*part); });
   }
 
   const Timeline& timeline_;
@@ -130,10 +134,6 @@ class Run {
   std::size_t first_, last_;
   double tolerance_;
 };
-
-}  // namespace
-
-namespace {
 
 /// Returns the group that shows these elements in the frames first..last.
 std::string shown_in(const Timeline& timeline, std::size_t first, std::size_t last,

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/draw/internal/page.h>
 #include <beeline/draw/internal/text.h>
 
@@ -13,6 +15,20 @@ double draw_title(const std::string& title, double width, Picture& picture) {
     top += leading;
   }
   return top;
+}
+
+void draw_columns(const std::vector<std::vector<PageCell>>& columns, PaperPoint corner,
+                  double gap) {
+  for (const std::vector<PageCell>& column : columns) {
+    PaperPoint at = corner;
+    double width = 0;
+    for (const PageCell& cell : column) {
+      cell.draw(at);
+      at.y() += cell.size.y();
+      width = std::max(width, cell.size.x());
+    }
+    corner.x() += width + gap;
+  }
 }
 
 }  // namespace beeline::internal

@@ -195,15 +195,16 @@ PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames) {
   layout.title = std::move(title.marks);
   if (!figure.title.empty()) top += 5;
   layout.height = std::ceil(top + size.y() + page_margin);
-  PaperPoint corner((layout.width - size.x()) / 2, top);
-  for (const auto& column : columns) {
-    corner.y() = top;
-    for (const Cell& cell : column) {
-      layout.cells.push_back({cell, corner, placed_labels(cell, corner, frames)});
-      corner.y() += cell.height() + panel_gap;
+  std::vector<std::vector<PageCell>> cells(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (const Cell& cell : columns[i]) {
+      const auto place = [&](const PaperPoint& corner) {
+        layout.cells.push_back({cell, corner, placed_labels(cell, corner, frames)});
+      };
+      cells[i].push_back({{cell.width(), cell.height() + panel_gap}, place});
     }
-    corner.x() += width_of(column) + column_gap;
   }
+  draw_columns(cells, {(layout.width - size.x()) / 2, top}, column_gap);
   return layout;
 }
 

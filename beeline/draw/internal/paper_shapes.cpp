@@ -1,7 +1,4 @@
-#include <utility>
-
 #include <beeline/draw/internal/paper_shapes.h>
-#include <beeline/draw/internal/text.h>
 
 namespace beeline::internal {
 
@@ -31,10 +28,6 @@ PaperPath ellipse(const PaperPoint& centre, const PaperPoint& semi_axis,
   return path;
 }
 
-PaperPath circle(const PaperPoint& centre, double radius) {
-  return ellipse(centre, {radius, 0}, {0, radius});
-}
-
 PaperStroke line_stroke(const PaperPoint& from, const PaperPoint& to, const Colour& colour,
                         double width, const std::vector<double>& dashes) {
   return {open_path({from, to}), no_colour, colour, width, dashes};
@@ -43,20 +36,6 @@ PaperStroke line_stroke(const PaperPoint& from, const PaperPoint& to, const Colo
 void PaperBox::include(const PaperPoint& p, const PaperPoint& around) {
   low = low.cwiseMin(p - around);
   high = high.cwiseMax(p + around);
-}
-
-PaperBox box_of(const PaperMark& mark) {
-  PaperBox box;
-  if (const auto* stroke = std::get_if<PaperStroke>(&mark)) {
-    const double rim = stroke->line.alpha > 0 ? stroke->width / 2 : 0;
-    for (const PaperPoint& p : stroke->path.points) box.include(p, {rim, rim});
-  } else {
-    const PaperText& text = std::get<PaperText>(mark);
-    PaperPoint half = text_size(text.text, text.size, text.bold) / 2;
-    if (text.upright) std::swap(half.x(), half.y());
-    box.include(text.centre, half);
-  }
-  return box;
 }
 
 }  // namespace beeline::internal

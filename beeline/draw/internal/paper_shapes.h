@@ -12,7 +12,6 @@ PaperPath closed_path(const std::vector<PaperPoint>& points);
 /// Returns the ellipse about `centre` with these two semi-axes.
 PaperPath ellipse(const PaperPoint& centre, const PaperPoint& semi_axis,
                   const PaperPoint& other_semi_axis);
-PaperPath circle(const PaperPoint& centre, double radius);
 
 /// Returns the stroke of a straight line.
 PaperStroke line_stroke(const PaperPoint& from, const PaperPoint& to, const Colour& colour,

@@ -57,30 +57,38 @@ PaperMark moved(PaperMark mark, const PaperPoint& by) {
   return mark;
 }
 
+double height_of(const ChartCell& cell, double plot_height) {
+  return heading_height(cell) + plot_height + (cell.numbers_below ? numbers_height : 0) + gap_below;
+}
+
 double height_of(const ColumnCells& column, double plot_height) {
   double height = column.column->above.height;
-  for (const ChartCell& cell : column.cells) {
-    height +=
-        heading_height(cell) + plot_height + gap_below + (cell.numbers_below ? numbers_height : 0);
-  }
+  for (const ChartCell& cell : column.cells) height += height_of(cell, plot_height);
   return height;
 }
 
-/// Draws one column with its upper left corner at `corner`. The rest of `height` is empty space
+/// Returns the cells of a column, to be drawn in `marks`. The rest of `height` is empty space
 /// around the picture, so that all columns end at one height.
-void draw_column(ColumnCells& column, const PaperPoint& corner, double height, double plot_height,
-                 std::vector<PaperMark>& marks) {
+std::vector<PageCell> page_cells(ColumnCells& column, double height, double plot_height,
+                                 std::vector<PaperMark>& marks) {
   const Picture& above = column.column->above;
   const double spare = above.marks.empty() ? 0 : height - height_of(column, plot_height);
   const PaperPoint centred(std::floor((column.width() - above.width) / 2), std::floor(spare / 2));
-  for (const PaperMark& mark : above.marks) marks.push_back(moved(mark, corner + centred));
-  double y = corner.y() + above.height + spare;
+  std::vector<PageCell> cells;
+  cells.push_back({{column.width(), above.height + spare}, [&above, &marks, centred](auto corner) {
+                     for (const PaperMark& mark : above.marks) {
+                       marks.push_back(moved(mark, corner + centred));
+                     }
+                   }});
   for (ChartCell& cell : column.cells) {
-    cell.plot.low = {corner.x() + column.left, y + heading_height(cell)};
-    cell.plot.high = cell.plot.low + PaperPoint(column.column->plot_width, plot_height);
-    draw(cell, marks);
-    y = cell.plot.high.y() + (cell.numbers_below ? numbers_height : 0) + gap_below;
+    const auto draw_cell = [&, plot_height](const PaperPoint& corner) {
+      cell.plot.low = corner + PaperPoint(column.left, heading_height(cell));
+      cell.plot.high = cell.plot.low + PaperPoint(column.column->plot_width, plot_height);
+      draw(cell, marks);
+    };
+    cells.push_back({{column.width(), height_of(cell, plot_height)}, draw_cell});
   }
+  return cells;
 }
 
 }  // namespace
@@ -100,15 +108,16 @@ Picture compose(const Sheet& sheet) {
   const double begin = page_margin + columns.front().left;
   top +=
       3 + draw_legend(sheet.legend, {begin, top + 3}, width - columns.front().left, &picture.marks);
-  PaperPoint corner(page_margin, top + 3);
+  const PaperPoint corner(page_margin, top + 3);
   double height = 0;
   for (const ColumnCells& column : columns) {
     height = std::max(height, height_of(column, sheet.plot_height));
   }
+  std::vector<std::vector<PageCell>> cells;
   for (ColumnCells& column : columns) {
-    draw_column(column, corner, height, sheet.plot_height, picture.marks);
-    corner.x() += column.width() + gap_between;
+    cells.push_back(page_cells(column, height, sheet.plot_height, picture.marks));
   }
+  draw_columns(cells, corner, gap_between);
   picture.height = std::ceil(corner.y() + height + page_margin - gap_below);
   return picture;
 }

@@ -36,15 +36,6 @@ ToolTrail grouped(const ToolTrail& all) {
   return few;
 }
 
-double extent(const std::vector<Vector3>& points) {
-  Vector3 low = points.front(), high = low;
-  for (const Vector3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
-}
-
 /// Adds a line through the points, and over it its parts below the floor.
 void add_line(Drawing& drawing, const Arm& arm, const std::vector<Vector3>& points,
               double appears) {
@@ -118,6 +109,15 @@ void add_growing_trail(Drawing& drawing, const Arm& arm, const Trajectory& traje
 
 }  // namespace
 
+double extent(const std::vector<Vector3>& points) {
+  Vector3 low = points.front(), high = low;
+  for (const Vector3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
+
 ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
   const std::size_t intervals = trajectory.size() - 1;
   const std::size_t parts =
@@ -169,8 +169,8 @@ void add_poses(Drawing& drawing, const std::vector<Pose>& poses,
     drawing.add(Layer::mark, Dots{{at}, amber, 9});
     drawing.add(Layer::mark, Dots{{at}, paper_white, 6});
     drawing.add(Layer::mark, FrameTriad{poses[i], 20});
-    if (i >= names.size() || names[i].empty()) continue;
-    drawing.add(Layer::note, Label{at, names[i], amber});
+    const std::string name = names.empty() ? std::to_string(i + 1) : names[i];
+    drawing.add(Layer::note, Label{at, name, amber});
   }
 }
 

@@ -20,6 +20,9 @@ struct ToolTrail {
 /// group of neighbours, so that no spike is lost. The trajectory is in the arm's joint order.
 ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory);
 
+/// The diagonal of the box around points, metres.
+double extent(const std::vector<Vector3>& points);
+
 struct TrailStyle {
   std::size_t dots = 81;  ///< at equal times, whose spacing shows the speed
   bool growing = false;   ///< every part appears when the tool has passed it (Item::appears)
@@ -37,7 +40,8 @@ bool stands_upright(const Arm& arm);
 
 constexpr Colour below_ground{0.45, 0.10, 0.55};  ///< of parts of a trail below the floor
 
-/// Adds a ring and a small frame at each pose, with its label from `names` where there is one.
+/// Adds a ring and a small frame at each pose, labelled by its name, or without names by its number
+/// from 1.
 void add_poses(Drawing& drawing, const std::vector<Pose>& poses,
                const std::vector<std::string>& names = {});
 

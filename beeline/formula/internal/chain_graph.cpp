@@ -9,8 +9,9 @@
 namespace beeline::internal {
 
 ChainGraph::ChainGraph(const SymbolicArm& arm, bool numbers) : arm_(arm), numbers_(numbers) {
-  const ComputationGraph::Id zero = graph_.number(0), one = graph_.number(1);
-  closed_ = {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+  const GraphNumber zero = number(0), one = number(1);
+  closed_ = internal::axis_rotation(2, one, zero, zero, one);
+  last_sum_ = zero;
   position_ = open_position_ = end_position_ = {zero, zero, zero};
   for (const auto& transforms : arm.transforms) {
     for (const ElementaryTransform& transform : transforms) {
@@ -25,35 +26,34 @@ ChainGraph::ChainGraph(const SymbolicArm& arm, bool numbers) : arm_(arm), number
   rotation_ = closed_;
 }
 
-ComputationGraph::Id ChainGraph::constant(const std::string& name, double value) {
-  if (numbers_) return graph_.number(value);
+GraphNumber ChainGraph::constant(const std::string& name, double value) {
+  if (numbers_) return number(value);
   constants_[name] = value;
-  return graph_.variable(name);
+  return node(graph_.variable(name));
 }
 
-ComputationGraph::Id ChainGraph::symbol(int number) {
-  const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
-  if (symbol.coordinate < 0) {
-    return constant(symbol.name(), symbol.value);
-  }
+GraphNumber ChainGraph::symbol(int index) {
+  const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(index)];
+  if (symbol.coordinate < 0) return constant(symbol.name(), symbol.value);
   const std::string vector = symbol.kind == SymbolKind::rate ? "dq" : "q";
-  const ComputationGraph::Id coordinate =
-      graph_.variable(vector + '[' + std::to_string(symbol.coordinate) + ']');
-  return graph_.add(graph_.multiply(graph_.number(symbol.ratio), coordinate),
-                    graph_.number(symbol.value));
+  const GraphNumber coordinate =
+      node(graph_.variable(vector + '[' + std::to_string(symbol.coordinate) + ']'));
+  const GraphNumber product = number(symbol.ratio) * coordinate;
+  return product + number(symbol.value);
 }
 
 /// The sum of an angle's multiples. The previous sum is continued where it begins this one, as the
 /// angles of parallel joints do.
-ComputationGraph::Id ChainGraph::sum(const Angle& angle) {
+GraphNumber ChainGraph::sum(const Angle& angle) {
   const auto& last = last_angle_.multiples;
   const auto& multiples = angle.multiples;
   const bool continues =
       last.size() <= multiples.size() && std::equal(last.begin(), last.end(), multiples.begin());
-  ComputationGraph::Id result = continues ? last_sum_ : graph_.number(0);
+  GraphNumber result = continues ? last_sum_ : number(0);
   for (std::size_t i = continues ? last.size() : 0; i < multiples.size(); ++i) {
-    const auto& [number, multiple] = multiples[i];
-    result = graph_.add(result, graph_.multiply(graph_.number(multiple), symbol(number)));
+    const auto& [index, multiple] = multiples[i];
+    const GraphNumber value = symbol(index);
+    result = result + number(multiple) * value;
   }
   last_angle_ = angle;
   last_sum_ = result;
@@ -78,7 +78,7 @@ std::string ChainGraph::trig_name(const Trig& trig, ComputationGraph::Id sum) co
 }
 
 /// The cosine or sine of an angle. That of constants is a constant.
-ComputationGraph::Id ChainGraph::trig(const Trig& trig) {
+GraphNumber ChainGraph::trig(const Trig& trig) {
   bool varies = false;
   double constant_angle = 0;
   for (const auto& [number, multiple] : trig.angle.multiples) {
@@ -90,43 +90,16 @@ ComputationGraph::Id ChainGraph::trig(const Trig& trig) {
     const double value = trig.sine ? std::sin(constant_angle) : std::cos(constant_angle);
     return constant(trig_name(trig, 0), value);
   }
-  const ComputationGraph::Id angle = sum(trig.angle);
+  const ComputationGraph::Id angle = sum(trig.angle).id;
   const std::string name = trig_name(trig, angle);
-  return trig.sine ? graph_.sine(angle, name) : graph_.cosine(angle, name);
+  return node(trig.sine ? graph_.sine(angle, name) : graph_.cosine(angle, name));
 }
 
-ComputationGraph::Id ChainGraph::tree(const Tree& tree) {
-  ComputationGraph::Id result = graph_.number(tree.coefficient.value());
-  switch (tree.kind) {
-    case Tree::Kind::symbol:
-      return symbol(tree.symbol);
-    case Tree::Kind::trig:
-      return trig(tree.trig);
-    case Tree::Kind::sum:
-      result = graph_.number(0);
-      for (const Tree& part : tree.parts) result = graph_.add(result, this->tree(part));
-      return result;
-    case Tree::Kind::product:
-      for (const Tree& part : tree.parts) result = graph_.multiply(result, this->tree(part));
-      return result;
-    case Tree::Kind::power:
-      result = graph_.number(1);
-      for (int k = 0; k < tree.exponent; ++k) {
-        result = graph_.multiply(result, this->tree(tree.parts.front()));
-      }
-      return result;
-    case Tree::Kind::number:
-    case Tree::Kind::quotient:
-    case Tree::Kind::arctangent:
-    case Tree::Kind::signed_root:
-    case Tree::Kind::angle:
-      break;
-  }
-  return result;
-}
-
-ComputationGraph::Id ChainGraph::expression(const Expression& expression) {
-  return tree(factored(expression));
+GraphNumber ChainGraph::expression(const Expression& expression) {
+  const auto value = [this](const Coefficient& coefficient) { return number(coefficient.value()); };
+  return evaluated<GraphNumber>(factored(expression), value, [this](const Tree& leaf) {
+    return leaf.kind == Tree::Kind::symbol ? symbol(leaf.symbol) : trig(leaf.trig);
+  });
 }
 
 /// A column of the constant rotation behind the sum of rotations.
@@ -139,43 +112,33 @@ GraphVector ChainGraph::constant_column(int axis) {
 }
 
 GraphRotation ChainGraph::axis_rotation(int axis, const Angle& angle) {
-  const ComputationGraph::Id zero = graph_.number(0), one = graph_.number(1);
   // The angle's first multiple is positive in Expression::cosine() and sine().
-  const ComputationGraph::Id c = expression(Expression::cosine(angle));
-  const ComputationGraph::Id s = expression(Expression::sine(angle));
-  const auto z = static_cast<std::size_t>(axis), x = (z + 1) % 3, y = (z + 2) % 3;
-  GraphRotation r{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
-  r[z][z] = one;
-  r[x][x] = c;
-  r[x][y] = s;
-  r[y][x] = graph_.negate(s);
-  r[y][y] = c;
-  return r;
+  const GraphNumber c = expression(Expression::cosine(angle));
+  const GraphNumber s = expression(Expression::sine(angle));
+  return internal::axis_rotation(axis, c, s, number(0), number(1));
 }
 
 /// The rotation up to the end of the sum, in the world, without the constant one behind it.
 GraphRotation ChainGraph::turned() {
   if (axis_ < 0) return closed_;
-  const GraphRotation open = axis_rotation(axis_, angle_);
-  return {rotate(graph_, closed_, open[0]), rotate(graph_, closed_, open[1]),
-          rotate(graph_, closed_, open[2])};
+  return closed_ * axis_rotation(axis_, angle_);
 }
 
 /// Translations at the end of a sum are along columns of the rotation, which are needed anyway;
 /// those before are added up in the frame before the sum, where they are in a plane.
 GraphVector ChainGraph::current_position() {
-  const GraphVector inside = rotate(graph_, closed_, open_position_);
-  const GraphVector end = rotate(graph_, turned(), end_position_);
-  return add(graph_, add(graph_, position_, inside), end);
+  const GraphVector inside = closed_ * open_position_;
+  const GraphVector end = turned() * end_position_;
+  return position_ + inside + end;
 }
 
 void ChainGraph::close() {
   position_ = current_position();
   const GraphRotation rotation = turned();
   for (int axis = 0; axis < 3; ++axis) {
-    closed_[static_cast<std::size_t>(axis)] = rotate(graph_, rotation, constant_column(axis));
+    closed_[static_cast<std::size_t>(axis)] = rotation * constant_column(axis);
   }
-  const ComputationGraph::Id zero = graph_.number(0);
+  const GraphNumber zero = number(0);
   open_position_ = end_position_ = {zero, zero, zero};
   constant_ = identity_rotation();
   axis_ = -1;
@@ -184,10 +147,9 @@ void ChainGraph::close() {
 
 /// Adds the translations at the end of the sum to those before, as the sum continues.
 void ChainGraph::move_end() {
-  const GraphVector end =
-      axis_ < 0 ? end_position_ : rotate(graph_, axis_rotation(axis_, angle_), end_position_);
-  const ComputationGraph::Id zero = graph_.number(0);
-  open_position_ = add(graph_, open_position_, end);
+  const GraphVector end = axis_ < 0 ? end_position_ : axis_rotation(axis_, angle_) * end_position_;
+  const GraphNumber zero = number(0);
+  open_position_ = open_position_ + end;
   end_position_ = {zero, zero, zero};
 }
 
@@ -215,37 +177,37 @@ void ChainGraph::append_rotation(const ElementaryTransform& transform) {
 
 void ChainGraph::append_translation(const ElementaryTransform& transform) {
   add_motions(transform);
-  const GraphVector step =
-      scale(graph_, expression(transform.distance), constant_column(transform.axis));
-  end_position_ = add(graph_, end_position_, step);
+  const GraphVector column = constant_column(transform.axis);
+  end_position_ = end_position_ + expression(transform.distance) * column;
 }
 
 /// The motions of a transform for unit rates of the coordinates that it depends on.
 void ChainGraph::add_motions(const ElementaryTransform& transform) {
-  const auto add_motion = [&](const Symbol& symbol, ComputationGraph::Id rate) {
+  const auto add_motion = [&](const Symbol& symbol, GraphNumber rate) {
     motions_.push_back({symbol.coordinate, transform.rotation, rate,
-                        rotate(graph_, turned(), constant_column(transform.axis)),
-                        current_position()});
+                        turned() * constant_column(transform.axis), current_position()});
   };
   if (transform.rotation) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(transform.symbol)];
     if (symbol.coordinate >= 0) {
-      add_motion(symbol, graph_.number(transform.multiple * symbol.ratio));
+      add_motion(symbol, number(transform.multiple * symbol.ratio));
     }
     return;
   }
-  for (const int number : variables_of(arm_, transform.distance)) {
-    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
-    add_motion(symbol, graph_.multiply(graph_.number(symbol.ratio),
-                                       expression(transform.distance.derivative(number))));
+  for (const int index : variables_of(arm_, transform.distance)) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(index)];
+    const GraphNumber slope = expression(transform.distance.derivative(index));
+    add_motion(symbol, number(symbol.ratio) * slope);
   }
 }
 
 std::vector<ComputationGraph::Id> ChainGraph::pose() {
   std::vector<ComputationGraph::Id> entries;
   for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) entries.push_back(rotation_[column][row]);
-    entries.push_back(position_[row]);
+    for (std::size_t column = 0; column < 3; ++column) {
+      entries.push_back(rotation_[column][row].id);
+    }
+    entries.push_back(position_[row].id);
   }
   for (const double last : {0, 0, 0, 1}) entries.push_back(graph_.number(last));
   return entries;

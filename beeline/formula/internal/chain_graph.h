@@ -18,6 +18,7 @@ class ChainGraph {
  public:
   /// `numbers`: constants are numbers, not variables.
   ChainGraph(const SymbolicArm& arm, bool numbers);
+  ChainGraph(const ChainGraph&) = delete;  // its numbers refer to its graph
 
   ComputationGraph& graph() { return graph_; }
   const ComputationGraph& graph() const { return graph_; }
@@ -32,27 +33,28 @@ class ChainGraph {
   std::vector<ComputationGraph::Id> jacobian(Frame frame);
   std::vector<ComputationGraph::Id> derivative(Frame frame);
 
-  ComputationGraph::Id expression(const Expression& expression);  ///< as factored() writes it
+  GraphNumber expression(const Expression& expression);  ///< as factored() writes it
 
  private:
   /// The motion of a joint: its axis and a point of it in the world.
   struct Motion {
     int coordinate = 0;
     bool rotates = true;
-    ComputationGraph::Id rate = 0;  ///< of the motion for unit rate of the coordinate
+    GraphNumber rate = {};  ///< of the motion for unit rate of the coordinate
     GraphVector axis = {}, point = {};
   };
   struct Twist {
     GraphVector linear = {}, angular = {};
   };
 
-  ComputationGraph::Id constant(const std::string& name, double value);
-  ComputationGraph::Id symbol(int number);
-  ComputationGraph::Id tree(const Tree& tree);
-  ComputationGraph::Id sum(const Angle& angle);
+  GraphNumber constant(const std::string& name, double value);
+  GraphNumber node(ComputationGraph::Id id) { return {&graph_, id}; }
+  GraphNumber number(double value) { return node(graph_.number(value)); }
+  GraphNumber symbol(int index);
+  GraphNumber sum(const Angle& angle);
   std::string trig_name(const Trig& trig, ComputationGraph::Id sum) const;
-  ComputationGraph::Id trig(const Trig& trig);
-  ComputationGraph::Id rate(const Motion& motion);
+  GraphNumber trig(const Trig& trig);
+  GraphNumber rate(const Motion& motion);
   GraphRotation axis_rotation(int axis, const Angle& angle);
   GraphVector constant_column(int axis);
   GraphRotation turned();
@@ -78,7 +80,7 @@ class ChainGraph {
   int axis_ = -1;
   Angle angle_ = {};
   Angle last_angle_ = {};  ///< the sum that was formed last
-  ComputationGraph::Id last_sum_ = 0;
+  GraphNumber last_sum_ = {};
   std::vector<Motion> motions_;
   GraphRotation rotation_{};  ///< of the tool
 };

@@ -118,41 +118,4 @@ OperationCount count_operations(const ComputationGraph& graph,
   return count;
 }
 
-GraphVector add(ComputationGraph& graph, const GraphVector& a, const GraphVector& b) {
-  return {graph.add(a[0], b[0]), graph.add(a[1], b[1]), graph.add(a[2], b[2])};
-}
-
-GraphVector subtract(ComputationGraph& graph, const GraphVector& a, const GraphVector& b) {
-  return {graph.subtract(a[0], b[0]), graph.subtract(a[1], b[1]), graph.subtract(a[2], b[2])};
-}
-
-GraphVector scale(ComputationGraph& graph, ComputationGraph::Id factor, const GraphVector& v) {
-  return {graph.multiply(factor, v[0]), graph.multiply(factor, v[1]), graph.multiply(factor, v[2])};
-}
-
-GraphVector cross(ComputationGraph& graph, const GraphVector& a, const GraphVector& b) {
-  GraphVector result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    result[i] = graph.subtract(graph.multiply(a[j], b[k]), graph.multiply(a[k], b[j]));
-  }
-  return result;
-}
-
-GraphVector rotate(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v) {
-  GraphVector sum = scale(graph, v[0], r[0]);
-  sum = add(graph, sum, scale(graph, v[1], r[1]));
-  return add(graph, sum, scale(graph, v[2], r[2]));
-}
-
-GraphVector rotate_back(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v) {
-  GraphVector result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const ComputationGraph::Id first =
-        graph.add(graph.multiply(r[i][0], v[0]), graph.multiply(r[i][1], v[1]));
-    result[i] = graph.add(first, graph.multiply(r[i][2], v[2]));
-  }
-  return result;
-}
-
 }  // namespace beeline::internal

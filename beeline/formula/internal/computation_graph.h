@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include <beeline/formula/expression.h>
+#include <beeline/formula/internal/symbolic_vector.h>
 
 namespace beeline::internal {
 
@@ -64,14 +63,24 @@ struct OperationCount {
 OperationCount count_operations(const ComputationGraph& graph,
                                 const std::vector<ComputationGraph::Id>& outputs);
 
-using GraphVector = std::array<ComputationGraph::Id, 3>;
-using GraphRotation = std::array<GraphVector, 3>;  ///< its columns
+/// A node of a graph, with which one computes as with a number.
+struct GraphNumber {
+  ComputationGraph* graph = nullptr;
+  ComputationGraph::Id id = 0;
 
-GraphVector add(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
-GraphVector subtract(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
-GraphVector scale(ComputationGraph& graph, ComputationGraph::Id factor, const GraphVector& v);
-GraphVector cross(ComputationGraph& graph, const GraphVector& a, const GraphVector& b);
-GraphVector rotate(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v);
-GraphVector rotate_back(ComputationGraph& graph, const GraphRotation& r, const GraphVector& v);
+  friend GraphNumber operator+(GraphNumber a, GraphNumber b) {
+    return {a.graph, a.graph->add(a.id, b.id)};
+  }
+  friend GraphNumber operator-(GraphNumber a, GraphNumber b) {
+    return {a.graph, a.graph->subtract(a.id, b.id)};
+  }
+  friend GraphNumber operator-(GraphNumber a) { return {a.graph, a.graph->negate(a.id)}; }
+  friend GraphNumber operator*(GraphNumber a, GraphNumber b) {
+    return {a.graph, a.graph->multiply(a.id, b.id)};
+  }
+};
+
+using GraphVector = VectorIn<GraphNumber>;
+using GraphRotation = RotationIn<GraphNumber>;
 
 }  // namespace beeline::internal

@@ -40,32 +40,15 @@ bool add_to(PlanarLink& link, const SymbolicArm& arm, const ElementaryTransform&
 }
 
 double value_of(const Tree& tree, const std::vector<double>& symbols, double branch_sign) {
-  const auto part = [&](std::size_t i) { return value_of(tree.parts[i], symbols, branch_sign); };
-  double result = tree.coefficient.value();
-  switch (tree.kind) {
-    case Tree::Kind::sum:
-      result = 0;
-      for (std::size_t i = 0; i < tree.parts.size(); ++i) result += part(i);
-      return result;
-    case Tree::Kind::product:
-      for (std::size_t i = 0; i < tree.parts.size(); ++i) result *= part(i);
-      return result;
-    case Tree::Kind::quotient:
-      return part(0) / part(1);
-    case Tree::Kind::angle:
-      return result * std::numbers::pi / 12;
-    case Tree::Kind::arctangent:
-      return std::atan2(part(0), part(1));
-    case Tree::Kind::signed_root:
-      return branch_sign * std::sqrt(part(0));
-    case Tree::Kind::power:
-      return std::pow(part(0), tree.exponent);
-    case Tree::Kind::number:
-    case Tree::Kind::symbol:
-    case Tree::Kind::trig:
-      break;
-  }
-  return expression_of(tree).value(symbols);
+  const auto number = [](const Coefficient& coefficient) { return coefficient.value(); };
+  return evaluated<double>(tree, number, [&](const Tree& leaf) {
+    const auto part = [&](std::size_t i) { return value_of(leaf.parts[i], symbols, branch_sign); };
+    if (leaf.kind == Tree::Kind::quotient) return part(0) / part(1);
+    if (leaf.kind == Tree::Kind::angle) return number(leaf.coefficient) * std::numbers::pi / 12;
+    if (leaf.kind == Tree::Kind::arctangent) return std::atan2(part(0), part(1));
+    if (leaf.kind == Tree::Kind::signed_root) return branch_sign * std::sqrt(part(0));
+    return expression_of(leaf).value(symbols);
+  });
 }
 
 }  // namespace

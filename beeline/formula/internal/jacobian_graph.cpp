@@ -4,18 +4,17 @@ namespace beeline::internal {
 
 /// The twist of the tool's origin, or of the world's for Frame::space, in the world's axes.
 ChainGraph::Twist ChainGraph::twist(const Motion& motion, Frame frame) {
-  const ComputationGraph::Id zero = graph_.number(0);
-  const GraphVector axis = scale(graph_, motion.rate, motion.axis);
+  const GraphNumber zero = number(0);
+  const GraphVector axis = motion.rate * motion.axis;
   if (!motion.rotates) return {axis, {zero, zero, zero}};
-  if (frame == Frame::space) return {cross(graph_, motion.point, axis), axis};
-  return {cross(graph_, axis, subtract(graph_, position_, motion.point)), axis};
+  if (frame == Frame::space) return {cross(motion.point, axis), axis};
+  return {cross(axis, position_ - motion.point), axis};
 }
 
 /// From the world's axes to those of the frame.
 ChainGraph::Twist ChainGraph::in_axes(const Twist& twist, Frame frame) {
   if (frame != Frame::tool) return twist;
-  return {rotate_back(graph_, rotation_, twist.linear),
-          rotate_back(graph_, rotation_, twist.angular)};
+  return {rotate_back(rotation_, twist.linear), rotate_back(rotation_, twist.angular)};
 }
 
 /// The entries of a matrix whose columns are the sums of the twists of each coordinate.
@@ -26,7 +25,7 @@ std::vector<ComputationGraph::Id> ChainGraph::matrix(const std::vector<Twist>& t
     const auto column = static_cast<std::size_t>(motions_[i].coordinate);
     for (std::size_t row = 0; row < 6; ++row) {
       ComputationGraph::Id& entry = entries[row * dof + column];
-      entry = graph_.add(entry, row < 3 ? twists[i].linear[row] : twists[i].angular[row - 3]);
+      entry = graph_.add(entry, (row < 3 ? twists[i].linear[row] : twists[i].angular[row - 3]).id);
     }
   }
   return entries;
@@ -38,50 +37,47 @@ std::vector<ComputationGraph::Id> ChainGraph::jacobian(Frame frame) {
   return matrix(twists);
 }
 
-ComputationGraph::Id ChainGraph::rate(const Motion& motion) {
-  return graph_.variable("dq[" + std::to_string(motion.coordinate) + ']');
+GraphNumber ChainGraph::rate(const Motion& motion) {
+  return node(graph_.variable("dq[" + std::to_string(motion.coordinate) + ']'));
 }
 
 /// The time derivatives of the twists in the world's axes. The axis and the point of motion i move
 /// with the angular velocity of all motions before it; the point's velocity is that of the point of
 /// motion i - 1, plus the velocity of the one relative to the other.
 std::vector<ChainGraph::Twist> ChainGraph::rates_of_twists(Frame frame) {
-  const ComputationGraph::Id zero = graph_.number(0);
+  const GraphNumber zero = number(0);
   GraphVector angular{zero, zero, zero}, linear{zero, zero, zero};
   std::vector<GraphVector> angular_before, velocities;  // velocities of points, the tool last
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     angular_before.push_back(angular);
     velocities.push_back(linear);
-    const GraphVector motion =
-        scale(graph_, graph_.multiply(motions_[i].rate, rate(motions_[i])), motions_[i].axis);
+    const GraphVector motion = motions_[i].rate * rate(motions_[i]) * motions_[i].axis;
     const GraphVector next = i + 1 < motions_.size() ? motions_[i + 1].point : position_;
     GraphVector& changes = motions_[i].rotates ? angular : linear;
-    changes = add(graph_, changes, motion);
-    const GraphVector offset = subtract(graph_, next, motions_[i].point);
-    linear = add(graph_, linear, cross(graph_, angular, offset));
+    changes = changes + motion;
+    const GraphVector offset = next - motions_[i].point;
+    linear = linear + cross(angular, offset);
   }
   velocities.push_back(linear);
   std::vector<Twist> rates;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
-    const GraphVector axis = scale(graph_, motions_[i].rate, motions_[i].axis);
-    const GraphVector turned = cross(graph_, angular_before[i], axis);
+    const GraphVector axis = motions_[i].rate * motions_[i].axis;
+    const GraphVector turned = cross(angular_before[i], axis);
     if (!motions_[i].rotates) {
       rates.push_back({turned, {zero, zero, zero}});
       continue;
     }
+    const GraphVector still{zero, zero, zero};
     const bool space = frame == Frame::space;
-    const GraphVector arm = space ? subtract(graph_, {zero, zero, zero}, motions_[i].point)
-                                  : subtract(graph_, position_, motions_[i].point);
-    const GraphVector relative = space ? subtract(graph_, {zero, zero, zero}, velocities[i])
-                                       : subtract(graph_, velocities.back(), velocities[i]);
-    rates.push_back(
-        {add(graph_, cross(graph_, turned, arm), cross(graph_, axis, relative)), turned});
+    const GraphVector arm = (space ? still : position_) - motions_[i].point;
+    const GraphVector relative = (space ? still : velocities.back()) - velocities[i];
+    rates.push_back({cross(turned, arm) + cross(axis, relative), turned});
   }
   if (frame != Frame::tool) return rates;
   for (std::size_t i = 0; i < rates.size(); ++i) {  // R^T (dJ - w x J)
     const Twist column = twist(motions_[i], Frame::base);
-    rates[i].linear = subtract(graph_, rates[i].linear, cross(graph_, angular, column.linear));
-    rates[i].angular = subtract(graph_, rates[i].angular, cross(graph_, angular, column.angular));
+    rates[i].linear = rates[i].linear - cross(angular, column.linear);
+    rates[i].angular = rates[i].angular - cross(angular, column.angular);
     rates[i] = in_axes(rates[i], frame);
   }
   return rates;

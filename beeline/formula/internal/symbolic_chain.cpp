@@ -26,7 +26,8 @@ class Sets {
 }  // namespace
 
 ExpressionRotation exact_rotation(int axis, int fifteenths) {
-  return axis_rotation(axis, Coefficient::cosine(fifteenths), Coefficient::sine(fifteenths));
+  return axis_rotation<Expression>(axis, Coefficient::cosine(fifteenths),
+                                   Coefficient::sine(fifteenths));
 }
 
 int sign_along(const ExpressionVector& v, int axis) {

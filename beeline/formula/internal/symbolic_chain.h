@@ -22,10 +22,6 @@ class SymbolicPose {
   /// The completed rotations, which grow by each rotation about another axis.
   const ExpressionRotation& closed() const { return closed_; }
 
-  /// The angle that is being summed, zero at the beginning: the rotations since the last one about
-  /// another axis.
-  const Angle& open_angle() const { return angle_; }
-
  private:
   void rotate(int axis, int symbol, int multiple);
 

@@ -36,14 +36,30 @@ struct Tree {
 /// (a multivariate Horner form), and sums of cosines that are products as products.
 Tree factored(const Expression& expression);
 
+/// The value of a tree. `leaf(tree)` is that of a tree that is no sum, product or power, and
+/// `number(coefficient)` that of a coefficient.
+template <class Value>
+Value evaluated(const Tree& tree, const auto& number, const auto& leaf) {
+  const auto part = [&](const Tree& each) { return evaluated<Value>(each, number, leaf); };
+  if (tree.kind == Tree::Kind::sum) {
+    Value sum = number(0);
+    for (const Tree& each : tree.parts) sum = sum + part(each);
+    return sum;
+  }
+  if (tree.kind == Tree::Kind::product) {
+    Value product = number(tree.coefficient);
+    for (const Tree& each : tree.parts) product = product * part(each);
+    return product;
+  }
+  if (tree.kind == Tree::Kind::power) {
+    Value power = number(1);
+    for (int k = 0; k < tree.exponent; ++k) power = power * part(tree.parts.front());
+    return power;
+  }
+  return tree.kind == Tree::Kind::number ? Value(number(tree.coefficient)) : leaf(tree);
+}
+
 /// The expression that a tree of numbers, symbols, cosines, sums, products and powers writes.
 Expression expression_of(const Tree& tree);
-
-/// The number of multiplications and additions that a tree needs as it is written; a cosine or sine
-/// counts as neither.
-struct Operations {
-  int multiplications = 0, additions = 0;
-};
-Operations operations(const Tree& tree);
 
 }  // namespace beeline::internal

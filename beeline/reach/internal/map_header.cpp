@@ -1,11 +1,12 @@
+#include <algorithm>
 #include <array>
 #include <cinttypes>
 #include <cstdio>
 
 #include <beeline/io/text/arm.h>
 #include <beeline/reach/internal/branches.h>
-#include <beeline/reach/internal/coordinates.h>
 #include <beeline/reach/internal/map_header.h>
+#include <beeline/reach/internal/orientation_names.h>
 
 namespace beeline::internal {
 namespace {
@@ -13,9 +14,6 @@ namespace {
 constexpr const char* format_name = "beeline reach map";
 constexpr double version = 1;
 
-constexpr std::array<ReachOrientations, 5> all_orientations{
-    ReachOrientations::fixed, ReachOrientations::headings, ReachOrientations::directions,
-    ReachOrientations::rolls, ReachOrientations::any};
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
 
@@ -44,6 +42,53 @@ std::vector<double> list_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Vector3 vector_of(const std::vector<double>& list) { return {list[0], list[1], list[2]}; }
 
+/// The coordinates of the cells along an axis of a map, as files have them: m and rad.
+struct Coordinates {
+  const char* name;
+  std::vector<double> values;
+  Eigen::Index columns = 1;  ///< numbers of each; 3 of directions
+};
+
+/// value(0) to value(count - 1).
+std::vector<double> values(Eigen::Index count, const auto& value) {
+  std::vector<double> all;
+  for (Eigen::Index i = 0; i < count; ++i) all.push_back(value(i));
+  return all;
+}
+
+std::vector<double> centres_of(const ReachAxis& axis) {
+  return values(axis.cells, [&](Eigen::Index i) { return axis.centre(i); });
+}
+
+/// Those of the positions, then of directions and their fractions, headings and rolls where the
+/// grid has them.
+std::vector<Coordinates> coordinates_of(const ReachGrid& grid) {
+  const auto& axes = grid.axes();
+  const bool round = grid.cylindrical();
+  std::vector<Coordinates> all{{round ? "radius" : "x", centres_of(axes[0])},
+                               {round ? "height" : "y", centres_of(axes[1])},
+                               {round ? "azimuth" : "z", centres_of(axes[2])}};
+  const ReachOrientations orientations = grid.orientations();
+  if (orientations == ReachOrientations::headings) {
+    all.push_back(
+        {"headings", values(grid.directions(), [&](Eigen::Index d) { return grid.heading(d); })});
+  }
+  if (orientations == ReachOrientations::rolls) {
+    all.push_back({"rolls", values(grid.rolls(), [&](Eigen::Index r) { return grid.roll(r); })});
+  }
+  if (orientations == ReachOrientations::rolls || orientations == ReachOrientations::directions) {
+    Coordinates directions{.name = "directions", .values = {}, .columns = 3};
+    Coordinates fractions{.name = "fractions", .values = {}};
+    for (Eigen::Index d = 0; d < grid.directions(); ++d) {
+      for (const double c : grid.direction_grid().direction(d)) directions.values.push_back(c);
+      fractions.values.push_back(grid.fraction(d));
+    }
+    all.push_back(std::move(directions));
+    all.push_back(std::move(fractions));
+  }
+  return all;
+}
+
 /// The coordinates of the cells along each axis of the datasets.
 void write_coordinates(Hdf5File& file, const ReachGrid& grid) {
   for (const Coordinates& axis : coordinates_of(grid)) {
@@ -57,11 +102,9 @@ void write_coordinates(Hdf5File& file, const ReachGrid& grid) {
 
 ReachOrientations orientations_of(const Hdf5File& file, const std::string& path) {
   const std::string found = file.read_text("orientations");
-  std::vector<std::string> names;
-  for (const ReachOrientations orientations : all_orientations) {
-    names.push_back(name(orientations));
-    if (found == names.back()) return orientations;
-  }
+  const std::vector<std::string> names = orientation_names.all();
+  const auto place = std::find(names.begin(), names.end(), found);
+  if (place != names.end()) return static_cast<ReachOrientations>(place - names.begin());
   throw FileError(path, 0,
                   "has orientations \"" + found.substr(0, 40) + "\"; known are " + listed(names));
 }

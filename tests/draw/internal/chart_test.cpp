@@ -3,7 +3,6 @@
 #include <limits>
 
 #include <beeline/draw/figure.h>
-#include <beeline/draw/internal/curve_thinning.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/sheet.h>
 
@@ -15,6 +14,7 @@ namespace beeline {
 using namespace internal;
 namespace {
 
+using testing::box_of;
 using testing::expect_within_page;
 using testing::Random;
 

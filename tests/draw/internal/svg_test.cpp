@@ -49,7 +49,8 @@ TEST(Svg, DashesHaveButtCapsAndOpacityIsKept) {
       svg_element(line_stroke({0, 0}, {9, 0}, {1, 0, 0, 0.5}, 0.8, {4, 2.5}));
   EXPECT_NE(dashed.find("stroke-dasharray=\"4 2.5\" stroke-linecap=\"butt\""), std::string::npos);
   EXPECT_NE(dashed.find("stroke=\"#ff0000\" stroke-opacity=\".5\""), std::string::npos);
-  const std::string filled = svg_element(PaperStroke{circle({0, 0}, 1), ink, no_colour, 0, {}});
+  const std::string filled =
+      svg_element(PaperStroke{ellipse({0, 0}, {1, 0}, {0, 1}), ink, no_colour, 0, {}});
   EXPECT_EQ(filled.find("stroke"), std::string::npos);
   EXPECT_NE(filled.find("fill=\"#"), std::string::npos);
 }
