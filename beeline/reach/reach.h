@@ -61,8 +61,9 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
 /// The best of all orientations at each position.
 struct ReachPositions {
   std::vector<float> directions;       ///< fraction of the directions that are reached
-  std::vector<std::uint8_t> branches;  ///< as in ReachCells
-  std::vector<float> manipulability, margin;
+  std::vector<std::uint8_t> branches;  ///< largest number of solutions, as in ReachCells
+  std::vector<float> manipulability;   ///< the largest; NaN: not reached
+  std::vector<float> margin;           ///< the largest, as in ReachCells; NaN: not reached
 };
 
 /// Summarises cells of whole positions. A direction is reached if it is with some roll.
