@@ -27,7 +27,6 @@ MoveKind move_kind_named(std::string_view name);
 /// A move from the waypoint before it to its own, where the tool is at rest unless the move blends
 /// into the next one or both are part of one spline.
 struct Move {
-  /// `joint`: a straight line in joint space; else of the tool.
   MoveKind kind = MoveKind::line;
   Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
   /// The waypoint of a joint move as a configuration; it replaces `target`.

@@ -42,7 +42,7 @@ struct ReachCells {
   /// The largest margin of a solution to the joint limits: 1 in the middle of all ranges, 0 on a
   /// limit (limit_margin()); joints without limits do not count. NaN where the pose is not reached.
   std::vector<float> margin;
-  Ending ending = Ending::complete;  ///< otherwise the cells are not to be used
+  Ending ending = Ending::complete;  ///< unless complete, the cells are not to be used
 
   void resize(std::size_t cells);
 };

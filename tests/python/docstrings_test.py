@@ -85,7 +85,8 @@ def test_members_have_the_words_of_the_header():
     assert beeline.Line.from_.__doc__ == "Pose at s = 0, (4, 4)."
     assert "`s-curve`: " in beeline.retime.__doc__
     assert "J q̇ = α v" in beeline.Servo.__doc__
-    assert bool.__doc__ != beeline.Retimed.__bool__.__doc__ == "Whether there is a motion, and the best."
+    assert beeline.Retimed.__bool__.__doc__.endswith("Whether there is a motion, and the best.")
+    assert "Deviation | tuple[float, float], default (0.0001, 0.001)" in beeline.Tracker.__init__.__doc__
 
 
 def test_comments_are_those_of_the_declarations(tmp_path):
