@@ -12,10 +12,10 @@ namespace beeline {
 /// Whether a computation came to its own end, and if not, which part of its budget ended it. Where
 /// a result has a status, the status has the same name.
 enum class Ending {
-  complete,
-  time_limit,  ///< Budget::time_limit
-  cancelled,   ///< Budget::cancelled
-  work_limit,  ///< Budget::max_work
+  complete,    ///< the computation came to its own end
+  time_limit,  ///< the budget's time ended it
+  cancelled,   ///< it was cancelled
+  work_limit,  ///< the budget's work ended it
 };
 std::string name(Ending ending);
 

@@ -21,8 +21,9 @@ struct PathDeviation {
   Deviation sampled;   ///< largest deviation at the samples
   Deviation measured;  ///< largest deviation at the samples and at some times between them
   Deviation bound;     ///< proved upper bound at all times
-  std::vector<Deviation> interval_bounds;  ///< proved from sample k to the next
-  Ending ending = Ending::complete;        ///< otherwise `bound` is infinite
+  /// Proved from sample k to the next: position, m, and orientation, rad, (N - 1, 2).
+  std::vector<Deviation> interval_bounds;
+  Ending ending = Ending::complete;  ///< unless complete, `bound` is infinite
 };
 
 /// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from
@@ -56,18 +57,18 @@ std::vector<std::size_t> arrivals(std::span<const double> path_parameters);
 
 /// The faults that verify() finds in a trajectory.
 enum class Fault {
-  none,
-  limits,       ///< a joint exceeds its position limits, at a sample or between two
-  flip,         ///< a joint rotates by pi or more between two samples
-  deviation,    ///< the tool leaves the path, at a sample or possibly between two
-  backwards,    ///< the tool moves back on the path, at a sample or possibly between two
-  not_through,  ///< a waypoint is not reached
-  velocity,     ///< a velocity limit is exceeded between two samples
-  acceleration,
-  jerk,
-  moving,      ///< a joint moves at the start, the end or a waypoint at which a program stops
-  dwell,       ///< the arm does not rest long enough at a waypoint of a program
-  tool_speed,  ///< the tool is faster than a move of a program allows
+  none,          ///< there is no fault
+  limits,        ///< a joint exceeds its position limits, at a sample or between two
+  flip,          ///< a joint rotates by pi or more between two samples
+  deviation,     ///< the tool leaves the path, at a sample or possibly between two
+  backwards,     ///< the tool moves back on the path, at a sample or possibly between two
+  not_through,   ///< a waypoint is not reached
+  velocity,      ///< a velocity limit is exceeded between two samples
+  acceleration,  ///< an acceleration limit is exceeded between two samples
+  jerk,          ///< a jerk limit is exceeded between two samples
+  moving,        ///< a joint moves at the start, the end or a waypoint at which a program stops
+  dwell,         ///< the arm does not rest long enough at a waypoint of a program
+  tool_speed,    ///< the tool is faster than a move of a program allows
 };
 std::string name(Fault fault);
 std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
@@ -75,13 +76,15 @@ std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
 /// The ends of a trajectory at which the joints may move; at the others they start from rest, or
 /// come to rest.
 struct MovingEnds {
-  bool start = false, end = false;
+  bool start = false;  ///< whether the joints may move at the start
+  bool end = false;    ///< whether they may move at the end
 };
 
+/// A fault of a trajectory's joints.
 struct JointFault {
-  Fault kind = Fault::none;
-  std::size_t sample = 0;  ///< the fault is at this sample, or between it and the next
-  Reason reason = {};      ///< joint, value, limit
+  Fault kind = Fault::none;  ///< what is wrong
+  std::size_t sample = 0;    ///< the fault is at this sample, or between it and the next
+  Reason reason = {};        ///< one sentence: joint, value, limit
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
@@ -106,31 +109,34 @@ void check_limit_tolerance(double limit_tolerance);
 constexpr double min_tolerance = 1e-8;
 
 struct VerifyOptions {
-  MovingEnds moving = {};                   ///< default: the trajectory starts and ends at rest
-  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double tolerance = 1e-4;                  ///< max deviation in position, metres, above 0
-  double orientation_tolerance = 1e-4;      ///< max deviation in orientation, radians, above 0
+  MovingEnds moving = {};  ///< the ends at which the joints may move; default: at rest at both
+  /// Rows that matter; default: planar for a planar arm, else spatial.
+  std::optional<Task> task = std::nullopt;
+  double tolerance = 1e-4;              ///< max deviation in position, metres, above 0
+  double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, above 0
   /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, for the
   /// rounding of other planners; a millionth is always accepted.
   double limit_tolerance = 0;
   Budget budget = {};
 };
 
+/// The proof that a trajectory follows a path within the arm's limits, or the first fault.
 struct Verification {
-  Fault fault = Fault::none;            ///< the first in time
-  Reason reason = {};                   ///< time, sample, what, by how much; none if proved
-  std::size_t sample = 0;               ///< the fault is at this sample, or between it and the next
-  double time = 0;                      ///< of that sample, seconds
-  PathDeviation deviation;              ///< over the whole trajectory, or up to the fault
-  ToolPath path;                        ///< of the route
+  Fault fault = Fault::none;  ///< the first in time
+  Reason reason = {};         ///< one sentence: time, sample, what, by how much; none if proved
+  std::size_t sample = 0;     ///< the fault is at this sample, or between it and the next
+  double time = 0;            ///< of that sample, seconds
+  PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
+  ToolPath path;              ///< of the route
   std::vector<double> path_parameters;  ///< of the samples, as far as they are on the path
-  /// arrivals[i] is the sample at the end of segment i, or the first after it, as far as the
-  /// trajectory follows the path.
+  /// The sample at the end of each segment, or the first after it, as far as the trajectory follows
+  /// the path; of a program, at the end of each move.
   std::vector<std::size_t> arrivals;
-  /// Otherwise the rest of the trajectory has not been checked, and nothing is proved; a fault that
-  /// was found is one, but not always the first.
+  /// Unless complete, the rest of the trajectory has not been checked, and nothing is proved; a
+  /// fault that was found is one, but not always the first.
   Ending ending = Ending::complete;
 
+  /// Whether it is proved.
   explicit operator bool() const { return fault == Fault::none && ending == Ending::complete; }
 };
 

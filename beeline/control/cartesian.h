@@ -19,9 +19,11 @@ std::string name(CartesianMethod method);
 
 struct CartesianOptions {
   CartesianMethod method = CartesianMethod::inverse_jacobian;
-  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
+  /// Rows that matter; default: planar for a planar arm, else spatial.
+  std::optional<Task> task = std::nullopt;
   double gain = 0.1;  ///< the chapter's K_p, fraction of the error per step, above 0
-  /// Number of poses on each line, its end included, 1 or more; for inverse_kinematics only.
+  /// Number of poses on each line, its end included, 1 or more; for
+  /// CartesianMethod::inverse_kinematics only.
   int intermediate = 10;
   SimulationOptions simulation = {};  ///< tolerance, steps and time step
 };

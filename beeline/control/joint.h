@@ -17,20 +17,21 @@ namespace beeline {
 /// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};                 ///< none when reached
+  Reason reason = {};                 ///< one sentence; none when reached
   Trajectory trajectory;              ///< every step, also when the goal was not reached
   std::vector<std::size_t> arrivals;  ///< the sample at which each goal was reached
-  int steps = 0;
-  int slowed = 0;        ///< steps that were scaled down for the velocity limits
+  int steps = 0;                      ///< number of steps
+  int slowed = 0;                     ///< steps that were scaled down for the velocity limits
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
   double error = 0;      ///< remaining error of the last goal, radians or metres
 
+  /// Whether the goal was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
 struct SimulationOptions {
   double tolerance = 1e-6;  ///< max error of a goal that is reached, metres and radians, above 0
-  int max_steps = 100'000;  ///< of the whole motion, 1 to 1e7; else not_converged
+  int max_steps = 100'000;  ///< of the whole motion, 1 to 1e7; beyond it `not_converged`
   double time_step = 0.02;  ///< of the controller, seconds, above 0
   Budget budget = {};       ///< of the whole motion
 };
@@ -40,9 +41,9 @@ struct SimulationOptions {
 /// approaches the goal monotonically for kp < 1, overshoots and oscillates for 1 < kp < 2, and does
 /// not converge for kp ≥ 2.
 struct PidGains {
-  double kp = 0.1;
-  double ki = 0;
-  double kd = 0;
+  double kp = 0.1;  ///< proportional gain, above 0
+  double ki = 0;    ///< integral gain, 0 or more
+  double kd = 0;    ///< derivative gain, 0 or more
 };
 
 /// A PID controller in joint space, with its state: the sum of the errors and the last error.
@@ -83,7 +84,7 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
                                 const SimulationOptions& options = {});
 
 struct JointMoveOptions {
-  Synchronise synchronise = Synchronise::time;  ///< default: each joint has its own s-curve
+  Synchronise synchronise = Synchronise::time;  ///< how the joints' times agree
   double rate = 100;                            ///< samples per second, at least 0.001
   /// Seconds, a whole number of periods of the rate; default: the shortest that the limits allow.
   std::optional<double> duration = std::nullopt;

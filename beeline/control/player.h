@@ -15,12 +15,12 @@ class Playback;
 struct PlayerOptions {
   double time_step = 1e-3;  ///< of the control loop, seconds, above 0
   double speed = 1;   ///< initial target speed: from 0, a pause, to 1, the recording's own speed
-  double ramp = 0.5;  ///< min seconds in which the speed changes by 1, above 0
+  double ramp = 0.5;  ///< min time in which the speed changes by 1, s, above 0
 };
 
 /// Set points of one step of a control loop.
 struct Command {
-  Configuration q;
+  Configuration q;         ///< rad or m
   Configuration velocity;  ///< at that time, rad/s or m/s
 };
 

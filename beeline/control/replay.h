@@ -12,7 +12,7 @@ namespace beeline {
 
 /// A change of the target speed during a replay.
 struct SpeedChange {
-  double time = 0;   ///< seconds since the start of playing, the lead-in included
+  double time = 0;   ///< since the start of playing, lead-in included, s
   double speed = 1;  ///< from 0, a pause, to 1, the recording's own speed
 };
 
@@ -21,11 +21,12 @@ struct ReplayOptions {
   /// second.
   double rate = 0;
   double speed = 1;  ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
-  /// The arm's configuration: the replay begins with a motion from it to the first sample; default:
-  /// it begins at the first sample.
+  /// The configuration from which a motion leads to the first sample; default: the replay begins at
+  /// the first sample.
   std::optional<Configuration> start = std::nullopt;
-  std::vector<SpeedChange> speed_at = {};  ///< at increasing times; none: `speed` throughout
-  double ramp = 0.5;  ///< seconds in which the speed changes by 1, above 0; for `speed_at` only
+  /// Target speeds at increasing times; empty: `speed` throughout.
+  std::vector<SpeedChange> speed_at = {};
+  double ramp = 0.5;  ///< time in which the speed changes by 1, s, above 0; for `speed_at` only
   bool no_unwrap = false;  ///< keep the jumps of continuous joints whose values wrap
   /// Fraction, 0 to 0.1, by which a recorded velocity may exceed its limit, for the rounding of
   /// other planners. It is then held as recorded, as accelerations and jerks always are.
@@ -33,17 +34,19 @@ struct ReplayOptions {
   Budget budget = {};
 };
 
+/// A recording as it is replayed on an arm.
 struct Replay {
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};     ///< none when reached
+  Reason reason = {};     ///< one sentence; none when reached
   Trajectory trajectory;  ///< empty unless reached
-  double lead_in = 0;     ///< seconds of the motion from `start` to the first sample
-  /// The recording's duration as a multiple of that which was asked for: above 1 where a rate needs
-  /// whole periods, or its samples a lower speed. With `speed_at` speeds are divided by it.
+  double lead_in = 0;     ///< duration of the motion from `start` to the first sample, s
+  /// The recording's duration / the requested duration: above 1 where a rate needs whole periods,
+  /// or its samples a lower speed. With `speed_at` speeds are divided by it.
   double slowdown = 1;
   LimitUsage limits;  ///< of the trajectory, or of a recording that is too fast at this speed
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the recording that were unwrapped
 
+  /// Whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 

@@ -15,8 +15,9 @@ class ServoLoop;
 }
 
 struct ServoOptions {
-  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double time_step = 1e-3;                  ///< of the control loop, seconds, above 0
+  /// Rows that matter; default: planar for a planar arm, else spatial.
+  std::optional<Task> task = std::nullopt;
+  double time_step = 1e-3;  ///< of the control loop, seconds, above 0
   /// Of step_towards(), 1/s: the error's decay rate, above 0 and at most 1 / time_step.
   double gain = 10;
   double linear_speed = Limits::none;   ///< limit of step_towards()'s command, m/s, above 0
@@ -25,7 +26,7 @@ struct ServoOptions {
 
 /// The limit that determines the scale of a step.
 enum class ServoLimit {
-  none,
+  none,          ///< the command is achieved
   velocity,      ///< a joint's velocity limit
   acceleration,  ///< a joint's acceleration limit
   position,      ///< a joint has to stop before its position limit
@@ -33,10 +34,11 @@ enum class ServoLimit {
 };
 std::string name(ServoLimit limit);
 
+/// One step of a Servo.
 struct ServoStep {
   double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
-  ServoLimit limit = ServoLimit::none;
-  std::optional<int> joint = std::nullopt;  ///< the coordinate of the limit
+  ServoLimit limit = ServoLimit::none;      ///< the limit that determines the scale
+  std::optional<int> joint = std::nullopt;  ///< the coordinate of the limit, from 0
 };
 
 /// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1.

@@ -16,14 +16,15 @@ class TrackerLoop;
 }
 
 struct TrackerOptions {
-  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double time_step = 1e-3;                  ///< between two steps, seconds, above 0
+  /// Rows that matter; default: planar for a planar arm, else spatial.
+  std::optional<Task> task = std::nullopt;
+  double time_step = 1e-3;  ///< between two steps, seconds, above 0
   /// Between two commands that differ, seconds. Each is approached in a straight line during this
   /// time, so that commands that come at a lower rate than the steps give a continuous motion, one
   /// period late. Where commands differ at every step it smooths their noise, as a first-order
   /// filter with this time constant. Up to `time_step`: commands are followed at once.
   double command_period = 0;
-  Deviation tolerance{1e-4, 1e-3};  ///< of TrackerStatus::following, m and rad, above 0
+  Deviation tolerance{1e-4, 1e-3};  ///< of the status `following`, m and rad, above 0
 };
 
 enum class TrackerStatus {
@@ -34,7 +35,7 @@ enum class TrackerStatus {
 };
 std::string name(TrackerStatus status);
 
-/// The configuration at the end of a step.
+/// One step of a Tracker: the configuration at its end.
 struct TrackerStep {
   Configuration q;         ///< rad or m, within the position limits
   Configuration velocity;  ///< of the step, rad/s or m/s: (q - the last q) / time_step
@@ -42,10 +43,10 @@ struct TrackerStep {
   /// Of the tool at q from the commanded pose, within a command period from the pose on the line to
   /// it; in the task's rows.
   Deviation error;
-  /// With the status `limited`: the limit, the coordinate, and whether the limit is assumed.
-  ServoLimit limit = ServoLimit::none;
+  ServoLimit limit = ServoLimit::none;  ///< with the status `limited`: the limit
+  /// With the status `limited`: the coordinate, from 0.
   std::optional<int> joint = std::nullopt;
-  bool assumed = false;
+  bool assumed = false;  ///< whether the limit is assumed
 };
 
 /// Writes `limited, limit velocity of joint 2 (assumed), error 0.01 m, 0.2 rad`, coordinates

@@ -36,15 +36,19 @@ std::string name(DifferenceKind kind);
 struct ModelDifference {
   DifferenceKind kind = DifferenceKind::length;
   int joint = -1;              ///< from 0, in A; -1: of the whole arm
-  std::string parameter = {};  ///< such as d, alpha, upper
+  std::string parameter = {};  ///< such as d, alpha, `upper limit`
   /// The parameter's name alone: `distance a` of `distance a to the axis of joint 2:`; empty: the
   /// parameter is nothing else.
   std::string dimension = {};
-  bool known_unit = true;                ///< unit: B is A in another unit, not by another factor
-  std::optional<double> a = {}, b = {};  ///< the values in A and B, rad or m
-  std::optional<Pose> pose = {};  ///< mount: world_T_mount; tool: tool_T_tcp, to be added to A
-  std::string what = {};          ///< one clause: "d of joint 1 is 0.089159 in A and 0.089459 in B"
-  std::string remedy = {};        ///< what to write: "--mount 0,0,0.0003"; may be empty
+  bool known_unit = true;        ///< unit: B is A in another unit, not by another factor
+  std::optional<double> a = {};  ///< the value in A, rad or m
+  std::optional<double> b = {};  ///< the value in B, rad or m
+  /// Of a mount world_T_mount, of a tool tool_T_tcp, to be added to A.
+  std::optional<Pose> pose = {};
+  /// One clause, such as `d of joint 1 is 0.089159 in A and 0.089459 in B`.
+  std::string what = {};
+  /// What to write, as an option of the command: `--mount 0,0,0.0003`; may be empty.
+  std::string remedy = {};
 };
 
 enum class ModelComparison {
@@ -56,11 +60,12 @@ enum class ModelComparison {
 std::string name(ModelComparison status);
 
 struct ComparisonOptions {
-  /// Smaller differences are rounding: metres and radians, above 0.
-  double tolerance = 1e-5;
-  int configurations = 1000;  ///< random ones at which the kinematics are compared, 1 or more
+  double tolerance = 1e-5;  ///< smaller differences are rounding, m and rad, above 0
+  /// Number of random configurations at which the kinematics are compared, 1 or more.
+  int configurations = 1000;
 };
 
+/// What two descriptions of an arm have different.
 struct ArmComparison {
   ModelComparison status = ModelComparison::different;
   /// Whether the differences explain B completely, verified by forward kinematics.
@@ -71,13 +76,15 @@ struct ArmComparison {
   /// Another explanation with as few: an offset of the first joint in place of a mount, for
   /// example.
   std::vector<ModelDifference> alternative;
-  /// q of B = gain * q of A + offset, one for each joint, mimic joints included; of joints that one
-  /// of the arms does not have, 0.
-  Configuration gain, offset;
-  Deviation before;    ///< the largest difference of the tool's pose at one q, as the two are; 0
-                       ///< where the numbers of joints differ
-  Deviation residual;  ///< after the differences are applied to A
-  int configurations = 0;
+  /// Factor of each joint, mimic joints included: q of B = gain * q of A + offset; 0 for a joint
+  /// that one of the arms does not have.
+  Configuration gain;
+  Configuration offset;  ///< one for each joint, rad or m: see `gain`
+  /// Largest difference of the tool's pose at one q, as the two are; 0 where the numbers of joints
+  /// differ.
+  Deviation before;
+  Deviation residual;      ///< the same, with the differences applied to A
+  int configurations = 0;  ///< number of configurations compared
   /// Differences that do not change the tool's pose: limits, order of names, mimic joints.
   std::vector<ModelDifference> others;
 

@@ -24,17 +24,19 @@ enum class FindingKind {
 };
 std::string name(FindingKind kind);
 
+/// A suspicious number of a model.
 struct Finding {
-  FindingKind kind = FindingKind::length_unit;
-  int joint = -1;           ///< from 0; -1: several, or the whole arm
-  std::string place = {};   ///< `joint 3 (elbow)`, or `joints 2, 4, 5`
-  std::string what = {};    ///< the value, and why it is suspicious
-  std::string cost = {};    ///< what it costs, computed; empty where nothing is
-  std::string remedy = {};  ///< what to write instead
+  FindingKind kind = FindingKind::length_unit;  ///< what is suspicious
+  int joint = -1;                               ///< from 0; -1: several, or the whole arm
+  std::string place = {};                       ///< such as `joint 3 (elbow)`, or `joints 2, 4, 5`
+  std::string what = {};                        ///< the value, and why it is suspicious
+  std::string cost = {};                        ///< what it costs, computed; empty where nothing is
+  std::string remedy = {};                      ///< what to write instead
 };
 
+/// The suspicious numbers of a model.
 struct Diagnosis {
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  ///< in the order of the checks
 
   /// Whether nothing is suspicious.
   explicit operator bool() const { return findings.empty(); }

@@ -20,9 +20,9 @@ struct Animation {
 /// ends.
 struct PlaybackOptions {
   double speed = 1;               ///< relative to the animation's times, from 1e-3 to 1e3
-  double rest_before = 0.5;       ///< seconds, from 0 to 60
-  double rest_after = 1.5;        ///< seconds, from 0 to 60
-  double frames_per_second = 25;  ///< of gif, mp4 and webp, from 1 to 60
+  double rest_before = 0.5;       ///< seconds at rest at the start, 0 to 60
+  double rest_after = 1.5;        ///< seconds at rest at the end, 0 to 60
+  double frames_per_second = 25;  ///< of .gif, .mp4 and .webp, from 1 to 60
 };
 
 /// Throws Error for an animation without frames, for times that do not fit them or do not increase,

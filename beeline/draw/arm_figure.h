@@ -43,13 +43,15 @@ Skeleton skeleton(const Arm& arm, const ConfigurationRef& q);
 struct ArmFigureOptions {
   std::string title = {};    ///< default: the arm's name
   std::string caption = {};  ///< default: the tool's position
-  bool frames = false;       ///< draw the frame of every link
-  bool jacobian = false;     ///< draw the Jacobian's columns as arrows at the tool
-  double azimuth = -0.87;    ///< of the spatial view, radians
-  double elevation = 0.44;   ///< of the spatial view, radians
-  bool small_views = true;   ///< add small views from above and from the front (spatial arms)
-  int ghosts = 3;            ///< earlier configurations of a motion, drawn faded; 0 to 1000
-  std::size_t dots = 81;     ///< on the trail of a motion, at equal times; up to 100,000
+  bool frames = false;       ///< draw the frame of every link: x red, y green, z blue
+  /// Draw the Jacobian's columns as arrows at the tool: joint 1 red, 2 green, 3 blue.
+  bool jacobian = false;
+  double azimuth = -0.87;   ///< of the viewer of a spatial arm, from x towards y, rad
+  double elevation = 0.44;  ///< of the viewer above the ground, rad
+  bool small_views = true;  ///< add small views from above and from the front (spatial arms)
+  int ghosts = 3;  ///< number of earlier configurations of a motion, drawn faded, 0 to 1000
+  /// Number of dots on the trail of a motion, at equal times, up to 100,000.
+  std::size_t dots = 81;
 };
 
 /// Draws the arm at configuration q: from above when it is planar, otherwise in an oblique view

@@ -22,54 +22,59 @@ std::string written(const Expression& expression, const SymbolicArm& arm,
 
 /// A written formula: `left` equals a matrix of cells, or one cell.
 struct WrittenFormula {
-  std::string left;
-  std::vector<std::vector<std::string>> cells = {};  ///< rows
+  std::string left;                                  ///< left of the equals sign
+  std::vector<std::vector<std::string>> cells = {};  ///< rows of cells
   std::vector<std::string> row_names = {};           ///< of the rows of a Jacobian
-  /// Names of the cells, for a matrix that is too wide to be printed as such; cells without a name
-  /// are left out then.
+  /// Of the cells of a matrix that is too wide to be printed as such; cells without a name are left
+  /// out then.
   std::vector<std::vector<std::string>> cell_names = {};
   std::string explanation = {};  ///< a sentence in front of it
 };
 
+/// A part of a FormulaDocument.
 struct WrittenSection {
-  std::string key;  ///< the member of the JSON document
-  std::string title;
+  std::string key;                        ///< such as `jacobian`, the member of the JSON document
+  std::string title;                      ///< above the formulas
   std::vector<std::string> remarks = {};  ///< sentences below the title
-  std::vector<WrittenFormula> formulas = {};
-  std::vector<std::string> sentences = {};  ///< behind the formulas
+  std::vector<WrittenFormula> formulas = {};  ///< in order
+  std::vector<std::string> sentences = {};    ///< sentences behind the formulas
 };
 
+/// A symbol that occurs in a FormulaDocument.
 struct WrittenSymbol {
-  std::string name;
-  std::string code_name;  ///< in generated code
-  double value = 0;       ///< of a constant
-  std::string unit, meaning;
-  std::string formula = {};  ///< of the variable of a mimic joint: 0.3 − 2q₁
-  std::string joint = {};    ///< that it follows, with
-  double multiplier = 1, offset = 0;
+  std::string name;          ///< as it is written
+  std::string code_name;     ///< in generated code
+  double value = 0;          ///< of a constant
+  std::string unit;          ///< of the value
+  std::string meaning;       ///< in words
+  std::string formula = {};  ///< of the variable of a mimic joint, such as 0.3 − 2q₁
+  std::string joint = {};    ///< of the variable of a mimic joint: the joint that it follows
+  double multiplier = 1;     ///< factor of the joint that it follows
+  double offset = 0;         ///< offset of the joint that it follows
 };
 
 /// Formulas of an arm as strings, in order.
 struct FormulaDocument {
-  std::string title;
-  std::string convention;
-  std::vector<WrittenSymbol> symbols = {};                              ///< constants that occur
-  std::vector<std::pair<std::string, std::string>> abbreviations = {};  ///< c12, cos(q1 + q2)
-  std::vector<std::string> notes = {};
-  bool latex = false;  ///< how the strings are written
-  std::vector<WrittenSection> sections = {};
+  std::string title;                        ///< names the arm
+  std::string convention;                   ///< how the transforms are composed
+  std::vector<WrittenSymbol> symbols = {};  ///< constants that occur
+  std::vector<std::pair<std::string, std::string>> abbreviations =
+      {};                                     ///< such as c12 and cos(q1 + q2)
+  std::vector<std::string> notes = {};        ///< sentences at the end
+  bool latex = false;                         ///< how the strings are written
+  std::vector<WrittenSection> sections = {};  ///< in order
 };
 
 /// Which formulas a document has.
 struct FormulaContent {
-  bool links = true;         ///< the transform of each link
-  bool products = false;     ///< the pose of each link in the base
-  bool tool = true;          ///< the pose of the tool
-  bool jacobian = false;     ///< the rows of the task, in its frame
-  bool derivative = false;   ///< the time derivative of the same
-  bool determinant = false;  ///< of the rows of the task, and the singularities that it shows
-  bool inverse = false;      ///< inverse kinematics of a planar arm in steps
-  Frame frame = Frame::base;
+  bool links = true;            ///< the transform of each link
+  bool products = false;        ///< the pose of each link in the base
+  bool tool = true;             ///< the pose of the tool
+  bool jacobian = false;        ///< the rows of the task, in its frame
+  bool derivative = false;      ///< the time derivative of the Jacobian
+  bool determinant = false;     ///< of the rows of the task, and the singularities that it shows
+  bool inverse = false;         ///< inverse kinematics of a planar arm in steps
+  Frame frame = Frame::base;    ///< of the Jacobian
   Task task = Task::spatial();  ///< its rows; planar arms have Task::planar()
 };
 
@@ -90,14 +95,17 @@ enum class CodeLanguage { python, cpp, c };
 
 /// A function of generated code and its number of operations, signs not counted.
 struct GeneratedFunction {
-  std::string name;
-  std::string purpose;
-  int multiplications = 0, additions = 0, trigonometric = 0;
+  std::string name;         ///< as in the code
+  std::string purpose;      ///< what it computes
+  int multiplications = 0;  ///< number of multiplications
+  int additions = 0;        ///< number of additions
+  int trigonometric = 0;    ///< number of cosines and sines
 };
 
+/// A file of code, which needs the language's mathematics alone.
 struct GeneratedCode {
-  std::string text;  ///< one file that needs the language's mathematics alone
-  std::vector<GeneratedFunction> functions = {};
+  std::string text;                               ///< the whole file
+  std::vector<GeneratedFunction> functions = {};  ///< in the order of the file
 };
 
 /// Generates code for the formulas of `content`: one function for the pose of the tool, for the

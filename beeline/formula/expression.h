@@ -56,16 +56,17 @@ enum class SymbolKind {
   rate           ///< the time derivative of a coordinate
 };
 
-/// A named quantity: letter and subscript, such as a and 2 of the length a2.
+/// A named quantity of a formula: letter and subscript, such as a and 2 of the length a2.
 struct Symbol {
   SymbolKind kind = SymbolKind::length;
-  std::string letter;     ///< "a", "alpha", "q"
-  std::string subscript;  ///< "2", "t"
-  double value = 0;       ///< of a constant; of a variable the shift, see ratio
-  int coordinate = -1;    ///< of a variable and of a rate: the index in the configuration
-  double ratio = 1;       ///< a variable is ratio * q[coordinate] + value; 1 and 0 except for mimic
-                          ///< joints
-  std::string meaning = {};  ///< for the list of symbols
+  std::string letter;     ///< such as a, alpha, q
+  std::string subscript;  ///< such as 2, t
+  double value = 0;       ///< of a constant, m or rad; of a variable the shift: see `ratio`
+  /// Of a variable and of a rate: the index in the configuration; -1 of a constant.
+  int coordinate = -1;
+  /// A variable is ratio * q[coordinate] + value: 1 and 0 except for mimic joints.
+  double ratio = 1;
+  std::string meaning = {};  ///< in words
 
   std::string name() const { return letter + subscript; }  ///< ASCII, as in generated code
 };

@@ -42,14 +42,16 @@ struct SymbolicOptions {
   std::size_t max_symbols = 50000;
 };
 
-/// An arm whose dimensions have names: each transform of eq. 1.1 (Dellaert, *Serial Link
-/// Manipulators*) as a product of elementary transforms.
+/// An arm whose dimensions have names, those of Denavit-Hartenberg parameters or of planar links
+/// where all joints fit, else those of the joints' offsets: each transform of eq. 1.1 (Dellaert,
+/// *Serial Link Manipulators*) as a product of elementary transforms.
 struct SymbolicArm {
-  std::string name;
-  NamingConvention convention = NamingConvention::offsets;
-  bool planar = false;
-  int dof = 0;
-  std::vector<Symbol> symbols = {};
+  std::string name;  ///< of the arm
+  NamingConvention convention =
+      NamingConvention::offsets;              ///< how transforms are composed, and named
+  bool planar = false;                        ///< whether the arm is planar
+  int dof = 0;                                ///< number of coordinates
+  std::vector<Symbol> symbols = {};           ///< constants, variables and rates
   std::vector<int> groups = {};               ///< of each angle symbol, see Angle
   std::vector<int> coordinates = {};          ///< the symbol of each coordinate
   std::vector<int> rates = {};                ///< the symbol of its time derivative

@@ -37,8 +37,10 @@ struct InverseOptions {
   /// Solutions are sorted by their distance from it; default: middle_configuration(), the middle of
   /// the limits. It may be outside the limits.
   std::optional<Configuration> seed = std::nullopt;
-  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  InverseMethod method = InverseMethod::automatic;  ///< a closed form where there is one
+  /// Components of the pose: spatial, position, planar, or a mask such as 111110, with :tool in the
+  /// tool's axes; default: planar for a planar arm, else spatial.
+  std::optional<Task> task = std::nullopt;
+  InverseMethod method = InverseMethod::automatic;  ///< how solutions are computed
   /// All solutions instead of one. Closed form: all that exist; of a redundant arm, all on a grid
   /// of values of the redundant joint. Numerical: those found in all restarts, some may be missing.
   /// Arms of seven revolute joints without a closed form have one with a joint locked, for this and
@@ -48,14 +50,15 @@ struct InverseOptions {
   bool ignore_limits = false;  ///< ignore the joint limits
   /// A coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
   std::optional<int> lock = std::nullopt;
-  Redundancy redundancy = Redundancy::any;  ///< for a redundant arm and one solution
+  Redundancy redundancy = Redundancy::any;  ///< which one of infinitely many solutions
   /// How far the tool may deviate from the pose if that itself has no solution within limits, in
   /// the pose's axes: x, y, z (m) and roll, pitch, yaw (rad) as in URDF; x, y, theta for a planar
   /// arm. Each 0 or more, angles at most pi. One solution is given, of locally least deviation (the
   /// sum of squares, relative to these): see InverseResult::deviation. Default: none.
   std::optional<Eigen::VectorXd> pose_tolerance = std::nullopt;
-  /// Weight of each coordinate in distances from the seed, sqrt(sum w_k (q_k - seed_k)^2), above 0;
-  /// default: 1 each. Redundancy::nearest with a posture of rest as the seed prefers that posture.
+  /// Weight of each coordinate in distances from the seed, sqrt(sum w_k (q_k - seed_k)^2), (n,),
+  /// 1e-6 to 1e6; default: 1 each. Redundancy::nearest with a posture of rest as the seed prefers
+  /// that posture.
   std::optional<Eigen::VectorXd> weights = std::nullopt;
   int grid = 32;  ///< number of values of the redundant joint tried first, 2 to 10000
   /// Max error of a solution, metres and radians, above 0. Raised to the rounding error of forward
@@ -79,8 +82,8 @@ enum class InverseStatus {
                    ///< exists where `reason` says that every solution is outside
   not_found,       ///< the search ended without a solution, which proves nothing
   time_limit,      ///< the budget's time ended the search; `solutions` are those found so far
-  cancelled,       ///< the same by Budget::cancelled
-  work_limit,      ///< the same by Budget::max_work
+  cancelled,       ///< the search was cancelled; as for `time_limit`
+  work_limit,      ///< the budget's work ended the search; as for `time_limit`
 };
 std::string name(InverseStatus status);
 
@@ -104,10 +107,11 @@ struct SolutionGrid {
   std::vector<double> complete = {};  ///< those of the values at which no solution is missing
 };
 
+/// Solutions of inverse kinematics, or why there are none.
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
-  /// By distance from the seed: a seed that is a solution comes first. Empty unless solved, or
-  /// ended by the budget where all solutions are requested or the best one: then some may be
+  /// By distance from the seed: a seed that is a solution comes first, (S, n). Empty unless solved,
+  /// or ended by the budget where all solutions are requested or the best one: then some may be
   /// missing, or a better one.
   std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
@@ -117,8 +121,9 @@ struct InverseResult {
   bool branches_complete = false;
   /// With `all`: the dimension of the set of solutions, limits ignored. 0: each solution is
   /// isolated. 1 or more: there are infinitely many, connected by self-motions of the arm, of which
-  /// `solutions` are samples; a redundant arm has as many dimensions as redundant joints. At a
-  /// singular configuration 1 stands for 1 or more.
+  /// `solutions` are samples: a redundant arm has as many dimensions as redundant joints; `lock`
+  /// keeps a joint, `redundancy` selects one solution. At a singular configuration 1 stands for 1
+  /// or more.
   int self_motion_dimension = 0;
   /// With `all`, for a redundant arm that has a closed form once one joint is locked.
   std::optional<SolutionGrid> grid;
@@ -134,11 +139,11 @@ struct InverseResult {
   /// With options.pose_tolerance, of the solution: the tool's deviation from the pose, in the order
   /// of that option, and within it. `residual` is then what exceeds this deviation.
   std::optional<Eigen::VectorXd> deviation;
-  std::optional<NearestMiss> nearest;  ///< if there are no solutions
-  Reason reason = {};                  ///< none when solved and not singular
-  std::string method;                  ///< such as "closed form: three axes meet (joints 4, 5, 6)"
+  std::optional<NearestMiss> nearest;  ///< the nearest miss, if there are no solutions
+  Reason reason = {};                  ///< one sentence; none when solved and not singular
+  std::string method;                  ///< such as `closed form: three axes meet (joints 4, 5, 6)`
   int iterations = 0;                  ///< of the numerical solver, over all starts
-  int restarts = 0;                    ///< random starts
+  int restarts = 0;                    ///< number of random starts
 
   /// Whether there is a solution.
   explicit operator bool() const { return status == InverseStatus::solved; }

@@ -100,16 +100,19 @@ enum class RecordingNoteKind {
 };
 std::string name(RecordingNoteKind kind);
 
-/// A note of the reader: data, from which sentence() makes the text.
+/// How a recording was read where the file does not say, or what its numbers suggest.
 struct RecordingNote {
-  RecordingNoteKind kind = RecordingNoteKind::no_header;
-  std::string path = {};  ///< of the file
+  RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< what the note says
+  std::string path = {};                                  ///< of the file
+  /// Names of all columns, of those with times, or of those in a unit.
   std::vector<std::string> columns = {};
   /// Of times since 1970 in the first of `columns`; a second one refines it.
   std::optional<TimeUnit> time_unit = std::nullopt;
-  std::optional<JointUnit> joint_unit = std::nullopt;  ///< of a named unit
-  std::string joint = {};                              ///< of the arm
-  double value = 0;  ///< as recorded, with the signs and offsets of a joint map
+  std::optional<JointUnit> joint_unit = std::nullopt;  ///< of the columns
+  std::string joint = {};                              ///< of the arm, whose value suggests a unit
+  /// Of that joint as recorded, with the signs and offsets of a joint map, or the mean time between
+  /// samples, s.
+  double value = 0;
 };
 
 /// Returns one sentence without a full stop, which begins with the path. It says which option reads
@@ -118,11 +121,11 @@ std::string sentence(const RecordingNote& note, OptionStyle style = OptionStyle:
 
 /// A trajectory as a program of any kind has recorded it.
 struct Recording {
-  Trajectory trajectory;      ///< of the arm: see matched_to()
-  bool has_times = true;      ///< false for a path
-  bool mapped = false;        ///< by the joint map
-  bool in_time_unit = false;  ///< by RecordingOptions::time_unit
-  std::vector<RecordingNote> notes = {};
+  Trajectory trajectory;                  ///< in the arm's order: see matched_to()
+  bool has_times = true;                  ///< false for a path
+  bool mapped = false;                    ///< whether the joint map was used
+  bool in_time_unit = false;              ///< whether `time_unit` was used
+  std::vector<RecordingNote> notes = {};  ///< how it was read, and what its numbers suggest
 };
 
 /// Reads a recording of an arm. A .csv file may have any of these:
@@ -184,7 +187,7 @@ struct ControllerFileOptions {
   /// trajectory's own samples; of urscript 125, the control rate of the CB3 series (e-Series: 500).
   /// csv requires it.
   std::optional<double> rate = std::nullopt;
-  /// The name of a rapid or krl program: the file's name without its ending.
+  /// The name of a rapid or krl program; default: the file's name without its ending.
   std::string program_name = "beeline_motion";
   /// The frame in which the poses of a program are written: its pose in the world. The file states
   /// it relative to the controller's root frame. Default: the root frame.
@@ -192,12 +195,13 @@ struct ControllerFileOptions {
   bool comments = true;  ///< false for ros2 as JSON, which has none
 };
 
+/// A motion in the form that a controller takes.
 struct ControllerFile {
-  std::string text;   ///< its content, with `proof` and `note` as comments
-  std::string proof;  ///< which part of a proof about the trajectory holds for the controller
-  std::string note;   ///< what the user must ensure; may be empty
-  std::size_t samples = 0;
-  double duration = 0;  ///< seconds; with a rate at most one period more than the trajectory's
+  std::string text;         ///< its content, with `proof` and `note` as comments
+  std::string proof;        ///< which part of a proof about the trajectory holds for the controller
+  std::string note;         ///< what the user must ensure; may be empty
+  std::size_t samples = 0;  ///< number of setpoints or moves
+  double duration = 0;      ///< seconds; with a rate at most one period more than the trajectory's
 };
 
 /// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.

@@ -10,12 +10,12 @@
 
 namespace beeline {
 
-/// Measures of a Jacobian's distance from singularity (Lynch & Park, "Modern Robotics", 2017,
+/// Measures of a Jacobian's distance from singularity (Lynch & Park, *Modern Robotics*, 2017,
 /// section 5.4).
 struct ManipulabilityMeasures {
   Eigen::VectorXd singular_values;  ///< in decreasing order, min(rows, columns) of them
-  /// sqrt(det(J J^T)), the product of the singular values; 0 with fewer columns than rows
-  /// (Yoshikawa, "Manipulability of robotic mechanisms", 1985).
+  /// The product of the singular values, sqrt(det(J J^T)); 0 with fewer columns than rows
+  /// (Yoshikawa, 1985).
   double manipulability = 0;
   /// The condition number: largest over smallest singular value; infinite at a singularity. Branch
   /// and PathMotion have its reciprocal, the inverse condition number.
@@ -67,37 +67,39 @@ enum class RatesStatus {
 std::string name(RatesStatus status);
 
 struct JointRatesOptions {
-  std::optional<Task> task = std::nullopt;  ///< the rows of the velocity; default: default_task()
+  /// The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a planar arm
+  /// also of x, y, theta such as 110; default: default_task().
+  std::optional<Task> task = std::nullopt;
   std::optional<Frame> frame =
-      std::nullopt;  ///< of the velocity, as of jacobian(); default: task's
+      std::nullopt;  ///< of the velocity, as of jacobian(); default: the task's
   /// The damping lambda of damped least squares, 0 or more: minimise |J dq - v|^2 + lambda^2
   /// |dq|^2. With 0 the least |dq| among the minimisers of |J dq - v|.
   double damping = 0;
 };
 
-/// A joint rate above the velocity limit of its joint, rad/s or m/s.
+/// A joint rate above the velocity limit of its joint.
 struct RateExcess {
   int coordinate = 0;  ///< from 0
-  double rate = 0;
-  double limit = 0;
+  double rate = 0;     ///< rad/s or m/s
+  double limit = 0;    ///< rad/s or m/s
 };
 
 /// Joint rates dq of a velocity v of the tool. All velocities of the tool are in the order of v, in
 /// m/s and rad/s.
 struct JointRates {
   RatesStatus status = RatesStatus::solved;
-  Configuration rates;            ///< dq, rad/s or m/s; if not solved, the nearest
-  Eigen::VectorXd tool_velocity;  ///< J dq
-  double residual = 0;            ///< |J dq - v|
-  bool singular = false;          ///< J has a smaller rank than its size allows
+  Configuration rates;  ///< joint rates dq, rad/s or m/s, (n,); if not solved, the nearest
+  Eigen::VectorXd tool_velocity;  ///< J dq, one for each row, (m,)
+  double residual = 0;            ///< |J dq - v|, m/s and rad/s
+  bool singular = false;          ///< whether J has a smaller rank than its size allows
   /// Orthonormal basis, one velocity in each column, of the complement of the range of J.
   Eigen::MatrixXd lost_directions;
-  std::vector<RateExcess> excesses = {};  ///< by coordinate
-  /// The coordinates whose velocity limit is not known, from 0: their rates are not compared.
+  std::vector<RateExcess> excesses = {};  ///< rates above their limits, by coordinate
+  /// Coordinates whose velocity limit is not known, from 0: their rates are not compared.
   std::vector<int> without_limit = {};
   /// The largest factor of v, at most 1, with which all rates keep the known velocity limits.
   double scale = 1;
-  Reason reason = {};  ///< unless solved or damped
+  Reason reason = {};  ///< one sentence unless solved or damped
 
   /// Whether the rates are what was asked for.
   explicit operator bool() const {

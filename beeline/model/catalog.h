@@ -11,10 +11,10 @@ namespace beeline {
 
 /// What a built-in arm is, and where its numbers come from.
 struct BuiltInArm {
-  std::string name;    ///< of built_in()
+  std::string name;    ///< such as `panda`, for built_in()
   std::string maker;   ///< who makes or has described it
   std::string model;   ///< the maker's name of it
-  std::string source;  ///< the document that its lengths and limits are taken from
+  std::string source;  ///< the document of its lengths and limits
   std::string note;  ///< zero, signs and couplings that differ from the controller's; may be empty
   /// What descriptions for ROS call the joints, in the arm's order: a list for each description. A
   /// trajectory with these names is one of the arm: see matched_to().

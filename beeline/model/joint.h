@@ -27,11 +27,11 @@ struct Limits {
   /// Max magnitude of a position limit that is not infinite, rad or m.
   static constexpr double max_position = 1e6;
 
-  double lower = -none;        ///< of the position
+  double lower = -none;        ///< of the position, at most `upper`
   double upper = none;         ///< of the position
-  double velocity = none;      ///< |dq/dt|
-  double acceleration = none;  ///< |d2q/dt2|
-  double jerk = none;          ///< |d3q/dt3|
+  double velocity = none;      ///< of |dq/dt|, above 0
+  double acceleration = none;  ///< of |d2q/dt2|, above 0
+  double jerk = none;          ///< of |d3q/dt3|, above 0
   /// The speed scale k that the limits have been multiplied by: velocity by k, acceleration by k^2,
   /// jerk by k^3. What is assumed in the place of unknown limits is multiplied likewise.
   double speed_scale = 1;
@@ -65,14 +65,14 @@ constexpr Limits motion_limits(Limits limits) {
   return limits;
 }
 
-/// Limits that replace those of a joint, in the same units; a limit that is not set stays.
-/// Limits::none, or -Limits::none for `lower`, states that there is no limit, or none is known.
+/// Limits that replace those of a joint, in the same units; a limit of std::nullopt stays. An
+/// infinite one states that there is no limit, or none is known.
 struct LimitOverrides {
-  std::optional<double> lower = std::nullopt;
-  std::optional<double> upper = std::nullopt;
-  std::optional<double> velocity = std::nullopt;
-  std::optional<double> acceleration = std::nullopt;
-  std::optional<double> jerk = std::nullopt;
+  std::optional<double> lower = std::nullopt;         ///< of the position, rad or m
+  std::optional<double> upper = std::nullopt;         ///< of the position, rad or m
+  std::optional<double> velocity = std::nullopt;      ///< of |dq/dt|
+  std::optional<double> acceleration = std::nullopt;  ///< of |d2q/dt2|
+  std::optional<double> jerk = std::nullopt;          ///< of |d3q/dt3|
 };
 
 Limits overridden(const Limits& limits, const LimitOverrides& overrides);
@@ -103,22 +103,22 @@ inline double limit_margin(double q, double lower, double upper) {
 
 /// The coupling of a joint to another one of the same arm: value = multiplier * leader + offset.
 struct Mimic {
-  std::string leader;  ///< name of the joint that it follows
-  double multiplier = 1;
-  double offset = 0;
+  std::string leader;     ///< name of the joint that it follows
+  double multiplier = 1;  ///< factor of the leader's value
+  double offset = 0;      ///< rad or m
 };
 
-/// One degree of freedom between two links. The pose of link i in link i-1 (eq. 1.1 of the chapter)
-/// is
-///     T_i^{i-1}(q) = offset * exp(screw * q),
-/// so `offset` is that pose at q = 0, and `screw` the unit screw axis in the frame of link i.
+/// One degree of freedom between two links. The pose of link i in link i-1 is offset * exp(screw *
+/// q) (Dellaert, *Serial Link Manipulators*, eq. 1.1).
 struct Joint {
-  std::string name;
-  Pose offset = Pose::Identity();
-  Twist screw = Twist::Zero();  ///< [v w]; |w| = 1 for R and H, w = 0 and |v| = 1 for P
-  Limits limits;
-  std::optional<Mimic> mimic;
-  std::string link;  ///< name of link i; empty where it has none
+  std::string name;                ///< unique in an arm
+  Pose offset = Pose::Identity();  ///< pose of link i in link i-1 at q = 0
+  /// Unit screw [vx vy vz wx wy wz] in the frame of link i: |w| = 1 for R and H, w = 0 and |v| = 1
+  /// for P.
+  Twist screw = Twist::Zero();
+  Limits limits;               ///< of the coordinate q
+  std::optional<Mimic> mimic;  ///< the joint that it follows
+  std::string link;            ///< name of link i; empty where it has none
 };
 
 /// The kind of a joint, from its screw: P without rotation, H with rotation and pitch, else R.
@@ -163,11 +163,11 @@ enum class DhConvention {
 /// One row of a Denavit-Hartenberg table, metres and radians. The joint's coordinate is added to
 /// theta (revolute) or d (prismatic).
 struct DhRow {
-  double a = 0;
-  double alpha = 0;
-  double d = 0;
-  double theta = 0;
-  JointKind kind = JointKind::revolute;
+  double a = 0;                          ///< link length, m
+  double alpha = 0;                      ///< link twist, rad
+  double d = 0;                          ///< link offset, m
+  double theta = 0;                      ///< joint angle, rad
+  JointKind kind = JointKind::revolute;  ///< kind of the joint
 };
 
 /// Returns the joint of one row, with the convention's link frame.

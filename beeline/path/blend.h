@@ -8,7 +8,7 @@ namespace beeline {
 
 /// The blend of the corner between two lines. Lengths are measured as by span_of().
 struct Blend {
-  double radius = 0;       ///< the part of each line that the blend replaces; 0: no blend
+  double radius = 0;       ///< the part of each line that it replaces, m; 0: no blend
   bool shortened = false;  ///< the lines are too short for the radius that the tolerances allow
   bool sharp = false;  ///< the tool's direction reverses: no blend, the tool stops at the corner
   /// Largest deviation from the two lines. Where both lines translate: from the nearest point by
@@ -21,8 +21,8 @@ struct Blend {
 /// Lines with blended corners: the segments are the remaining parts of the lines, and
 /// SplineSegments between them.
 struct BlendedPath {
-  /// Twice continuously differentiable except at sharp corners. Messages name its segments "line 2
-  /// of 5 (pose 2 to 3)" and "the blend at pose 3".
+  /// Twice continuously differentiable except at sharp corners. Messages name its segments `line 2
+  /// of 5 (pose 2 to 3)` and `the blend at pose 3`.
   ToolPath path;
   std::vector<bool> stops;    ///< after each segment: true at sharp corners only
   std::vector<Blend> blends;  ///< one for each pose between the first and the last

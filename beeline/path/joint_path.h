@@ -9,12 +9,12 @@
 
 namespace beeline {
 
-/// A path in joint space, without time, as plain data: at grid point k the configuration q[k] and
-/// its first and second derivative with respect to the path parameter s, which may have any unit.
-/// Between grid points the path is the quintic Hermite polynomial of the values at both ends.
+/// A path in joint space, without time: at N grid points the configuration q and its derivatives
+/// with respect to the path parameter s, which may have any unit. Between grid points it is the
+/// quintic Hermite polynomial of the values at both ends.
 struct JointPath {
-  std::vector<double> s;           ///< strictly increasing
-  std::vector<Configuration> q;    ///< radians, metres
+  std::vector<double> s;           ///< path parameter, strictly increasing, (N,)
+  std::vector<Configuration> q;    ///< rad or m
   std::vector<Configuration> dq;   ///< dq/ds
   std::vector<Configuration> ddq;  ///< d2q/ds2
 
@@ -27,7 +27,10 @@ void check_path(const JointPath& path);
 
 /// The configuration and its derivatives with respect to s at one path parameter.
 struct PathPoint {
-  Configuration q, dq, ddq, dddq;
+  Configuration q;     ///< rad or m
+  Configuration dq;    ///< dq/ds
+  Configuration ddq;   ///< d2q/ds2
+  Configuration dddq;  ///< d3q/ds3
 };
 
 /// Evaluates the path in step k, between grid points k and k + 1, at the fraction u from 0 to 1.

@@ -10,35 +10,36 @@ namespace beeline {
 // All poses of segments and paths are world_T_tool; vectors and points are in world axes, metres
 // and radians.
 
-/// A straight line for the tool: interpolate(from, to, s) with s from 0 to 1.
+/// A straight line for the tool, interpolate(from, to, s) with s from 0 to 1: the orientation
+/// follows the shortest rotation. Poses of segments and paths are world_T_tool.
 struct Line {
-  Pose from;
-  Pose to;
+  Pose from;  ///< pose at s = 0
+  Pose to;    ///< pose at s = 1
 };
 
 /// A screw motion from one pose to the other, with a rotation angle of at most pi: the tool origin
 /// moves on a helix about a fixed axis, and the orientation follows the shortest rotation.
 struct ScrewLine {
-  Pose from;
-  Pose to;
+  Pose from;  ///< pose at s = 0
+  Pose to;    ///< pose at s = 1
 };
 
-/// A circular arc: the tool origin rotates about the axis through `centre` along `rotation`, whose
-/// length is the arc's angle, at most 2 pi. The orientation follows the shortest rotation from
-/// `from` to `to`. Both rates are constant. See arc_through().
+/// A circular arc: the tool origin rotates about the axis through `centre` along `rotation`, and
+/// the orientation follows the shortest rotation. Both rates are constant. See arc_through().
 struct Arc {
-  Pose from;
-  Pose to;
-  Vector3 centre;    ///< in the world, metres
-  Vector3 rotation;  ///< rotation vector in world axes, radians
+  Pose from;       ///< pose at s = 0
+  Pose to;         ///< pose at s = 1
+  Vector3 centre;  ///< in the world, m
+  /// Rotation vector in world axes, whose length is the arc's angle, at most 2 pi rad.
+  Vector3 rotation;
 };
 
-/// A segment of a spline, or a blend. With the vectors x and r of the polynomial
-///     [x; r](s) = terms.col(0) + terms.col(1) s + ... + terms.col(5) s^5
-/// in world axes, the position is that of `centre` plus x, and the orientation so3_exp(r) times
-/// that of `centre`. Intended for |r| <= pi.
+/// A segment of a spline, or a blend. With the vectors x and r of the polynomial [x; r](s) = sum_k
+/// terms_k s^k, whose coefficients are the columns of `terms`, in world axes, the position is that
+/// of `centre` plus x, and the orientation exp(r) times that of `centre`. Intended for |r| <= pi.
 struct SplineSegment {
-  Pose centre = Pose::Identity();
+  Pose centre = Pose::Identity();  ///< pose at the zero of the polynomial
+  /// Coefficients, m and rad, (6, 6): those of s^k in column k.
   Matrix6 terms = Matrix6::Zero();
 };
 

@@ -22,13 +22,13 @@ PathKind path_kind_named(std::string_view name);
 /// path parameter s of a pose is the number of segments before it plus its segment parameter: 2.25
 /// is a quarter of the third segment.
 struct ToolPath {
-  std::vector<Segment> segments;
+  std::vector<Segment> segments;  ///< in order
   /// The length of each segment in the common parameter of the path, about metres: see span_of().
   /// On a smooth path the velocity with respect to it, motion_at() divided by the span, is
   /// continuous.
   std::vector<double> spans;
-  /// Name each segment in messages, such as "move 3 (line)", "the blend at pose 3"; empty:
-  /// "line 3", "segment 3".
+  /// Name each segment in messages, such as `move 3 (line)`, `the blend at pose 3`; empty: `line
+  /// 3`, `segment 3`.
   std::vector<std::string> names = {};
 };
 
@@ -43,8 +43,9 @@ constexpr double slowest_tool = 1e-8;
 
 /// A path, and where the tool comes to rest on it.
 struct Route {
-  ToolPath path;
-  std::vector<bool> stops;  ///< after each segment; the tool always stops after the last
+  ToolPath path;  ///< of the tool
+  /// Whether the tool stops after each segment; it always stops after the last.
+  std::vector<bool> stops;
   /// Limit of the tool origin's speed on each segment, m/s; empty: that of the motion's options.
   std::vector<double> speeds = {};
 };

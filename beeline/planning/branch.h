@@ -25,8 +25,8 @@ enum class MotionStatus {
   too_many_samples,  ///< the tolerance needs more than the option max_samples
   not_converged,     ///< a feedback controller did not converge to the goal, see ControlledMotion
   time_limit,        ///< the budget's time ended the search
-  cancelled,         ///< Budget::cancelled ended it
-  work_limit,        ///< Budget::max_work ended it
+  cancelled,         ///< the search was cancelled
+  work_limit,        ///< the budget's work ended the search
 };
 std::string name(MotionStatus status);
 std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)
@@ -38,40 +38,44 @@ MotionStatus motion_status(InverseStatus status);
 /// it.
 struct TrackedSegment {
   std::vector<Configuration> samples;  ///< the first is at the segment's beginning
-  std::vector<double> fractions;       ///< of the segment, at each sample: 0 first
-  PathDeviation deviation;
+  std::vector<double> fractions;       ///< of the segment, at each sample: 0 first, (N,)
+  PathDeviation deviation;             ///< from the path
   bool complete() const { return fractions.back() == 1; }
 };
 
 /// One continuous motion of the arm along a path, without times: a solution of inverse kinematics
 /// at its beginning, tracked as far as possible.
 struct Branch {
-  Configuration start = {};
+  Configuration start = {};  ///< configuration at the path's beginning
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};         ///< where and why it ends before the path does
-  double path_parameter = 0;  ///< that it reaches: whole segments, with a fraction of the next
+  Reason reason = {};  ///< where and why it ends before the path does
+  /// The path parameter that it reaches: whole segments, with a fraction of the next.
+  double path_parameter = 0;
   /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
-  /// joint has limits. Where the budget ended the search, this and the next are 0.
+  /// joint has limits. 0 where the budget ended the search.
   double limit_margin = 1;
   /// Smallest inverse condition number of the task's Jacobian along the branch: its smallest over
   /// its largest singular value, lengths in units of the arm's reach. From 0, at a singularity, to
-  /// 1.
+  /// 1. 0 where the budget ended the search.
   double inverse_condition = 1;
-  std::vector<TrackedSegment> segments = {};  ///< one sample if the task's rows are at rest
+  /// Samples along each segment; one sample if the task's rows are at rest.
+  std::vector<TrackedSegment> segments = {};
 
+  /// Whether it reaches the end of the path.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
 struct BranchOptions {
-  Task task;                           ///< default: spatial, all six rows
+  Task task;                           ///< rows that matter; default: spatial, all six
   Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, above 0, between samples too
-  std::size_t max_samples = 200'000;   ///< of one branch; beyond it, too_many_samples
+  std::size_t max_samples = 200'000;   ///< of one branch; beyond it `too_many_samples`
   /// For redundant arms: max approximate number of solutions per pose in the graph of
   /// configurations. Grids of 16, 64 and 256 are tried in turn, 16 always; with one redundant joint
   /// each halves the distances between nodes.
   int max_grid = 256;
+  enum class Reasons { all, best, none };
   /// The branches whose reason for ending is determined, which takes milliseconds for each.
-  enum class Reasons { all, best, none } reasons = Reasons::best;
+  Reasons reasons = Reasons::best;
   /// Returns the preferred configuration at a path parameter, for poses with several solutions;
   /// default: no preference.
   std::function<Configuration(double)> guide = {};

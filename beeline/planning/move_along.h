@@ -18,11 +18,13 @@ namespace beeline {
 /// A rigidly moved path that the arm can follow where it cannot follow the original one, or the
 /// original path from another start.
 struct NearbyPath {
-  Vector3 moved = Vector3::Zero();   ///< translation of the path, metres, in world axes; or
-  Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, radians, in tool axes
-  ToolPath path;
-  std::optional<Configuration> start = std::nullopt;  ///< in place of the one that was given
-  std::string description;  ///< "with every waypoint moved by 0.012 m along -z; ..."
+  Vector3 moved = Vector3::Zero();   ///< translation of the path, m, in world axes
+  Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, rad, in tool axes
+  ToolPath path;                     ///< the moved path
+  /// In place of the start that was given; std::nullopt: that start stays.
+  std::optional<Configuration> start = std::nullopt;
+  /// Such as `with every waypoint moved by 0.012 m along -z; the start stays`.
+  std::string description;
 };
 
 /// Searches for the shortest translation along one of the world's axes or half-way between some of
@@ -38,12 +40,14 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       bool rotate);
 
 struct PathMotionOptions {
-  /// Default: planar for a planar arm, otherwise spatial. Lines allow any task; other segments need
-  /// all orientation rows or none, and position rows in Frame::base, the world's axes.
+  /// Rows that matter; default: planar for a planar arm, else spatial. Lines allow any task; other
+  /// segments need all orientation rows or none, and position rows in Frame::base, the world's
+  /// axes.
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, 1e-8 or more
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, 1e-8 or more
-  /// The time scaling from stop to stop; default: default_profile.
+  /// The time scaling from stop to stop; default: `jerk`. Every profile keeps known jerk limits;
+  /// `fastest` and `trapezoidal` leave jerk free where it is not known.
   std::optional<Profile> profile = std::nullopt;
   Interpolation interpolation = Interpolation::quintic;  ///< of the trajectory
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
@@ -53,7 +57,7 @@ struct PathMotionOptions {
   double rate = 0;
   /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
   std::optional<double> duration = std::nullopt;
-  int max_samples = 200'000;  ///< of the whole path, 2 or more; else too_many_samples
+  int max_samples = 200'000;  ///< of the whole path, 2 or more; beyond it `too_many_samples`
   bool suggest = false;       ///< where the path cannot be followed, search for paths near it
   Budget budget = {};         ///< of the plan, its timing, its proof and the suggestions
 };
@@ -62,19 +66,22 @@ struct PathMotionOptions {
 /// set unless reached.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};                   ///< with the position; none when reached
-  double path_parameter = 0;            ///< up to which the plan follows the path: see Branch
-  std::vector<NearbyPath> nearby;       ///< paths that work, if options.suggest
-  Trajectory trajectory;                ///< from rest to rest
-  ToolPath path;                        ///< the path that it follows
-  std::vector<double> path_parameters;  ///< of each sample
-  /// arrivals[i] is the sample at the end of segment i of `path`, or the first after it.
+  Reason reason = {};              ///< one sentence, with the position; none when reached
+  double path_parameter = 0;       ///< the path parameter up to which the plan follows the path
+  std::vector<NearbyPath> nearby;  ///< paths that work, with the option `suggest`
+  Trajectory trajectory;           ///< from rest to rest
+  ToolPath path;                   ///< the path that it follows
+  std::vector<double> path_parameters;  ///< of each sample, (N,)
+  /// The sample at the end of each segment of `path`, or the first after it.
   std::vector<std::size_t> arrivals;
-  PathDeviation deviation;       ///< of the finished trajectory, proved
-  LimitUsage limits;             ///< of the finished trajectory
-  double limit_margin = 0;       ///< see Branch
-  double inverse_condition = 0;  ///< see Branch
+  PathDeviation deviation;  ///< of the finished trajectory, proved
+  LimitUsage limits;        ///< of the finished trajectory
+  /// Smallest distance of a joint to a position limit, as a fraction of half its range.
+  double limit_margin = 0;
+  /// Smallest inverse condition number of the task's Jacobian, from 0 to 1.
+  double inverse_condition = 0;
 
+  /// Whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 

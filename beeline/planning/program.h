@@ -12,10 +12,10 @@
 namespace beeline {
 
 enum class MoveKind {
-  joint,  ///< a straight line in joint space
-  line,   ///< the others are those of PathKind
-  screw,
-  arc,     ///< through Move::via
+  joint,   ///< a straight line in joint space
+  line,    ///< a straight line of the tool, as the others one of PathKind
+  screw,   ///< a screw motion of the tool
+  arc,     ///< a circular arc through Move::via
   spline,  ///< consecutive spline moves make one spline; a dwell ends it
 };
 std::string name(MoveKind kind);
@@ -31,14 +31,14 @@ struct Move {
   Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
   /// The waypoint of a joint move as a configuration; it replaces `target`.
   std::optional<Configuration> q = std::nullopt;
-  std::optional<Vector3> via = std::nullopt;  ///< a position on the arc, in the world
+  std::optional<Vector3> via = std::nullopt;  ///< a position on the arc in the world, m
   /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. It holds on
   /// the blend with the next move too.
   std::optional<double> speed = std::nullopt;
-  /// Max deviation of the blend with the next move from the waypoint and from both lines, metres,
-  /// and 5 rad for each metre: see blended_lines(). 0: none. Both moves must be lines.
+  /// Max deviation of the blend with the next move from the waypoint and from both lines, m, and 5
+  /// rad for each metre: see blended_lines(). 0: none. Both moves must be lines.
   double blend = 0;
-  double dwell = 0;        ///< seconds at rest at the waypoint, 0 or more
+  double dwell = 0;        ///< time at rest at the waypoint, s, 0 or more
   std::string place = {};  ///< where the move is written, for messages: pick.csv:5
   int line = 0;            ///< the line of a file there; 0: none
 };
@@ -48,7 +48,7 @@ constexpr std::size_t max_moves = 5000;
 
 /// The moves of an arm in order, such as those of a whole pick.
 struct Program {
-  std::vector<Move> moves;
+  std::vector<Move> moves;  ///< in order
 };
 
 /// "move 3 (line, pick.csv:5)": the name of moves[i] in messages.
@@ -75,22 +75,27 @@ struct PlannedMove {
   std::size_t end = 0;
   Deviation bound = {};     ///< proved deviation from its path; 0 for a joint move
   double tool_speed = 0;    ///< a bound on the speed of the tool's origin, m/s
-  double blend_radius = 0;  ///< the part of both lines that the blend replaces: see Blend
+  double blend_radius = 0;  ///< the part of both lines that the blend replaces, m
 };
 
 /// A trajectory of a program, with its proof. Only status, reason and failed are set unless
 /// reached.
 struct ProgramMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};              ///< with the move; none when reached
-  std::size_t failed = 0;          ///< the move at which it ends; moves.size() if it is none
+  Reason reason = {};              ///< one sentence that names the move; none when reached
+  std::size_t failed = 0;          ///< the move at which it ends; the number of moves if it is none
   Trajectory trajectory;           ///< from rest to rest
   std::vector<PlannedMove> moves;  ///< one for each of the program
   PathDeviation deviation;         ///< of all moves but joint moves, proved
-  LimitUsage limits;
-  double limit_margin = 1;       ///< over all moves but joint moves: see Branch
-  double inverse_condition = 1;  ///< the same
+  LimitUsage limits;               ///< of the trajectory
+  /// Over all moves but joint moves: smallest distance of a joint to a position limit, as a
+  /// fraction of half its range.
+  double limit_margin = 1;
+  /// Over all moves but joint moves: smallest inverse condition number of the task's Jacobian, from
+  /// 0 to 1.
+  double inverse_condition = 1;
 
+  /// Whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 

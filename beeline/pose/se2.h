@@ -6,11 +6,11 @@
 
 namespace beeline {
 
-/// A planar pose as in Dellaert, *Serial Link Manipulators*: metres, metres, radians.
+/// A planar pose as in Dellaert, *Serial Link Manipulators*. `a * b` composes two.
 struct Pose2 {
-  double x = 0;
-  double y = 0;
-  double theta = 0;
+  double x = 0;      ///< metres
+  double y = 0;      ///< metres
+  double theta = 0;  ///< radians
 };
 
 /// A planar twist [vx vy w], metres and radians.

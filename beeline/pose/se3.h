@@ -21,9 +21,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// velocity [v w] of its origin and its angular velocity, and the derivatives of both, in world
 /// axes; metres and radians.
 struct PoseMotion {
-  Pose pose = Pose::Identity();
+  Pose pose = Pose::Identity();  ///< at the parameter
+  /// First derivative: the velocity of the origin and the angular velocity.
   Twist velocity = Twist::Zero();
-  Twist acceleration = Twist::Zero();
+  Twist acceleration = Twist::Zero();  ///< second derivative
 };
 
 /// Returns the reason why `pose` is not a rigid motion, as a clause; empty if it is one. It needs
@@ -56,11 +57,11 @@ Pose interpolate(const Pose& from, const Pose& to, double s);
 /// log(R_to R_from^T)].
 Twist pose_difference(const Pose& to, const Pose& from);
 
-/// Roll, pitch and yaw as in URDF: rotations about the fixed axes X, then Y, then Z. Radians.
+/// Roll, pitch and yaw as in URDF: rotations about the fixed axes X, then Y, then Z.
 struct RollPitchYaw {
-  double roll = 0;
-  double pitch = 0;
-  double yaw = 0;
+  double roll = 0;   ///< about X, rad
+  double pitch = 0;  ///< about Y, rad
+  double yaw = 0;    ///< about Z, rad
 };
 
 /// Rz(yaw) Ry(pitch) Rx(roll).
@@ -74,9 +75,12 @@ RollPitchYaw roll_pitch_yaw(const Rotation& rotation);
 /// Throws Error when its length differs from 1 by more than 1e-3, which is likely a mistyped value.
 Rotation rotation_from_quaternion(double qw, double qx, double qy, double qz);
 
-/// A unit quaternion with qw >= 0.
+/// A unit quaternion qw + qx i + qy j + qz k with qw >= 0.
 struct Quaternion {
-  double qw = 1, qx = 0, qy = 0, qz = 0;
+  double qw = 1;  ///< real part
+  double qx = 0;  ///< factor of i
+  double qy = 0;  ///< factor of j
+  double qz = 0;  ///< factor of k
 };
 Quaternion quaternion(const Rotation& rotation);
 

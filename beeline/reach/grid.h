@@ -45,10 +45,11 @@ class DirectionGrid {
   std::vector<Eigen::Index> first_;  // of each ring, and the number of all
 };
 
-/// Equal cells along one coordinate, of edge `step` from `lower` on.
+/// Equal cells along one coordinate, m, or rad for azimuths.
 struct ReachAxis {
-  Eigen::Index cells = 1;
-  double lower = 0, step = 0;  ///< m, or rad for azimuths
+  Eigen::Index cells = 1;  ///< their number
+  double lower = 0;        ///< where the first cell begins
+  double step = 0;         ///< edge of a cell
 
   double centre(Eigen::Index i) const { return lower + (static_cast<double>(i) + 0.5) * step; }
   double upper() const { return lower + static_cast<double>(cells) * step; }
@@ -68,21 +69,23 @@ std::string name(ReachOrientations orientations);
 
 /// What a map covers, of an arm in its world.
 struct ReachGridOptions {
-  /// Edge of the cells, m; default: a twentieth of the radius of Arm::reach().
+  /// Edge of the cells, m; default: a twentieth of the radius of the arm's reach.
   std::optional<double> resolution = std::nullopt;
-  /// The corners of the box of positions, m; default: the box around Arm::reach(), begun so that
-  /// the cells' centres are multiples of a given resolution. The cells begin at `lower` and cover
-  /// the box. With `azimuths` a corner is (radius, height, 0).
-  std::optional<Vector3> lower = std::nullopt, upper = std::nullopt;
+  /// Corner of the box of positions, m, in the world, (3,); default: of the box around
+  /// Arm::reach(), so that the cells' centres are multiples of a given resolution. The cells begin
+  /// at `lower` and cover the box. With `azimuths` corners are (radius, height, 0).
+  std::optional<Vector3> lower = std::nullopt;
+  std::optional<Vector3> upper = std::nullopt;  ///< the opposite corner, (3,)
   /// Angle between azimuths, rad, 0.01 to 2 pi: positions have cylindrical coordinates about the
   /// axis of the first joint, whose inverse kinematics is solved once for all azimuths.
   std::optional<double> azimuths = std::nullopt;
-  /// One orientation of the tool for all cells; default: tool directions, or headings of a planar
-  /// arm.
+  /// One orientation of the tool for all cells, world_R_tool, (3, 3); default: tool directions, or
+  /// headings of a planar arm.
   std::optional<Rotation> orientation = std::nullopt;
   /// Any orientation will do: of maps by sampling.
   bool any_orientation = false;
-  /// Angle between tool directions, or headings, rad: see DirectionGrid. Default: 30 degrees.
+  /// Angle between tool directions, or headings, rad, 0.01 to pi/2: see DirectionGrid. Default: 30
+  /// degrees.
   std::optional<double> directions = std::nullopt;
   /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll will do.
   std::optional<double> rolls = std::nullopt;

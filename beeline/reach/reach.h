@@ -42,7 +42,7 @@ struct ReachCells {
   /// The largest margin of a solution to the joint limits: 1 in the middle of all ranges, 0 on a
   /// limit (limit_margin()); joints without limits do not count. NaN where the pose is not reached.
   std::vector<float> margin;
-  Ending ending = Ending::complete;  ///< otherwise the cells are not to be used
+  Ending ending = Ending::complete;  ///< unless complete, the cells are not to be used
 
   void resize(std::size_t cells);
 };
@@ -61,8 +61,9 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
 /// The best of all orientations at each position.
 struct ReachPositions {
   std::vector<float> directions;       ///< fraction of the directions that are reached
-  std::vector<std::uint8_t> branches;  ///< as in ReachCells
-  std::vector<float> manipulability, margin;
+  std::vector<std::uint8_t> branches;  ///< largest number of solutions, as in ReachCells
+  std::vector<float> manipulability;   ///< the largest; NaN: not reached
+  std::vector<float> margin;           ///< the largest, as in ReachCells; NaN: not reached
 };
 
 /// Summarises cells of whole positions. A direction is reached if it is with some roll.

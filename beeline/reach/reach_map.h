@@ -53,8 +53,12 @@ class ReachMap {
 
   /// Counts over all cells that are here.
   struct Totals {
-    std::int64_t cells = 0, reached = 0;
-    std::int64_t positions = 0, reached_positions = 0;  ///< reached in some orientation
+    /// Number of cells that are here: of a file with part of a map, some.
+    std::int64_t cells = 0;
+    std::int64_t reached = 0;    ///< number of these cells that are reached
+    std::int64_t positions = 0;  ///< number of positions that are here
+    /// Number of these positions that are reached in some orientation.
+    std::int64_t reached_positions = 0;
     double volume = 0;  ///< of the reached positions, m^3; of planar arms their area, m^2
   };
   Totals totals() const;
@@ -70,10 +74,11 @@ class ReachMap {
   std::unique_ptr<Data> data_;
 };
 
-/// One of `count` shares of a map's slabs: those with the numbers number - 1, number - 1 + count,
-/// and so on; by sampling, as many slabs together as have 2^24 cells.
+/// One of `count` shares of a map, for one of as many processes: the slabs with the numbers number
+/// - 1, number - 1 + count, and so on; by sampling, as many slabs together as have 2^24 cells.
 struct ReachShard {
-  int number = 1, count = 1;  ///< number from 1 to count
+  int number = 1;  ///< from 1 to count
+  int count = 1;   ///< number of shares
 };
 
 struct ReachMapOptions {

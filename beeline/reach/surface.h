@@ -38,14 +38,15 @@ std::string name(ReachMeasure measure);
 
 /// The positions of a map in a plane perpendicular to an axis of the world.
 struct ReachSlice {
-  Arm arm;
+  Arm arm;                         ///< the arm of the map
   std::string title = arm.name();  ///< in pictures
+  /// What the values are: the best of all orientations.
   ReachMeasure measure = ReachMeasure::directions;
-  int normal = 2;             ///< the axis: 0 x, 1 y, 2 z
-  double at = 0;              ///< the coordinate of the centres of its cells, m
-  std::array<int, 2> axes{};  ///< the two others
-  std::array<ReachAxis, 2> grid{};
-  Eigen::MatrixXf values{};  ///< (cells of axes[0], cells of axes[1]); NaN: not reached
+  int normal = 2;                   ///< the axis: 0 x, 1 y, 2 z
+  double at = 0;                    ///< the coordinate of the centres of its cells, m
+  std::array<int, 2> axes{};        ///< the two others
+  std::array<ReachAxis, 2> grid{};  ///< the cells along the axes
+  Eigen::MatrixXf values{};         ///< (cells of axes[0], cells of axes[1]); NaN: not reached
 };
 
 /// Reads the cells around the coordinate `at` (m) of an axis; of a cylindrical map, those that
@@ -68,14 +69,18 @@ struct ReachSide {
   double alone = 0;       ///< of it, not reached by the other
   double better = 0;      ///< where it reaches more of the directions than the other, m^3
   double directions = 0;  ///< mean fraction reached, where either arm reaches some
-  /// Means of the best at each point, where both arms reach some orientation; NaN if nowhere.
-  double manipulability = 0, margin = 0;
+  /// Mean of the largest at each point, where both arms reach some orientation; NaN if nowhere.
+  double manipulability = 0;
+  /// Mean of the largest margin to the joint limits at each point, where both arms reach some
+  /// orientation; NaN if nowhere.
+  double margin = 0;
 };
 
+/// What two maps have, each alone and both.
 struct ReachComparison {
-  std::array<ReachSide, 2> sides;
-  double both = 0;  ///< volume that both reach, m^3
-  double step = 0;  ///< between the points, m
+  std::array<ReachSide, 2> sides;  ///< of the first map and of the second
+  double both = 0;                 ///< volume that both reach, m^3
+  double step = 0;                 ///< between the points at which they are compared, m
 };
 
 /// Compares two maps, of two arms, mounts or tools, in the same world: at the centres of cells

@@ -13,26 +13,27 @@ namespace beeline {
 /// The minimum-time motion of one joint from rest to rest under limits on velocity, acceleration
 /// and jerk (Biagiotti and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*,
 /// section 3.4). Seven phases of constant jerk: +j, 0, -j; cruise; -j, 0, +j. A phase that is not
-/// needed lasts zero seconds. Velocity, acceleration and jerk are the largest that are reached,
-/// with the sign of the distance; the acceleration is infinite where the velocity jumps, the jerk
-/// where the acceleration jumps.
+/// needed lasts zero seconds.
 struct SCurve {
-  double distance = 0;           ///< radians or metres, of either sign
-  double duration = 0;           ///< seconds: 4 jerk_time + 2 acceleration_time + cruise_time
-  double jerk_time = 0;          ///< of each of the four phases of constant nonzero jerk
-  double acceleration_time = 0;  ///< of each of the two phases of constant nonzero acceleration
-  double cruise_time = 0;        ///< at constant velocity
-  double velocity = 0;
+  double distance = 0;   ///< radians or metres, of either sign
+  double duration = 0;   ///< seconds: 4 jerk_time + 2 acceleration_time + cruise_time
+  double jerk_time = 0;  ///< of each of the four phases of constant nonzero jerk, s
+  /// Of each of the two phases of constant nonzero acceleration, s.
+  double acceleration_time = 0;
+  double cruise_time = 0;  ///< at constant velocity, s
+  double velocity = 0;     ///< the largest that is reached, with the sign of the distance
+  /// The largest that is reached, likewise; infinite where the velocity jumps.
   double acceleration = 0;
+  /// The largest that is reached, likewise; infinite where the acceleration jumps.
   double jerk = 0;
 };
 
 /// The state of a joint along its motion.
 struct JointState {
-  double position = 0;  ///< relative to the start
-  double velocity = 0;
-  double acceleration = 0;
-  double jerk = 0;
+  double position = 0;      ///< relative to the start, rad or m
+  double velocity = 0;      ///< rad/s or m/s
+  double acceleration = 0;  ///< rad/s^2 or m/s^2
+  double jerk = 0;          ///< rad/s^3 or m/s^3
 };
 
 /// Minimises the duration over `distance` subject to |v| <= velocity, |a| <= acceleration, |j| <=
@@ -62,16 +63,16 @@ constexpr double farthest_outside_angle = 0.1;    // radians
 constexpr double farthest_outside_length = 0.01;  // metres
 
 struct PointToPointOptions {
-  Synchronise synchronise = Synchronise::time;  ///< default: each joint has its own s-curve
+  Synchronise synchronise = Synchronise::time;  ///< how the joints' times agree
   /// Accept a start that is slightly outside the position limits: each joint moves one way only, so
   /// it moves back in. Of an arm only.
   bool from_outside = false;
 };
 
-/// A motion of all joints from rest to rest, each along an s-curve (s_curve.h).
+/// A motion of all joints from rest to rest, each along an s-curve.
 struct PointToPoint {
-  Configuration from;  ///< radians, metres
-  Configuration to;
+  Configuration from;          ///< rad or m
+  Configuration to;            ///< rad or m
   std::vector<SCurve> curves;  ///< one for each coordinate, all of the same duration
   double duration = 0;         ///< seconds
 };

@@ -14,19 +14,21 @@ namespace beeline {
 constexpr int default_max_samples = 200'000;
 
 struct RetimeOptions {
-  std::optional<Profile> profile = std::nullopt;         ///< default_profile when none is given
+  /// Form of the time scaling; default: `jerk`. Every profile keeps known jerk limits; `fastest`
+  /// and `trapezoidal` leave jerk free where it is not known.
+  std::optional<Profile> profile = std::nullopt;
   Interpolation interpolation = Interpolation::quintic;  ///< of the result
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
   double speed_scale = 1;
-  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s; 1e-8 at least
+  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
   /// Samples per second, at times k / rate from the first to the last of them; 0: every sample of
   /// the path, and as many more as the interpolation needs.
   double rate = 0;
   /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
   std::optional<double> duration = std::nullopt;
-  /// 2 or more: there is no motion if the rate makes more, or if the path has more and more than
-  /// default_max_samples. A sample of the path takes some 70 microseconds and 2.5 kB.
+  /// With a rate, 2 or more: there is no motion if it makes more; without one, if the path has
+  /// more, and more than the default. A sample of the path takes some 70 microseconds and 2.5 kB.
   int max_samples = default_max_samples;
   /// Keep the jumps of continuous joints whose values wrap. The times of the trajectory, which are
   /// otherwise ignored, decide which jumps are wraps.
@@ -34,18 +36,20 @@ struct RetimeOptions {
   Budget budget = {};
 };
 
+/// A trajectory with new times.
 struct Retimed {
-  Profile profile = Profile::fastest;
-  Reason reason = {};        ///< why there is no motion, or not the best
-  Trajectory trajectory;     ///< empty when there is none
-  LimitUsage limits;         ///< of the trajectory, relative to the arm's own limits
-  double tool_speed = 0;     ///< a bound on the tool origin's speed, m/s
+  Profile profile = Profile::fastest;  ///< of the time scaling
+  Reason reason = {};                  ///< why there is no motion, or not the best; otherwise none
+  Trajectory trajectory;               ///< empty when there is none
+  LimitUsage limits;                   ///< of the trajectory, relative to the arm's own limits
+  double tool_speed = 0;               ///< a bound on the tool origin's speed, m/s
   std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
   /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
   /// longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
 
+  /// Whether there is a motion, and the best.
   explicit operator bool() const { return !reason; }
 };
 

@@ -9,10 +9,12 @@
 
 namespace beeline {
 
-/// The limits of a motion along a path. One number for each coordinate, radians or metres per
-/// second and its powers; infinity: no limit. Finite limits are from 1e-100 on.
+/// The limits of a motion along a path in joint space, one number for each coordinate; infinity: no
+/// limit. Finite limits are from 1e-100 on.
 struct PathLimits {
-  Configuration velocity, acceleration, jerk;
+  Configuration velocity;      ///< rad/s or m/s
+  Configuration acceleration;  ///< rad/s^2 or m/s^2
+  Configuration jerk;          ///< rad/s^3 or m/s^3
   /// The largest ds/dt at each grid point of the path, as for a limit of the tool's speed; empty:
   /// no such limit.
   std::vector<double> speed;
@@ -32,15 +34,16 @@ void check_limits(const PathLimits& limits, const JointPath& path);
 
 /// A time scaling s(t) of a path: the path parameter as a function of time.
 struct TimeScaling {
-  Reason reason = {};                ///< why there is no time scaling
-  std::vector<double> s;             ///< path parameter, strictly increasing
-  std::vector<double> t;             ///< seconds, strictly increasing from 0
-  std::vector<double> speed;         ///< ds/dt at the points
-  std::vector<double> acceleration;  ///< d2s/dt2; the mean of both sides where it jumps
-  /// Whether d2s/dt2 is continuous: between points s(t) then is the quintic Hermite polynomial;
+  Reason reason = {};                ///< why there is no time scaling; otherwise none
+  std::vector<double> s;             ///< path parameter, strictly increasing, (N,)
+  std::vector<double> t;             ///< seconds, strictly increasing from 0, (N,)
+  std::vector<double> speed;         ///< ds/dt, (N,)
+  std::vector<double> acceleration;  ///< d2s/dt2, (N,); the mean of both sides where it jumps
+  /// Whether d2s/dt2 is continuous: then s(t) is the quintic Hermite polynomial between points;
   /// else d2s/dt2 is constant there.
   bool smooth = false;
 
+  /// Whether there is a time scaling.
   explicit operator bool() const { return !reason; }
   double duration() const { return t.empty() ? 0 : t.back(); }
 };

@@ -10,9 +10,9 @@ namespace beeline {
 
 /// The largest fraction of one kind of limit that a trajectory uses; above 1 it exceeds the limit.
 struct LimitFraction {
-  double fraction = 0;
-  std::string joint;  ///< the joint that uses it; empty for a fraction of 0
-  double time = 0;    ///< of the sample before it, seconds
+  double fraction = 0;  ///< of the limit
+  std::string joint;    ///< the joint that uses it; empty for a fraction of 0
+  double time = 0;      ///< of the sample before it, seconds
   /// Whether it is exact for the motion that the columns mean. Otherwise the interpolation does not
   /// bound this derivative, as it jumps at the samples: the fraction is then what the smoothest
   /// motion through the samples needs, by divided differences.
@@ -20,9 +20,12 @@ struct LimitFraction {
   bool assumed = false;  ///< the limit is not known but assumed: see motion_limits()
 };
 
+/// The fractions of the arm's limits that a trajectory uses.
 struct LimitUsage {
-  LimitFraction velocity, acceleration, jerk;
-  Ending ending = Ending::complete;  ///< otherwise these are the largest so far
+  LimitFraction velocity;            ///< of the velocity limits
+  LimitFraction acceleration;        ///< of the acceleration limits
+  LimitFraction jerk;                ///< of the jerk limits
+  Ending ending = Ending::complete;  ///< unless complete, these are the largest so far
 };
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the extremes of the

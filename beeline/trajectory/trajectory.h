@@ -25,15 +25,17 @@ Interpolation interpolation_named(const std::string& name);
 /// The lowest rate of samples, per second.
 constexpr double lowest_rate = 1e-3;
 
-/// A motion of the joints with time, as plain data. Sample k is positions[k] at times[k];
-/// velocities and accelerations are empty where they are not known, else as long as positions.
-/// These columns determine the motion between the samples: see Interpolation and sample().
+/// A motion of n joints as N samples: positions[k] at times[k]. The columns determine the motion
+/// between the samples, as ros2_control's joint trajectory controller plays it: positions alone,
+/// linear; positions and velocities, the cubic polynomial; with accelerations too, the quintic one.
+/// See sample().
 struct Trajectory {
-  std::vector<std::string> joint_names;      ///< one for each coordinate
-  std::vector<double> times;                 ///< seconds, strictly increasing
-  std::vector<Configuration> positions;      ///< radians, metres
-  std::vector<Configuration> velocities;     ///< per second
-  std::vector<Configuration> accelerations;  ///< per second squared
+  std::vector<std::string> joint_names;   ///< one for each coordinate
+  std::vector<double> times;              ///< seconds, strictly increasing, (N,)
+  std::vector<Configuration> positions;   ///< rad, or m for prismatic joints
+  std::vector<Configuration> velocities;  ///< rad/s or m/s; empty where they are not known
+  /// rad/s^2 or m/s^2; empty where they are not known.
+  std::vector<Configuration> accelerations;
 
   std::size_t size() const { return times.size(); }
   Interpolation interpolation() const {
@@ -42,7 +44,7 @@ struct Trajectory {
   }
 };
 
-/// The state of the joints at one time: radians or metres per second and its powers.
+/// State of the joints at one time.
 struct TrajectoryState {
   Configuration position, velocity, acceleration, jerk;
 };
@@ -101,13 +103,14 @@ Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
 
 /// A joint whose recorded values jumped by whole revolutions.
 struct UnwrappedJoint {
-  std::string joint;
+  std::string joint;      ///< name of the joint
   int wraps = 0;          ///< number of jumps
-  double first_time = 0;  ///< seconds: of the sample after the first jump
+  double first_time = 0;  ///< of the sample after the first jump, s
 };
 
+/// A trajectory without the jumps of sensors whose values wrap after a revolution.
 struct Unwrapped {
-  Trajectory trajectory;
+  Trajectory trajectory;               ///< in the arm's order
   std::vector<UnwrappedJoint> joints;  ///< those that were changed
 };
 
@@ -124,15 +127,16 @@ Unwrapped unwrapped(const Arm& arm, const Trajectory& trajectory);
 struct JointDifference {
   double largest = 0;  ///< radians or metres
   double time = 0;     ///< of the largest difference, seconds from the first samples
-  double rms = 0;      ///< root mean square over the common duration
+  double rms = 0;      ///< root mean square over the common duration, rad or m
 };
 
+/// The difference of two trajectories of an arm.
 struct TrajectoryDifference {
   std::vector<JointDifference> joints;  ///< one for each coordinate
   double largest_position = 0;          ///< distance between the tools, metres
-  double position_time = 0;             ///< seconds
+  double position_time = 0;             ///< of that distance, s
   double largest_orientation = 0;       ///< angle between the tools, radians
-  double orientation_time = 0;          ///< seconds
+  double orientation_time = 0;          ///< of that angle, s
   double overlap = 0;                   ///< common duration, seconds
   double longer = 0;                    ///< duration of b minus that of a, seconds
 };

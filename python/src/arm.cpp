@@ -74,10 +74,7 @@ void bind_descriptions(nb::class_<Arm>& arm) {
            "One row for each joint; or an array (n, 4) with the columns a, alpha, d, theta, m and "
            "rad, of revolute joints.")
       .keywords()
-      .takes("convention", Value<DhConvention>::type(),
-             "`standard`: Rz(theta) Tz(d) Tx(a) Rx(alpha); `modified` (Craig): Tx(a) Rx(alpha) "
-             "Rz(theta) Tz(d), with a and alpha of link i-1. A table does not show which one it "
-             "uses.")
+      .choice<DhConvention>("convention", "A table does not show which one it uses.")
       .takes("name", "str", "Name of the arm.", "'arm'")
       .takes("limits", "list[Limits] | None", "One for each joint.", "None");
   define_static(
@@ -108,9 +105,7 @@ void bind_descriptions(nb::class_<Arm>& arm) {
 template <class Get>
 void property(nb::class_<Arm>& arm, const char* name, const std::string& type, Get get,
               const char* doc) {
-  arm.def_prop_ro(
-      name, get,
-      nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + type))), doc);
+  arm.def_prop_ro(name, get, getter(name, type), doc);
 }
 
 template <class M>
@@ -178,8 +173,8 @@ void bind_properties(nb::class_<Arm>& arm) {
       [](const Arm& self) {
         return read_only(Value<Configuration>::to(middle_configuration(self)));
       },
-      "Middle of each coordinate's limits, or the value nearest to zero where one is "
-      "infinite, (n,).");
+      "Middle of each coordinate's limits, or the value nearest to zero where one is infinite, "
+      "(n,).");
   property(
       arm, "planar", "bool", [](const Arm& self) { return self.planar(); },
       "Whether all motion is in one plane z = constant.");
@@ -188,12 +183,12 @@ void bind_properties(nb::class_<Arm>& arm) {
       [](const Arm& self) {
         return nb::make_tuple(Value<Vector3>::to(self.reach().centre), self.reach().radius);
       },
-      "Centre (3,) and radius of a sphere in the world that contains the tool's origin in "
-      "every configuration within the limits.");
+      "Centre (3,) and radius of a sphere in the world that contains the tool's origin in every "
+      "configuration within the limits.");
 }
 
 void bind_copies(nb::class_<Arm>& arm) {
-  Signature tool("with_tool", "Arm", "Returns a copy with another tool, in place of the arm's.");
+  Signature tool("with_tool", "Arm", comment("with_tool"));
   tool.takes("self").takes("tool", arm_pose_like, std::string("In the last link. ") + arm_pose_doc);
   define(
       arm,
@@ -201,10 +196,9 @@ void bind_copies(nb::class_<Arm>& arm) {
         return with_tool(self, PosePlane::at_zero(self).pose(pose, "tool"));
       },
       tool, nb::arg("tool"));
-  Signature tcp(
-      "with_tcp", "Arm",
-      "Returns a copy with a tool centre point (TCP), given in the frame that has been the "
-      "tool's: the flange of an arm described without a tool.");
+  Signature tcp("with_tcp", "Arm",
+                "Returns a copy with a tool centre point (TCP), given in the frame that has been "
+                "the tool's: the flange of an arm described without a tool.");
   tcp.takes("self").takes("tool_T_tcp", arm_pose_like,
                           std::string("Of the new tool in it. ") + arm_pose_doc);
   define(
@@ -263,11 +257,10 @@ void bind_constructor(nb::class_<Arm>& arm) {
              "None")
       .takes("controller_base", std::string(array_like) + " | None",
              "Pose in the world of the controller's root frame (4, 4). Default: the world.", "None")
-      .takes(
-          "flange", std::string(array_like) + " | None",
-          "Pose in the last link of the mounting flange, the frame that tools are given in (4, 4). "
-          "Default: the tool.",
-          "None");
+      .takes("flange", std::string(array_like) + " | None",
+             "Pose in the last link of the mounting flange, the frame that tools are given in (4, "
+             "4). Default: the tool.",
+             "None");
   define(
       arm,
       [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base,
@@ -302,10 +295,7 @@ void bind_arms(nb::module_& m) {
   bind_record<Joint>(m);
   bind_record<DhRow>(m);
   bind_record<BuiltInArm>(m);
-  nb::class_<Arm> arm(
-      m, "Arm",
-      "A serial chain: a base, joints 1 to n, a tool. Immutable. Joint i connects link i-1 to link "
-      "i; link 0 is the base.");
+  nb::class_<Arm> arm(m, "Arm", comment("Arm"));
   bind_constructor(arm);
   bind_arm_files(arm);
   bind_descriptions(arm);

@@ -24,13 +24,12 @@ Verification verified(const Arm& arm, const Trajectory& trajectory, nb::handle a
 void bind_verify(nb::module_& m) {
   Signature proof(
       "verify", "Verification",
-      "Proves or refutes, from the columns alone, that a trajectory moves the tool "
-      "along the whole route within the arm's limits, whichever program computed it: "
-      "its deviation from the path at all times, its direction along it, and the limits "
-      "of position, velocity, acceleration and jerk between the samples too. Limits of "
-      "velocity and acceleration that are not known count as assumed; a jerk limit that "
-      "is not known is not checked. Of a program also its waypoints, dwells and tool "
-      "speeds.");
+      "Proves or refutes, from the columns alone, that a trajectory moves the tool along the whole "
+      "route within the arm's limits, whichever program computed it: its deviation from the path "
+      "at all times, its direction along it, and the limits of position, velocity, acceleration "
+      "and jerk between the samples too. Limits of velocity and acceleration that are not known "
+      "count as assumed; a jerk limit that is not known is not checked. Of a program also its "
+      "waypoints, dwells and tool speeds.");
   proof.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("along", std::string("Route | Program | ") + arm_poses_like,
@@ -63,11 +62,7 @@ void bind_verify(nb::module_& m) {
 }
 
 void bind_path_deviation(nb::module_& m) {
-  Signature bound(
-      "path_deviation", "PathDeviation",
-      "Measures and bounds the deviation of a trajectory, whose columns are in the "
-      "arm's order, from a path. Between two samples the error's quintic Hermite "
-      "polynomial is compared with the error itself by a bound on the sixth derivative.");
+  Signature bound("path_deviation", "PathDeviation", comment("path_deviation"));
   bound.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Of the arm.")
       .takes("path_parameters", array_like, "Path parameter of each sample, (N,).")
@@ -91,10 +86,7 @@ void bind_path_deviation(nb::module_& m) {
 }
 
 void bind_path_parameters(nb::module_& m) {
-  Signature parameters("path_parameters_along", array_type,
-                       "Returns the path parameters of samples along the path. Samples between two "
-                       "arrivals get the parameter of the nearest point, those after the last one "
-                       "its segment's end.");
+  Signature parameters("path_parameters_along", array_type, comment("path_parameters_along"));
   parameters.takes("arm", "Arm", "The arm.")
       .takes("samples", array_like, "Configurations (N, n).")
       .takes("path", "ToolPath", "Path.")
@@ -113,9 +105,7 @@ void bind_path_parameters(nb::module_& m) {
       parameters, nb::arg("arm"), nb::arg("samples"), nb::arg("path"), nb::arg("arrivals"),
       nb::arg("task") = "spatial");
 
-  Signature ends("arrivals", Value<std::vector<std::size_t>>::type(),
-                 "Returns the index of the first sample at or after the end of each segment, for "
-                 "the segments whose end the path parameters reach.");
+  Signature ends("arrivals", Value<std::vector<std::size_t>>::type(), comment("arrivals"));
   ends.takes("path_parameters", array_like, "Path parameter of each sample, (N,).");
   define(
       m,

@@ -11,12 +11,12 @@ Configuration configuration_from(nb::handle value, const char* name) {
 }
 
 void bind_joint_control(nb::module_& m) {
-  Signature joints("control_joints", "ControlledMotion",
-                   "Simulates joint-space motion control from `start` to `goal` (Dellaert, *Serial "
-                   "Link Manipulators*, eq. 1.3). With kp alone the motion is a straight line in "
-                   "joint space, which is a curve of the tool. Joint values are plain numbers; "
-                   "angles are not wrapped. A goal outside the limits has the status "
-                   "`outside_limits`.");
+  Signature joints(
+      "control_joints", "ControlledMotion",
+      "Simulates joint-space motion control from `start` to `goal` (Dellaert, *Serial Link "
+      "Manipulators*, eq. 1.3). With kp alone the motion is a straight line in joint space, which "
+      "is a curve of the tool. Joint values are plain numbers; angles are not wrapped. A goal "
+      "outside the limits has the status `outside_limits`.");
   joints.takes("arm", "Arm", "The arm.")
       .takes("start", array_like, "Configuration (n,) within the limits.")
       .takes("goal", array_like, "Configuration (n,).")
@@ -36,12 +36,7 @@ void bind_joint_control(nb::module_& m) {
 }
 
 void bind_joint_moves(nb::module_& m) {
-  Signature moved("move_joints", "ControlledMotion",
-                  "Moves the joints from rest at `start` to rest at `goal` in minimum time under "
-                  "the limits of velocity, acceleration and jerk, or in `duration`: a joint "
-                  "trajectory in one call. The start may be outside the position limits by up to "
-                  "0.1 rad or 0.01 m: the motion leads back in. A goal outside the limits, and a "
-                  "duration that is too short, have the status `outside_limits`.");
+  Signature moved("move_joints", "ControlledMotion", comment("move_joints"));
   moved.takes("arm", "Arm", "The arm.")
       .takes("start", array_like, "Configuration (n,).")
       .takes("goal", array_like, "Configuration (n,).")
@@ -58,11 +53,7 @@ void bind_joint_moves(nb::module_& m) {
 }
 
 void bind_cartesian_control(nb::module_& m) {
-  Signature lines(
-      "control_in_lines", "ControlledMotion",
-      "Simulates Cartesian control (Dellaert, *Serial Link Manipulators*, section 1.8): "
-      "moves the tool towards each waypoint in turn by feedback. The tool's path is "
-      "straight only approximately; move_in_lines() is the motion with a proved bound.");
+  Signature lines("control_in_lines", "ControlledMotion", comment("control_in_lines"));
   lines.takes("arm", "Arm", "The arm.")
       .takes("start", array_like, "Configuration (n,) within the limits.")
       .takes("waypoints", arm_poses_like, arm_poses_doc)
@@ -83,9 +74,7 @@ void bind_cartesian_control(nb::module_& m) {
 }
 
 void bind_overshoot(nb::module_& m) {
-  Signature over("joint_overshoot", "float",
-                 "Returns the largest distance of any joint beyond the goal, relative to its "
-                 "distance from the first sample to the goal; 0 when no joint overshoots.");
+  Signature over("joint_overshoot", "float", comment("joint_overshoot"));
   over.takes("samples", array_like, "Configurations (N, n).")
       .takes("goal", array_like, "Configuration (n,).");
   define(
@@ -112,13 +101,7 @@ void bind_control(nb::module_& m) {
   bind_overshoot(m);
   bind_record<SpeedChange>(m);
   bind_record<Replay>(m);
-  Signature replayed("replay", "Replay",
-                     "Replays a recording on the arm, at another speed or rate, with a motion that "
-                     "leads to its first sample. Stops of the recording remain, each a sample; "
-                     "where polynomials through the samples would exceed limits that the recording "
-                     "keeps, it is slowed down, to half the speed at most. The status is "
-                     "`outside_limits` when the recording leaves the position limits or is too "
-                     "fast at this speed. Raises Error for a recording that does not fit the arm.");
+  Signature replayed("replay", "Replay", comment("replay"));
   replayed.summary_has_motions()
       .takes("arm", "Arm", "The arm.")
       .takes("recording", "Trajectory", "Its joints are matched by name.")

@@ -100,10 +100,10 @@ nb::object analytical(const Arm& arm, nb::handle q, nb::handle coordinates_name,
 }
 
 void bind_jacobians(nb::module_& m) {
-  Signature plane = row_signature(
-      "planar_jacobian",
-      "Returns the Jacobian of a planar arm as in the chapter: rows [x y theta], in the world's "
-      "axes. Raises Error when the arm is not planar.");
+  Signature plane =
+      row_signature("planar_jacobian",
+                    "Returns the Jacobian of a planar arm as in the chapter: rows [x y theta], in "
+                    "the world's axes. Raises Error when the arm is not planar.");
   takes_out(plane).returns("(3, n), or (..., 3, n).");
   define(m, &planar, plane, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
          nb::arg("out") = nb::none());
@@ -113,16 +113,15 @@ void bind_jacobians(nb::module_& m) {
       "Returns the analytical Jacobian: derivatives of the tool's position and of coordinates of "
       "its orientation, both in the world (Siciliano et al., *Robotics*, 2009, section 3.6). "
       "Raises Error for `rpy` at a pitch of +-90 degrees.");
-  takes_out(coordinates.takes("coordinates", Value<OrientationCoordinates>::type(),
-                              "Roll, pitch, yaw; qw, qx, qy, qz; or rx, ry, rz of so3_log()."))
+  takes_out(coordinates.choice<OrientationCoordinates>("coordinates", ""))
       .returns("(6, n), or (7, n) for quaternions; (..., 6, n).");
   define(m, &analytical, coordinates, nb::arg("arm"), nb::arg("q"), nb::arg("coordinates"),
          nb::kw_only(), nb::arg("out") = nb::none());
 
-  Signature static_torques = row_signature(
-      "joint_torques",
-      "Returns the joint torques, N m, and forces, N, that balance a wrench by which the tool acts "
-      "on its surroundings: J^T F (Lynch & Park, eq. 5.26).");
+  Signature static_torques =
+      row_signature("joint_torques",
+                    "Returns the joint torques, N m, and forces, N, that balance a wrench by which "
+                    "the tool acts on its surroundings: J^T F (Lynch & Park, eq. 5.26).");
   static_torques.takes("wrench", array_like,
                        "[force moment], N and N m, in the frame's axes: (6,), or (..., 6).");
   takes_out(takes_frame(static_torques)).returns("(n,), or (..., n).");
@@ -149,10 +148,9 @@ void bind_derivatives(nb::module_& m) {
   define(m, &hessian_of, second, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base",
          nb::kw_only(), nb::arg("out") = nb::none());
 
-  Signature twist = row_signature(
-      "tool_acceleration",
-      "Returns the time derivative of the velocity J dq: J ddq + dJ/dt dq, [linear angular], "
-      "m/s^2 and rad/s^2.");
+  Signature twist = row_signature("tool_acceleration",
+                                  "Returns the time derivative of the velocity J dq: J ddq + dJ/dt "
+                                  "dq, [linear angular], m/s^2 and rad/s^2.");
   twist.takes("dq", array_like, velocities_doc)
       .takes("ddq", array_like, "Joint accelerations, rad/s^2 or m/s^2, likewise.");
   takes_out(takes_frame(twist)).returns("(6,), or (..., 6).");

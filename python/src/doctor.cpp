@@ -36,11 +36,11 @@ void bind_doctor(nb::module_& m) {
   bind_record<ModelDifference>(m);
   bind_record<ArmComparison>(m);
 
-  Signature one("diagnose", "Diagnosis",
-                "Looks for numbers of a model that are likely mistakes: units, rounded right "
-                "angles, axes that nearly have a closed form of inverse kinematics, joints that "
-                "move alike, limits. Of a file also what its text alone shows: a missing <axis>, "
-                "an axis not of unit length.");
+  Signature one(
+      "diagnose", "Diagnosis",
+      "Looks for numbers of a model that are likely mistakes: units, rounded right angles, axes "
+      "that nearly have a closed form of inverse kinematics, joints that move alike, limits. Of a "
+      "file also what its text alone shows: a missing <axis>, an axis not of unit length.");
   one.takes("model", std::string("Arm | ") + path_like, "An arm, or what `Arm.load` takes.")
       .keywords()
       .takes("base", "str | None", "Of a URDF file: link that the chain begins at.", "None")
@@ -48,17 +48,14 @@ void bind_doctor(nb::module_& m) {
   define(m, &diagnosis_of, one, nb::arg("model"), nb::kw_only(), nb::arg("base") = nb::none(),
          nb::arg("tip") = nb::none());
 
-  Signature faults("file_faults", "list[Finding]",
-                   "Returns all faults of a URDF file, on every chain, in the order of its lines. "
-                   "It needs no chain: a file that `Arm.load` refuses for its first fault shows "
-                   "all.");
+  Signature faults(
+      "file_faults", "list[Finding]",
+      "Returns all faults of a URDF file, on every chain, in the order of its lines. It needs no "
+      "chain: a file that `Arm.load` refuses for its first fault shows all.");
   faults.takes("path", path_like, "The file.");
   define(m, &faults_of, faults, nb::arg("path"));
 
-  Signature two("compare_arms", "ArmComparison",
-                "Finds what two descriptions of one arm have different: convention, units, mount, "
-                "tool, offsets and signs of joints, dimensions of links, limits. Verified by "
-                "forward kinematics at random configurations.");
+  Signature two("compare_arms", "ArmComparison", comment("compare_arms"));
   two.takes("a", "Arm", "One arm.").takes("b", "Arm", "The other.").options<ComparisonOptions>();
   define(
       m,

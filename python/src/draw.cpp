@@ -33,8 +33,7 @@ void bind_chapter(nb::module_& m) {
         return compose(chapter_figure(Value<std::string>::from(number, "number")));
       },
       figure, nb::arg("number"));
-  Signature moving("chapter_animation", "Animation",
-                   "Draws Figure 1.7 or 1.9 with the arm in motion.");
+  Signature moving("chapter_animation", "Animation", comment("chapter_animation"));
   moving.takes("number", "str", "`1.7` or `1.9`.").options<PlaybackOptions>();
   define(
       m,
@@ -52,9 +51,7 @@ void bind_motion_figures(nb::module_& m) {
   constexpr const char* waypoints_doc =
       "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta each.";
   const std::string poses = std::string(arm_poses_like) + " | None";
-  Signature figure("motion_figure", "Picture",
-                   "Draws a motion: the trail of the tool, the arm at the end, faded arms before, "
-                   "and the waypoints.");
+  Signature figure("motion_figure", "Picture", comment("motion_figure"));
   figure.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", trajectory_doc)
       .takes("waypoints", poses, waypoints_doc, "None")
@@ -91,20 +88,14 @@ void bind_motion_figures(nb::module_& m) {
 }
 
 void bind_charts(nb::module_& m) {
-  Signature timing("timing_figure", "Picture",
-                   "Draws positions, velocities and accelerations of all joints over time, with "
-                   "their limits, the speed of the tool, and the inverse condition number of the "
-                   "task's Jacobian (0 at a singularity). For a planned motion along a path, also "
-                   "the trail with its deviation exaggerated, and the deviation over the arc "
-                   "length with its proved bound.");
+  Signature timing("timing_figure", "Picture", comment("timing_figure"));
   timing.takes("arm", "Arm", "The arm.")
       .takes("motion", "Trajectory | PathMotion", "Of this arm's joints.")
       .keywords()
-      .takes("title", "str", "Default: the arm's name and the duration.", "''")
+      .member<&TimingFigureOptions::title>()
       .takes("task", "str | None", "Default: planar for planar arms, else spatial.", "None")
       .takes("tolerance", "Deviation | None", "Drawn as a reference line.", "None")
-      .takes("waypoint_times", array_like,
-             "When waypoints 1, 2, ... are passed, s. Default: those of the path.", "()");
+      .takes("waypoint_times", array_like, comment("TimingFigureOptions::waypoint_times"), "()");
   define(
       m,
       [](const Arm& arm, nb::handle motion, nb::handle title, nb::handle task, nb::handle tolerance,
@@ -126,9 +117,7 @@ void bind_charts(nb::module_& m) {
       timing, nb::arg("arm"), nb::arg("motion"), nb::kw_only(), nb::arg("title") = "",
       nb::arg("task") = nb::none(), nb::arg("tolerance") = nb::none(),
       nb::arg("waypoint_times") = nb::make_tuple());
-  Signature responses("step_response_figure", "Picture",
-                      "Draws the step responses of controllers: for each motion, over time, the "
-                      "distance towards the goal in joint space, in percent.");
+  Signature responses("step_response_figure", "Picture", comment("step_response_figure"));
   responses.takes("motions", "collections.abc.Mapping[str, Trajectory]", "By the curves' names.")
       .takes("goal", array_like, "Configuration (n,).")
       .takes("title", "str", "Title.", "''");
@@ -153,18 +142,16 @@ void bind_pictures(nb::module_& m) {
   bind_chapter(m);
   bind_motion_figures(m);
   bind_charts(m);
-  Signature figure("arm_figure", "Picture",
-                   "Draws an arm: from above when it is planar, otherwise in an oblique view with "
-                   "two small views beside it.");
+  Signature figure("arm_figure", "Picture", comment("arm_figure"));
   figure.takes("arm", "Arm", "The arm.")
       .takes("q", std::string(array_like) + " | None",
              "Configuration (n,). Default: `display_configuration(arm)`.", "None")
       .options<ArmFigureOptions>();
   define(m, &arm_picture, figure, nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
-  Signature shown("display_configuration", array_type,
-                  "Returns a configuration (n,) that shows the arm well: the middle of the "
-                  "position limits or, where the arm is singular there, one far from "
-                  "singularities.");
+  Signature shown(
+      "display_configuration", array_type,
+      "Returns a configuration (n,) that shows the arm well: the middle of the position limits or, "
+      "where the arm is singular there, one far from singularities.");
   shown.takes("arm", "Arm", "The arm.");
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,

@@ -85,8 +85,7 @@ void bind_animation(nb::module_& m) {
       [](const PlayedAnimation& self) {
         return Value<std::vector<double>>::to(self.animation.times);
       },
-      nb::for_getter(nb::sig(kept_text("def times(self) -> " + std::string(array_type)))),
-      "The times of its frames, s.");
+      getter("times", std::string(array_type)), "The times of its frames, s.");
   Signature save("save", "None",
                  "Writes the animation in the format that the path's extension names. All but SVG "
                  "need a build with Cairo and the program ffmpeg; without them they raise Error.");

@@ -10,39 +10,12 @@ SharedArm name_arm(const Arm& arm, const SymbolicOptions& options) {
   return std::make_shared<NamedArm>(NamedArm{arm, options, symbolic_arm(arm, options)});
 }
 
-/// Adds a read-only attribute of the SymbolicArm.
-template <class M>
-void symbolic_property(nb::class_<NamedArm>& bound, const char* name, M SymbolicArm::*member,
-                       const char* doc) {
-  bound.def_prop_ro(
-      name, [member](const NamedArm& self) { return Value<M>::to(self.symbolic.*member); },
-      nb::for_getter(
-          nb::sig(kept_text("def " + std::string(name) + "(self) -> " + Value<M>::type()))),
-      doc);
-}
-
 void bind_symbolic_arm(nb::module_& m) {
-  nb::class_<NamedArm> bound(
-      m, "SymbolicArm",
-      "An arm whose dimensions have names: those of Denavit-Hartenberg parameters or of planar "
-      "links where all joints fit, else those of the joints' offsets.");
+  nb::class_<NamedArm> bound(m, "SymbolicArm", comment("SymbolicArm"));
   bound.def_prop_ro(
-      "arm", [](const NamedArm& self) { return self.arm; },
-      nb::for_getter(nb::sig("def arm(self) -> Arm")), "The arm.");
-  symbolic_property(bound, "name", &SymbolicArm::name, "Name of the arm.");
-  symbolic_property(bound, "convention", &SymbolicArm::convention,
-                    "How transforms are composed, and named.");
-  symbolic_property(bound, "planar", &SymbolicArm::planar, "Whether the arm is planar.");
-  symbolic_property(bound, "dof", &SymbolicArm::dof, "Number of coordinates.");
-  symbolic_property(bound, "symbols", &SymbolicArm::symbols, "Constants, variables and rates.");
-  symbolic_property(bound, "joint_names", &SymbolicArm::joint_names, "Of each coordinate.");
-  symbolic_property(bound, "rounding", &SymbolicArm::rounding,
-                    "Largest change of an angle by `angle_tolerance`, rad.");
-  symbolic_property(bound, "deviation", &SymbolicArm::deviation,
-                    "Largest difference of a pose matrix from the arm's, at random "
-                    "configurations.");
-  symbolic_property(bound, "dropped_length", &SymbolicArm::dropped_length,
-                    "Largest length that was taken as zero, m.");
+      "arm", [](const NamedArm& self) { return self.arm; }, getter("arm", "Arm"), "The arm.");
+  bind_part<SymbolicArm>(
+      bound, [](const NamedArm& self) -> auto& { return self.symbolic; });
   bound.def("__repr__", [](const NamedArm& self) {
     std::string symbols;
     for (const Symbol& symbol : self.symbolic.symbols) {

@@ -42,16 +42,6 @@ NamedDocument document_of(nb::handle value, nb::handle task, const nb::kwargs& k
   return {arm, content, style, formula_document(arm->symbolic, content, style)};
 }
 
-template <class M>
-void text_property(nb::class_<NamedDocument>& bound, const char* name, M FormulaDocument::*member,
-                   const char* doc) {
-  bound.def_prop_ro(
-      name, [member](const NamedDocument& self) { return Value<M>::to(self.text.*member); },
-      nb::for_getter(
-          nb::sig(kept_text("def " + std::string(name) + "(self) -> " + Value<M>::type()))),
-      doc);
-}
-
 nb::object document_again(const NamedDocument& self) {
   nb::dict keywords;
   const auto add = [&](const auto& record) {
@@ -73,14 +63,8 @@ nb::object document_again(const NamedDocument& self) {
 void bind_document(nb::module_& m) {
   nb::class_<NamedDocument> bound(m, "FormulaDocument",
                                   "Formulas of an arm, written as a textbook does.");
-  text_property(bound, "title", &FormulaDocument::title, "Title.");
-  text_property(bound, "convention", &FormulaDocument::convention,
-                "How the transforms are composed.");
-  text_property(bound, "symbols", &FormulaDocument::symbols, "Constants that occur.");
-  text_property(bound, "abbreviations", &FormulaDocument::abbreviations,
-                "Such as c12 and cos(q1 + q2).");
-  text_property(bound, "notes", &FormulaDocument::notes, "Sentences at the end.");
-  text_property(bound, "sections", &FormulaDocument::sections, "Sections, in order.");
+  bind_part<FormulaDocument>(
+      bound, [](const NamedDocument& self) -> auto& { return self.text; });
   bound.def("__str__", [](const NamedDocument& self) { return text_of(self.text); });
   bound.def("__repr__", [](const NamedDocument& self) { return text_of(self.text); });
   Signature latex("latex", "str", "Returns the document as LaTeX that needs amsmath.");
@@ -219,8 +203,7 @@ void bind_determinant(nb::module_& m) {
         }
         return list;
       },
-      nb::for_getter(nb::sig("def factors(self) -> list[tuple[Expression, int]]")),
-      "Factors with their exponents.");
+      getter("factors", "list[tuple[Expression, int]]"), "Factors with their exponents.");
   bound.def_prop_ro(
       "expression",
       [](const NamedDeterminant& self) {
@@ -238,8 +221,7 @@ void bind_determinant(nb::module_& m) {
       [](const NamedDeterminant& self) {
         return Value<std::vector<std::string>>::to(self.text.sentences);
       },
-      nb::for_getter(nb::sig("def singularities(self) -> list[str]")),
-      "Where it is zero, in sentences.");
+      getter("singularities", "list[str]"), "Where it is zero, in sentences.");
   bind_text(bound);
   bound.def(
       "__reduce__",

@@ -23,8 +23,8 @@ inline constexpr const char* dq_doc = "Joint velocities, of the shape of q; zero
 template <class T, class MatrixOf>
 void bind_common(nb::class_<T>& bound, const char* sympy_type, MatrixOf matrix_of) {
   bound.def_prop_ro(
-      "arm", [](const T& self) { return self.arm; },
-      nb::for_getter(nb::sig("def arm(self) -> SymbolicArm")), "The arm that it is of.");
+      "arm", [](const T& self) { return self.arm; }, getter("arm", "SymbolicArm"),
+      "The arm that it is of.");
   Signature code("code", "GeneratedCode",
                  "Returns a function ARM_name(q) as code, with the joint velocities ARM_name(q, "
                  "dq) where they occur.");
@@ -44,8 +44,8 @@ void bind_common(nb::class_<T>& bound, const char* sympy_type, MatrixOf matrix_o
       nb::arg("numbers") = false);
   Signature lambdify(
       "lambdify", "collections.abc.Callable[..., typing.Any]",
-      "Returns a function of q, (n,) or (N, n), and of dq where joint velocities "
-      "occur: a number, or an array; (N, ...) for many. It needs numpy alone, and pickles.");
+      "Returns a function of q, (n,) or (N, n), and of dq where joint velocities occur: a number, "
+      "or an array; (N, ...) for many. It needs numpy alone, and pickles.");
   lambdify.takes("self");
   define(
       bound, [](nb::handle_t<T> self) { return formulas().attr("lambdified")(self); }, lambdify);

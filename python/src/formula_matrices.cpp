@@ -75,8 +75,7 @@ void bind_text(nb::class_<NamedMatrix>& bound) {
   bound.def_prop_ro(
       "latex",
       [](const NamedMatrix& self) { return formulas().attr("matrix_latex")(cells_of(self, true)); },
-      nb::for_getter(nb::sig("def latex(self) -> str")),
-      "The matrix as LaTeX, for mathematics mode.");
+      getter("latex", "str"), "The matrix as LaTeX, for mathematics mode.");
   bound.def(
       "_repr_latex_",
       [](nb::handle_t<NamedMatrix> self) {
@@ -126,7 +125,7 @@ void bind_matrices(nb::module_& m) {
   bound.def_prop_ro(
       "shape",
       [](const NamedMatrix& self) { return nb::make_tuple(self.value.rows, self.value.columns); },
-      nb::for_getter(nb::sig("def shape(self) -> tuple[int, int]")), "Rows and columns.");
+      getter("shape", "tuple[int, int]"), "Rows and columns.");
   bound.def(
       "__getitem__",
       [](const NamedMatrix& self, const nb::tuple& index) {

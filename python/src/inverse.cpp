@@ -263,10 +263,10 @@ void bind_solver(nb::module_& m) {
              "None");
   define(solver, &solve, one, nb::arg("world_T_tool"), nb::arg("seed") = nb::none());
 
-  Signature into("solve_into", "int",
-                 "For control loops: writes the solutions, nearest to the seed first, into the "
-                 "rows of `solutions`, as many as fit, without a diagnosis of failures. The other "
-                 "rows become NaN.");
+  Signature into(
+      "solve_into", "int",
+      "For control loops: writes the solutions, nearest to the seed first, into the rows of "
+      "`solutions`, as many as fit, without a diagnosis of failures. The other rows become NaN.");
   takes_pose(into.takes("self"))
       .takes("seed", array_like, "Configuration (n,).")
       .takes("solutions", array_type, "(n,), or (N, n) with the option `all`.")
@@ -274,12 +274,10 @@ void bind_solver(nb::module_& m) {
   define(solver, &solve_into, into, nb::arg("world_T_tool"), nb::arg("seed"), nb::arg("solutions"));
 
   solver.def_prop_ro(
-      "method", [](Solver& self) { return self.method(); },
-      nb::for_getter(nb::sig("def method(self) -> str")),
+      "method", [](Solver& self) { return self.method(); }, getter("method", "str"),
       "The closed form that the arm has, or `numerical`.");
   solver.def_prop_ro(
-      "arm", [](const Solver& self) { return self.arm(); },
-      nb::for_getter(nb::sig("def arm(self) -> Arm")), "The arm.");
+      "arm", [](const Solver& self) { return self.arm(); }, getter("arm", "Arm"), "The arm.");
   solver.def("__repr__", [](Solver& self) {
     return "InverseSolver(" + nb::cast<const Arm&>(self.arm()).name() + ", " + self.method() + ")";
   });
@@ -311,8 +309,7 @@ void bind_inverse(nb::module_& m) {
         return self.solutions.empty() ? nb::none()
                                       : Value<Configuration>::to(self.solutions.front());
       },
-      nb::for_getter(nb::sig(kept_text("def q(self) -> " + std::string(array_type) + " | None"))),
-      "The first solution (n,), or None.");
+      getter("q", std::string(array_type) + " | None"), "The first solution (n,), or None.");
   nb::class_<BatchInverseResult> many = bind_record<BatchInverseResult>(m);
   many.def_prop_ro(
       "has_solution",
@@ -320,13 +317,10 @@ void bind_inverse(nb::module_& m) {
         const nb::object first = self.q.array[nb::make_tuple(nb::ellipsis(), 0)];
         return nb::object(nb::module_::import_("numpy").attr("isfinite")(first));
       },
-      nb::for_getter(nb::sig("def has_solution(self) -> numpy.typing.NDArray[numpy.bool_]")),
+      getter("has_solution", "numpy.typing.NDArray[numpy.bool_]"),
       "Which poses have a solution (...).");
 
-  Signature one("inverse_kinematics", "InverseResult",
-                "Computes joint configurations that bring the tool to a pose. Every one is checked "
-                "by forward kinematics, finite and within limits. The method follows from the "
-                "arm's geometry: see InverseSolver.method.");
+  Signature one("inverse_kinematics", "InverseResult", comment("inverse_kinematics"));
   takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
   one.returns("True when solved.");
   define_on_arm(
@@ -350,7 +344,7 @@ void bind_inverse(nb::module_& m) {
       .keywords()
       .takes("layout", Value<PoseLayout>::type(),
              "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")
-      .takes("threads", "int", threads_doc, "0")
+      .member<&BatchOptions::threads>()
       .takes("out", std::string(array_type) + " | None", "Array for q.", "None")
       .progress()
       .options<InverseOptions>();

@@ -38,10 +38,7 @@ void bind_path_points(nb::module_& m) {
 }
 
 void bind_joint_splines(nb::module_& m) {
-  Signature spline("joint_spline", "JointPath",
-                   "Returns the cubic spline through the samples, twice continuously "
-                   "differentiable, with not-a-knot end conditions (de Boor, *A Practical Guide to "
-                   "Splines*, chapter IV). Three samples give a parabola, two a line.");
+  Signature spline("joint_spline", "JointPath", comment("joint_spline"));
   spline.takes("samples", array_like, "Configurations (N, n).")
       .takes("parameter", array_like, "Path parameter of each, strictly increasing, (N,).");
   define(
@@ -51,10 +48,10 @@ void bind_joint_splines(nb::module_& m) {
                             Value<std::vector<double>>::from(parameter, "parameter"));
       },
       spline, nb::arg("samples"), nb::arg("parameter"));
-  Signature smooth("smooth_derivatives", "JointPath",
-                   "Returns the path made four times continuously differentiable at its inner grid "
-                   "points by changing dq and ddq there; positions, and the derivatives at both "
-                   "ends, stay.");
+  Signature smooth(
+      "smooth_derivatives", "JointPath",
+      "Returns the path made four times continuously differentiable at its inner grid points by "
+      "changing dq and ddq there; positions, and the derivatives at both ends, stay.");
   smooth.takes("path", "JointPath", "Path.");
   define(
       m,
@@ -64,9 +61,9 @@ void bind_joint_splines(nb::module_& m) {
         return path;
       },
       smooth, nb::arg("path"));
-  Signature chord("chord_length", array_type,
-                  "Returns the arc length along the joint-space polyline, for each sample; 0 "
-                  "first.");
+  Signature chord(
+      "chord_length", array_type,
+      "Returns the arc length along the joint-space polyline, for each sample; 0 first.");
   chord.takes("samples", array_like, "Configurations (N, n).");
   define(
       m,

@@ -212,11 +212,10 @@ void takes_out(Signature& signature, const char* memory) {
   signature
       .takes("out", std::string(real_array) + " | None",
              std::string("Array for the result, of its shape and dtype (float32 for a q of "
-                         "float32), with any strides, "
-                         "apart from the arguments. ") +
+                         "float32), with any strides, apart from the arguments. ") +
                  memory,
              "None")
-      .takes("threads", "int", threads_doc, "0");
+      .member<&BatchOptions::threads>();
 }
 
 constexpr const char* as_returned =
@@ -244,8 +243,8 @@ void bind_kinematics(nb::module_& m) {
 
   Signature poses =
       batch_signature("link_poses", real_array,
-                      "Returns the poses of all links in the world, from link 0 (the "
-                      "base) to the last. The tool's is the last one times arm.tool.");
+                      "Returns the poses of all links in the world, from link 0 (the base) to the "
+                      "last. The tool's is the last one times arm.tool.");
   takes_layout(poses.keywords());
   takes_out(poses, as_returned);
   poses.returns("(m + 1, 4, 4) for m joints, mimic joints included, or (..., m + 1, 4, 4).");
@@ -255,11 +254,7 @@ void bind_kinematics(nb::module_& m) {
   Signature j = batch_signature("jacobian", real_array,
                                 "Returns the Jacobian: rows [vx vy vz wx wy wz], a column for each "
                                 "coordinate, in m and rad per unit of it (Dellaert, eq. 1.4).");
-  j.takes("frame", Value<Frame>::type(),
-          "`base`: the velocity of the tool's origin, in the world's axes; `tool`: in the tool's; "
-          "`space`: of the point of the tool at the world's origin, in the world's axes.",
-          "'base'")
-      .keywords();
+  j.choice<Frame>("frame", "", "'base'").keywords();
   takes_out(j, as_returned);
   j.returns("(6, n), or (..., 6, n).");
   define_on_arm(m, &jacobian_of, j, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base",

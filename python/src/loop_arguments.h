@@ -12,10 +12,14 @@ namespace beeline::python {
 // Python's lock is held during each step, so threads that share an object take turns.
 
 inline constexpr const char* configuration_doc = "Configuration (n,).";
-inline constexpr const char* loop_doc =
-    " No step allocates but for its result. One object serves one loop; threads that share it take "
-    "turns. A copy is independent, in the same state. It equals only itself, and has no "
-    "pickle: pickle what it is made of.";
+
+/// The docstring of a loop's class: the header's comment, and what differs in Python.
+inline const char* loop_class_doc(std::string_view name) {
+  return kept_text(std::string(comment(name)) +
+                   "\n\nIn Python a step allocates its result. Threads that share an object take "
+                   "turns. A copy is independent, in the same state. It equals only itself, and "
+                   "has no pickle: pickle what it is made of.");
+}
 
 /// A loop, and what it was made of, for its repr().
 template <class Loop>

@@ -25,8 +25,7 @@ NB_MODULE(_core, module) {
   import_numpy();
   nb::exception<Error> error(module, "Error", PyExc_ValueError);
   error.attr("__doc__") =
-      "Invalid input. The message names the culprit, its value, and the "
-      "accepted range or choices.";
+      "Invalid input. The message names the culprit, its value, and the accepted range or choices.";
   nb::exception<FileError> file_error(module, "FileError", error);
   file_error.attr("__doc__") =
       "Invalid input in a file. The message begins with its path and line.";

@@ -128,9 +128,9 @@ void bind_tool_path(nb::module_& m) {
           .takes("self"));
   add([](const ToolPath& self,
          nb::handle s) { return segment_at(with_segments(self), parameter_from(s)); },
-      Signature("segment_at", "int",
-                "Returns the index of the segment at s; where two meet, of the one that ends "
-                "there.")
+      Signature(
+          "segment_at", "int",
+          "Returns the index of the segment at s; where two meet, of the one that ends there.")
           .takes("self"));
   Signature back("reversed", "ToolPath",
                  "Returns the path traversed from its end to its beginning.");
@@ -155,12 +155,7 @@ void bind_paths_through(nb::module_& m) {
       },
       arc, nb::arg("from_"), nb::arg("passed"), nb::arg("to"));
 
-  Signature through("path_through", "ToolPath",
-                    "Returns the path through the poses in order. Lines and screws join "
-                    "neighbours; each arc takes two more poses, of the first of which only the "
-                    "position counts; a spline passes through all with continuous velocity and "
-                    "acceleration (related to Park and Ravani, \"Smooth invariant interpolation of "
-                    "rotations\", 1997).");
+  Signature through("path_through", "ToolPath", comment("path_through"));
   through.takes("poses", array_like, poses_doc)
       .takes("kind", Value<PathKind>::type(), "Kind of the segments.", "'line'")
       .keywords()
@@ -181,9 +176,9 @@ void bind_paths_through(nb::module_& m) {
       },
       through, nb::arg("poses"), nb::arg("kind") = "line", nb::kw_only(),
       nb::arg("first") = nb::none(), nb::arg("last") = nb::none());
-  Signature lines("lines_through", "ToolPath",
-                  "Returns straight lines through the poses in order; a pose may repeat the one "
-                  "before it.");
+  Signature lines(
+      "lines_through", "ToolPath",
+      "Returns straight lines through the poses in order; a pose may repeat the one before it.");
   lines.takes("poses", array_like, poses_doc);
   define(
       m, [](nb::handle poses) { return lines_through(poses_from(poses, "poses")); }, lines,
@@ -209,11 +204,7 @@ void bind_routes(nb::module_& m) {
         return route_of(with_segments(given), Value<PathKind>::from(kind, "kind"));
       },
       route, nb::arg("path"), nb::arg("kind") = "line");
-  Signature lines("blended_lines", "BlendedPath",
-                  "Returns the lines through the poses with blended corners. Relative to its "
-                  "corner a blend is x(s) = -f(1 - s) in + f(s) out with f(s) = 2 s^3 - s^4, `in` "
-                  "and `out` the vectors from its beginning to the corner and from there to its "
-                  "end.");
+  Signature lines("blended_lines", "BlendedPath", comment("blended_lines"));
   lines.takes("poses", array_like, poses_doc)
       .takes("within",
              argument_type<Deviation>() + " | collections.abc.Sequence[" +

@@ -9,11 +9,10 @@ namespace beeline::python {
 void bind_pids(nb::module_& m) {
   nb::class_<Described<Pid>> pid(
       m, "Pid",
-      "A PID controller in joint space, with its state: each step is kp e + ki sum "
-      "e + kd (e - last e) with the error e = goal - q (Dellaert, *Serial Link "
-      "Manipulators*, eq. 1.3). Angles are not wrapped. A copy is "
-      "independent, in the same state. It equals only itself, and has no pickle: pickle what it is "
-      "made of.");
+      "A PID controller in joint space, with its state: each step is kp e + ki sum e + kd (e - "
+      "last e) with the error e = goal - q (Dellaert, *Serial Link Manipulators*, eq. 1.3). Angles "
+      "are not wrapped. A copy is independent, in the same state. It equals only itself, and has "
+      "no pickle: pickle what it is made of.");
   Signature made("__init__", "None", "Starts a controller.");
   made.takes("self").takes("goal", array_like, configuration_doc).options<PidGains>();
   define(
@@ -24,16 +23,12 @@ void bind_pids(nb::module_& m) {
                                   options<PidGains>(keywords), to);
       },
       made, nb::arg("goal"), nb::arg("keywords"));
-  Signature start("start", "None",
-                  "Resets the state to q: the sum is zero, and q is the reference of the next "
-                  "difference.");
+  Signature start("start", "None", comment("Pid::start"));
   start.takes("self").takes("q", array_like, configuration_doc);
   define(
       pid, [](Described<Pid>& self, nb::handle q) { self.start(Numbers(q, "q")); }, start,
       nb::arg("q"));
-  Signature goal("set_goal", "None",
-                 "Changes the goal and keeps the state. The change does not enter the difference "
-                 "of the error.");
+  Signature goal("set_goal", "None", comment("Pid::set_goal"));
   goal.takes("self").takes("goal", array_like, configuration_doc);
   define(
       pid, [](Described<Pid>& self, nb::handle q) { self.set_goal(Numbers(q, "goal")); }, goal,

@@ -51,8 +51,8 @@ void SlicePlane::takes(Signature& signature) {
   signature.takes("axis", Value<WorldAxis>::type(), "The axis that the plane is perpendicular to.")
       .takes("at", "float", "Its coordinate, m, in the world.")
       .takes("measure", Value<ReachMeasure>::type(),
-             "The best of all orientations at a position; directions: the fraction of them that "
-             "is reached.",
+             "The best of all orientations at a position; directions: the fraction of them that is "
+             "reached.",
              "'directions'");
 }
 
@@ -80,14 +80,9 @@ void bind_placements(nb::module_& m) {
   nb::class_<PlacementResult> result = bind_record<PlacementResult>(m);
   result.def_prop_ro(
       "reason", [](const PlacementResult& self) { return Value<Reason>::to(reason_of(self)); },
-      nb::for_getter(nb::sig("def reason(self) -> Reason")),
+      getter("reason", "Reason"),
       "Why there is no placement, or why the search ended early; empty otherwise.");
-  Signature find("find_placements", "PlacementResult",
-                 "Finds mounts from which the arm of a map reaches all poses. The map ranks the "
-                 "mounts, by the number of poses whose cells are reached, then by the least margin "
-                 "of these cells; each placement is checked by the inverse kinematics of the poses "
-                 "themselves. Raises Error for a map with one orientation, an incomplete one, one "
-                 "of more than 5e8 cells, no poses, and more than 1e8 mounts.");
+  Signature find("find_placements", "PlacementResult", comment("find_placements"));
   find.takes("map", "ReachMap", "Of directions, headings or rolls.")
       .takes("poses", arm_poses_like, arm_poses_doc)
       .options<PlacementOptions>();
@@ -146,19 +141,16 @@ void bind_slices(nb::module_& m) {
       },
       of, nb::arg("map"), nb::arg("axis"), nb::arg("at"), nb::arg("measure") = "directions");
 
-  Signature figure("reach_figure", "Picture",
-                   "Draws a slice of a map: each position that is reached in the colour of its "
-                   "value, with a scale beside it, and the arm; or slices of two maps beside each "
-                   "other, with one scale. Raises Error for another number of slices, and for two "
-                   "of different measures or planes.");
+  Signature figure(
+      "reach_figure", "Picture",
+      "Draws a slice of a map: each position that is reached in the colour of its value, with a "
+      "scale beside it, and the arm; or slices of two maps beside each other, with one scale. "
+      "Raises Error for another number of slices, and for two of different measures or planes.");
   figure.takes("slice", "ReachSlice | " + Value<std::vector<SliceArray>>::argument_type(),
                "Of slice_of(), or the two of slices_of().");
   define(m, &picture_from, figure, nb::arg("slice"));
 
-  Signature image("write_vti", "None",
-                  "Writes the positions of a map as an image of VTK, which ParaView opens, with "
-                  "the cell data `directions`, `branches`, `manipulability` and `margin`. Raises "
-                  "Error for an incomplete map.");
+  Signature image("write_vti", "None", comment("write_vti"));
   image.takes("map", "ReachMap", "The map.").takes("path", path_like, "A .vti file.");
   define(
       m,

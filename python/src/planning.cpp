@@ -37,14 +37,7 @@ BranchOptions branch_options(const Arm& arm, const nb::kwargs& keywords) {
 }
 
 void bind_moves(nb::module_& m) {
-  Signature along(
-      "move_along", "PathMotion",
-      "Moves the tool along a path, at rest where the route stops, in the shortest time "
-      "that the profile and the joint limits allow. Within joint limits; "
-      "verify() proves that the tool stays within the tolerance at all times, "
-      "hence no change of branch can occur. Unknown limits are assumed. Raises Error "
-      "for a start outside the limits or with the tool elsewhere, and for a task that "
-      "the route's segments do not allow.");
+  Signature along("move_along", "PathMotion", comment("move_along"));
   along.takes("arm", "Arm", "The arm.")
       .takes("start", start_type(), start_doc)
       .takes("route", "Route", "See route_of().")
@@ -60,9 +53,9 @@ void bind_moves(nb::module_& m) {
 
   Signature lines(
       "move_in_lines", "PathMotion",
-      "Moves the tool in straight lines from its pose at `start` through the waypoints, "
-      "at rest at each; arrivals[i] belongs to waypoints[i]. Orientations follow the "
-      "shortest rotation. Without a start, from the first waypoint. See move_along().");
+      "Moves the tool in straight lines from its pose at `start` through the waypoints, at rest at "
+      "each; arrivals[i] belongs to waypoints[i]. Orientations follow the shortest rotation. "
+      "Without a start, from the first waypoint. See move_along().");
   lines.takes("arm", "Arm", "The arm.")
       .takes("start", start_type(),
              "Configuration (n,); None: the best one for the first waypoint.")
@@ -101,10 +94,7 @@ void bind_branches(nb::module_& m) {
       },
       plan, nb::arg("arm"), nb::arg("start").none(), nb::arg("path"), nb::arg("keywords"));
 
-  Signature map("branch_map", "list[Branch]",
-                "Computes all branches along a path with their reasons, best first: one for each "
-                "solution of inverse kinematics at the path's beginning, on a coarse grid of them "
-                "where the arm is redundant.");
+  Signature map("branch_map", "list[Branch]", comment("branch_map"));
   map.takes("arm", "Arm", "The arm.").takes("path", "ToolPath", "Path.").options<BranchOptions>();
   define(
       m,
@@ -115,12 +105,7 @@ void bind_branches(nb::module_& m) {
       },
       map, nb::arg("arm"), nb::arg("path"), nb::arg("keywords"));
 
-  Signature nearby(
-      "nearby_path", "NearbyPath | None",
-      "Searches for the shortest translation along one of the world's axes, up to "
-      "0.26 m, or, if `rotate`, the smallest rotation of the tool about one of its own "
-      "axes, up to 0.64 rad, with which plan_path() succeeds. With a start, the path's "
-      "first pose is kept and its first line leads to the moved path.");
+  Signature nearby("nearby_path", "NearbyPath | None", comment("nearby_path"));
   nearby.takes("arm", "Arm", "The arm.")
       .takes("start", start_type(), start_doc)
       .takes("path", "ToolPath", "Path.")

@@ -6,21 +6,10 @@ namespace beeline::python {
 namespace {
 
 nb::class_<Described<Player>> player_class(nb::module_& m) {
-  nb::class_<Described<Player>> player(
-      m, "Player",
-      kept_text(
-          std::string(
-              "Plays a recording in a control loop: first a point-to-point motion from the arm's "
-              "configuration to the recording's first sample, then the recording at a speed that "
-              "may "
-              "change while it runs, down to zero, which is a pause. The speed changes linearly, "
-              "within "
-              "the known acceleration limits. One object plays once.") +
-          loop_doc));
-  Signature made(
-      "__init__", "None",
-      "Starts at rest at `start`. Raises Error for a recording that does not fit the arm "
-      "or leaves its position limits, and a start outside them.");
+  nb::class_<Described<Player>> player(m, "Player", loop_class_doc("Player"));
+  Signature made("__init__", "None",
+                 "Starts at rest at `start`. Raises Error for a recording that does not fit the "
+                 "arm or leaves its position limits, and a start outside them.");
   made.summary_has_motions()
       .takes("self")
       .takes("arm", "Arm", "The arm.")
@@ -40,9 +29,7 @@ nb::class_<Described<Player>> player_class(nb::module_& m) {
 }
 
 void bind_loop(nb::class_<Described<Player>>& player) {
-  Signature step("step", "Command",
-                 "Advances by one time step and returns the set points at its end. Stays at the "
-                 "recording's end.");
+  Signature step("step", "Command", comment("Player::step"));
   step.takes("self").keywords().takes(
       "out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.", "None");
   define(
@@ -54,7 +41,7 @@ void bind_loop(nb::class_<Described<Player>>& player) {
         return command;
       },
       step, nb::kw_only(), nb::arg("out") = nb::none());
-  Signature speed("set_speed", "None", "Sets the target speed.");
+  Signature speed("set_speed", "None", comment("Player::set_speed"));
   speed.takes("self").takes("speed", "float", "From 0, a pause, to 1.");
   define(
       player,
@@ -62,8 +49,7 @@ void bind_loop(nb::class_<Described<Player>>& player) {
         self.set_speed(Value<double>::from(value, "speed"));
       },
       speed, nb::arg("speed"));
-  Signature measured("measured", "None",
-                     "Records a measured configuration, to be compared with the last command.");
+  Signature measured("measured", "None", comment("Player::measured"));
   measured.takes("self").takes("q", array_like, configuration_doc);
   define(
       player, [](Described<Player>& self, nb::handle q) { self.measured(Numbers(q, "q")); },

@@ -21,21 +21,11 @@ void of_format(nb::module_& m, Signature signature, const char* argument, Evalua
                  nb::handle millimetres) {
         return evaluate(value, format_from(unit, triple, pose_form, millimetres));
       },
-      signature
-          .takes("unit", Value<AngleUnit>::type(),
-                 "Of theta, roll, pitch and yaw. Rotation vectors are in radians and A, B, C in "
-                 "degrees always.",
-                 "'radians'")
-          .takes("triple", Value<Triple>::type(),
-                 "The meaning of three numbers without names: x,y,theta or x,y,z.", "'planar'")
+      signature.member<&PoseFormat::unit>()
+          .member<&PoseFormat::triple>()
           .keywords()
-          .takes("pose_form", Value<std::optional<PoseForm>>::type(),
-                 "The form of numbers without names: `rpy`, x,y,z,roll,pitch,yaw; `rotvec`, "
-                 "x,y,z,rx,ry,rz; `abc`, x,y,z,A,B,C of KUKA; `quaternion`, x,y,z,qw,qx,qy,qz; "
-                 "`matrix`, m11,m12,...,m44 row by row. Default: the one of as many numbers, of "
-                 "six `rpy`.",
-                 "None")
-          .takes("millimetres", "bool", "Positions are in millimetres instead of metres.", "False"),
+          .member<&PoseFormat::pose_form>()
+          .member<&PoseFormat::millimetres>(),
       nb::arg(argument), nb::arg("unit") = "radians", nb::arg("triple") = "planar", nb::kw_only(),
       nb::arg("pose_form") = nb::none(), nb::arg("millimetres") = false);
 }
@@ -44,16 +34,16 @@ void of_format(nb::module_& m, Signature signature, const char* argument, Evalua
 
 void bind_pose_lists(nb::module_& m) {
   bind_record<PoseList>(m);
-  of_format(m,
-            Signature("read_poses", "PoseList",
-                      "Reads a CSV file whose header names the columns of one form, in any order: "
-                      "x,y,theta; x,y,z,roll,pitch,yaw; x,y,z,qw,qx,qy,qz; x,y,z,rx,ry,rz; "
-                      "x,y,z,A,B,C; m11,m12,...,m44; x,y,z; x,y. Raises FileError for invalid "
-                      "lines, which it names.")
-                .takes("path", path_like, "Path."),
-            "path", [](nb::handle path, const PoseFormat& format) {
-              return read_poses(path_from(path, "path"), format);
-            });
+  of_format(
+      m,
+      Signature("read_poses", "PoseList",
+                "Reads a CSV file whose header names the columns of one form, in any order: "
+                "x,y,theta; x,y,z,roll,pitch,yaw; x,y,z,qw,qx,qy,qz; x,y,z,rx,ry,rz; x,y,z,A,B,C; "
+                "m11,m12,...,m44; x,y,z; x,y. Raises FileError for invalid lines, which it names.")
+          .takes("path", path_like, "Path."),
+      "path", [](nb::handle path, const PoseFormat& format) {
+        return read_poses(path_from(path, "path"), format);
+      });
   of_format(m,
             Signature("parse_pose", array_type,
                       "Returns the pose (4, 4) that 2, 3, 6, 7, 12 or 16 numbers separated by "

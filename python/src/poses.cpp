@@ -78,7 +78,7 @@ nb::object of_angles(double (*function)(double, double), nb::handle left, const 
 
 void bind_angles(nb::module_& m) {
   constexpr const char* number_or_array = "typing.Any";
-  Signature wrap("wrap_angle", number_or_array, "Returns the equivalent angle in [-pi, pi], rad.");
+  Signature wrap("wrap_angle", number_or_array, comment("wrap_angle"));
   wrap.takes("radians", array_like, "Angle, or an array of them.");
   define(
       m,
@@ -87,16 +87,12 @@ void bind_angles(nb::module_& m) {
         return of_angles(wrapped, angle, "radians", nb::float_(0), "radians");
       },
       wrap, nb::arg("radians"));
-  Signature difference("angle_difference", number_or_array,
-                       "Returns the rotation by the smallest angle that takes b to a, in [-pi, "
-                       "pi], rad (Dellaert, section 1.8).");
+  Signature difference("angle_difference", number_or_array, comment("angle_difference"));
   difference.takes("a", array_like, "Angle, or an array.").takes("b", array_like, "Likewise.");
   define(
       m, [](nb::handle a, nb::handle b) { return of_angles(&angle_difference, a, "a", b, "b"); },
       difference, nb::arg("a"), nb::arg("b"));
-  Signature nearest("nearest_angle", number_or_array,
-                    "Returns `radians` plus the multiple of 2 pi that brings it nearest to "
-                    "`reference`.");
+  Signature nearest("nearest_angle", number_or_array, comment("nearest_angle"));
   nearest.takes("radians", array_like, "Angle, or an array.")
       .takes("reference", array_like, "Likewise.");
   define(
@@ -109,8 +105,8 @@ void bind_angles(nb::module_& m) {
 
 void bind_orientations(nb::module_& m) {
   Signature made("make_pose", array_type,
-                 "Returns the pose with this position and orientation; without an orientation, "
-                 "the identity's.");
+                 "Returns the pose with this position and orientation; without an orientation, the "
+                 "identity's.");
   const std::string optional = std::string(array_like) + " | None";
   made.takes("position", array_like, "Metres, (3,).")
       .takes("rotation", optional, rotation_like, "None")
@@ -143,10 +139,10 @@ void bind_orientations(nb::module_& m) {
   define(
       m, [](nb::handle rotation) { return roll_pitch_yaw(rotation_from(rotation, "rotation")); },
       rpy, nb::arg("rotation"));
-  Signature of_quaternion("rotation_from_quaternion", array_type,
-                          "Returns the rotation (3, 3) of the quaternion qw + qx i + qy j + qz k, "
-                          "normalised. Raises Error when its length differs from 1 by more than "
-                          "1e-3.");
+  Signature of_quaternion(
+      "rotation_from_quaternion", array_type,
+      "Returns the rotation (3, 3) of the quaternion qw + qx i + qy j + qz k, normalised. Raises "
+      "Error when its length differs from 1 by more than 1e-3.");
   for (const char* name : {"qw", "qx", "qy", "qz"}) of_quaternion.takes(name, "float");
   define(
       m,
@@ -243,19 +239,19 @@ void bind_motions(nb::module_& m) {
         return Value<Twist>::to(adjoint(a_T_b, finite_from<Twist>(twist, "twist")));
       },
       ad, nb::arg("pose"), nb::arg("twist") = nb::none());
-  Signature line("interpolate", array_type,
-                 "Returns poses on the straight line from `start` (s = 0) to `end` (s = 1): the "
-                 "position moves at constant velocity, the orientation about a fixed axis, by at "
-                 "most pi.");
+  Signature line(
+      "interpolate", array_type,
+      "Returns poses on the straight line from `start` (s = 0) to `end` (s = 1): the position "
+      "moves at constant velocity, the orientation about a fixed axis, by at most pi.");
   line.takes("start", array_like, pose_doc)
       .takes("end", array_like, pose_doc)
       .takes("s", array_like, "A number, or an array of them.")
       .returns("(4, 4), or (..., 4, 4).");
   define(m, &interpolated, line, nb::arg("start"), nb::arg("end"), nb::arg("s"));
-  Signature difference("pose_difference", array_type,
-                       "Returns the difference of two poses of one frame, in that frame's axes: "
-                       "[p_to - p_from; log(R_to R_from^T)], (6,); of two Pose2 [dx dy dtheta], "
-                       "(3,).");
+  Signature difference(
+      "pose_difference", array_type,
+      "Returns the difference of two poses of one frame, in that frame's axes: [p_to - p_from; "
+      "log(R_to R_from^T)], (6,); of two Pose2 [dx dy dtheta], (3,).");
   difference.takes("to", std::string("Pose2 | ") + array_like, pose_doc)
       .takes("start", std::string("Pose2 | ") + array_like, pose_doc);
   define(

@@ -70,10 +70,10 @@ Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle
 }
 
 void bind_load(nb::class_<Program>& program) {
-  Signature load("load", "Program",
-                 "Reads a program file: a CSV file whose header names columns of poses and some of "
-                 "motion, relative, q, speed, blend, dwell. Raises FileError for invalid lines, "
-                 "which it names.");
+  Signature load(
+      "load", "Program",
+      "Reads a program file: a CSV file whose header names columns of poses and some of motion, "
+      "relative, q, speed, blend, dwell. Raises FileError for invalid lines, which it names.");
   load.takes("path", path_like, "Path.")
       .takes("arm", "Arm", "The arm.")
       .keywords()
@@ -103,11 +103,10 @@ void bind_programs(nb::module_& m) {
   bind_record<ProgramMotion>(m);
   Signature planned(
       "move_program", "ProgramMotion",
-      "Plans the moves of a program as one trajectory from rest to rest. A joint move "
-      "to a pose ends at a configuration from which the moves up to the next joint "
-      "move are possible; no other move changes the branch. verify() proves "
-      "the deviation of all moves but joint moves, with all pauses. Raises Error for "
-      "a program that makes no sense, whose move it names.");
+      "Plans the moves of a program as one trajectory from rest to rest. A joint move to a pose "
+      "ends at a configuration from which the moves up to the next joint move are possible; no "
+      "other move changes the branch. verify() proves the deviation of all moves but joint moves, "
+      "with all pauses. Raises Error for a program that makes no sense, whose move it names.");
   planned.takes("arm", "Arm", "The arm.")
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "

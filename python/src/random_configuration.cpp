@@ -33,9 +33,9 @@ nb::object random_configurations(const Arm& arm, nb::handle count, nb::handle se
 void bind_random_configurations(nb::module_& m) {
   Signature drawn(
       "random_configuration", array_type,
-      "Returns a configuration, or `count` of them, uniform within the position limits. "
-      "A joint without limits turns within a revolution, from -pi to pi; a slide moves "
-      "within 2 m, from -1 to 1; with one limit they are within one revolution or 2 m of it.");
+      "Returns a configuration, or `count` of them, uniform within the position limits. A joint "
+      "without limits turns within a revolution, from -pi to pi; a slide moves within 2 m, from -1 "
+      "to 1; with one limit they are within one revolution or 2 m of it.");
   drawn.takes("arm", "Arm", "The arm.")
       .takes("count", "int | None", "Number of rows; None: one configuration.", "None")
       .keywords()

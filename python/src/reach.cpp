@@ -55,7 +55,7 @@ void bind_kept(nb::class_<GridOfArm>& bound, const char* name, const std::string
       [name, get](nb::handle_t<GridOfArm> self) {
         return kept(self, name, [&] { return get(nb::cast<const GridOfArm&>(self).grid); });
       },
-      nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + type))), doc);
+      getter(name, type), doc);
 }
 
 /// The centres along an axis of the grid; a grid of the other kind has no such axis.
@@ -63,9 +63,9 @@ nb::object centres_along(const ReachGrid& grid, std::size_t axis, bool cylindric
                          const char* name) {
   if (grid.cylindrical() != cylindrical) {
     throw nb::attribute_error(
-        (std::string(grid.cylindrical() ? "positions by azimuths have radius, height and "
-                                          "azimuth, not "
-                                        : "a box of positions has x, y and z, not ") +
+        (std::string(grid.cylindrical()
+                         ? "positions by azimuths have radius, height and azimuth, not "
+                         : "a box of positions has x, y and z, not ") +
          name)
             .c_str());
   }
@@ -83,11 +83,10 @@ void bind_coordinates(nb::class_<GridOfArm>& grid) {
     bind_kept(grid, names[k], array_type, doc,
               [k](const ReachGrid& self) { return centres_along(self, k % 3, k >= 3, names[k]); });
   }
-  bind_kept(
-      grid, "directions", array_type,
-      "The tool's z axis of each direction or heading, unit vectors (n, 3); with azimuths, at "
-      "azimuth 0.",
-      direction_rows);
+  bind_kept(grid, "directions", array_type,
+            "The tool's z axis of each direction or heading, unit vectors (n, 3); with azimuths, "
+            "at azimuth 0.",
+            direction_rows);
   bind_kept(grid, "fractions", array_type,
             "The fraction of all directions that each stands for, (n,).",
             [](const ReachGrid& self) {
@@ -121,17 +120,14 @@ void bind_counts(nb::class_<GridOfArm>& grid) {
         const auto& axes = self.grid.axes();
         return Value<std::vector<ReachAxis>>::to({axes.begin(), axes.end()});
       },
-      nb::for_getter(nb::sig("def axes(self) -> list[ReachAxis]")),
-      "The cells along x, y and z, or radius, height and azimuth.");
+      getter("axes", "list[ReachAxis]"), comment("ReachGrid::axes"));
   grid.def_prop_ro(
       "cylindrical", [](const GridOfArm& self) { return self.grid.cylindrical(); },
-      "Whether positions are radius, height and azimuth; orientations then turn with the "
-      "azimuth.");
+      "Whether positions are radius, height and azimuth; orientations then turn with the azimuth.");
   grid.def_prop_ro(
       "orientations",
       [](const GridOfArm& self) { return Value<ReachOrientations>::to(self.grid.orientations()); },
-      nb::for_getter(
-          nb::sig(kept_text("def orientations(self) -> " + Value<ReachOrientations>::type()))),
+      getter("orientations", Value<ReachOrientations>::type()),
       "How the cells are orientated: all alike, headings of a planar arm, tool directions with any "
       "roll, tool directions with rolls, or any way.");
   grid.def_prop_ro(
@@ -140,7 +136,7 @@ void bind_counts(nb::class_<GridOfArm>& grid) {
         return nb::tuple(nb::cast<nb::list>(
             Value<std::vector<Index>>::to(cells_shape(self.grid, self.grid.positions()))));
       },
-      nb::for_getter(nb::sig("def shape(self) -> tuple[int, ...]")),
+      getter("shape", "tuple[int, ...]"),
       "Of arrays of all cells: along the three axes, then the direction or heading, then the roll, "
       "where the grid has them.");
   grid.def_prop_ro(
@@ -169,9 +165,9 @@ void bind_places(nb::class_<GridOfArm>& grid) {
             self.grid.cell_of(Value<Pose>::from(tool, "world_T_tool")));
       },
       cell, nb::arg("world_T_tool"));
-  Signature position("position_of", "int | None",
-                     "Returns the number of the position whose cell contains a point; None for a "
-                     "point outside.");
+  Signature position(
+      "position_of", "int | None",
+      "Returns the number of the position whose cell contains a point; None for a point outside.");
   position.takes("self").takes("point", array_like, "m, in the world, (3,).");
   define(
       grid,
@@ -231,15 +227,15 @@ CellArrays computed_cells(const Arm& arm, const ReachGrid& grid, nb::handle firs
 }
 
 void bind_cells(nb::module_& m) {
-  Signature cells("reach_cells", "ReachCells",
-                  "Computes what an arm can do at the cells of a range of positions. Where any "
-                  "roll will do, a direction is reached if some value of the last joint reaches "
-                  "it, and the margin is that of the other joints. Raises Error for positions that "
-                  "the grid does not have, for an arm with fewer joints than a pose has "
-                  "components, without rolls for an arm whose last joint does not turn about the "
-                  "tool's z axis, for azimuths of an arm whose solutions cannot all be computed, "
-                  "and by sampling for azimuths, one orientation, and a joint without position "
-                  "limits that is not revolute or that others follow.");
+  Signature cells(
+      "reach_cells", "ReachCells",
+      "Computes what an arm can do at the cells of a range of positions. Where any roll will do, a "
+      "direction is reached if some value of the last joint reaches it, and the margin is that of "
+      "the other joints. Raises Error for positions that the grid does not have, for an arm with "
+      "fewer joints than a pose has components, without rolls for an arm whose last joint does not "
+      "turn about the tool's z axis, for azimuths of an arm whose solutions cannot all be "
+      "computed, and by sampling for azimuths, one orientation, and a joint without position "
+      "limits that is not revolute or that others follow.");
   cells.takes("arm", "Arm", "The arm.")
       .takes("grid", "ReachGrid", "The cells.")
       .takes("first", "int", "First position.", "0")
@@ -294,18 +290,16 @@ void bind_reach(nb::module_& m) {
       [](const ReachAxis& self) {
         return numbers(self.cells, [&](Index i) { return self.centre(i); });
       },
-      nb::for_getter(nb::sig(kept_text("def centres(self) -> " + std::string(array_type)))),
-      "Coordinates of the centres, m.");
+      getter("centres", std::string(array_type)), "Coordinates of the centres, m.");
   nb::class_<GridOfArm> grid(
       m, "ReachGrid", nb::dynamic_attr(),
       "The cells of a map of an arm in its world: positions on a grid and, at each of them, the "
       "same orientations. Cell numbers are those of the flattened array of `shape`.");
   Signature made("__init__", "None",
-                 "Makes the grid. Raises Error for an orientation together with directions, "
-                 "rolls or azimuths, azimuths of an arm whose first joint does not turn about an "
-                 "axis parallel to z, a box that is empty or without bounds, more than a million "
-                 "cells along an "
-                 "axis, and more than 2^52 in all.");
+                 "Makes the grid. Raises Error for an orientation together with directions, rolls "
+                 "or azimuths, azimuths of an arm whose first joint does not turn about an axis "
+                 "parallel to z, a box that is empty or without bounds, more than a million cells "
+                 "along an axis, and more than 2^52 in all.");
   made.takes("self").takes("arm", "Arm", "The arm.").options<ReachGridOptions>();
   define(
       grid,

@@ -46,8 +46,8 @@ std::vector<Index> cells_shape(const ReachGrid& grid, Index count) {
   const double cells = static_cast<double>(count) * static_cast<double>(at_position(grid));
   if (cells > most_cells) {
     throw Error(number(cells) +
-                " cells are more than the 4e9 that are kept in memory; "
-                "compute_reach_map() writes them to a file");
+                " cells are more than the 4e9 that are kept in memory; compute_reach_map() writes "
+                "them to a file");
   }
   return with_orientations(positions_shape(grid, count), grid);
 }

@@ -26,10 +26,10 @@ void bind_comparison(nb::module_& m) {
   bind_record<ReachComparison>(m);
   Signature compare = of_two_maps(
       "compare_reach", "ReachComparison",
-      std::string("Compares the maps of two arms, or of one with two mounts or tools, in the same "
-                  "world: at the centres of cells that cover both, each map with the position that "
-                  "contains the point. Maps of the same box are compared cell by cell. Raises "
-                  "Error ") +
+      std::string(
+          "Compares the maps of two arms, or of one with two mounts or tools, in the same world: "
+          "at the centres of cells that cover both, each map with the position that contains the "
+          "point. Maps of the same box are compared cell by cell. Raises Error ") +
           not_comparable + "and for more than 1e8 points.");
   define(
       m,
@@ -38,11 +38,10 @@ void bind_comparison(nb::module_& m) {
       },
       compare, nb::arg("first"), nb::arg("second"));
 
-  Signature slices = of_two_maps(
-      "slices_of", "tuple[ReachSlice, ReachSlice]",
-      std::string("Returns the slices of two maps at the same cells, those of compare_reach(). "
-                  "Raises Error ") +
-          not_comparable + "and for a coordinate outside both.");
+  Signature slices = of_two_maps("slices_of", "tuple[ReachSlice, ReachSlice]",
+                                 std::string("Returns the slices of two maps at the same cells, "
+                                             "those of compare_reach(). Raises Error ") +
+                                     not_comparable + "and for a coordinate outside both.");
   SlicePlane::takes(slices);
   define(
       m,

@@ -32,11 +32,11 @@ void join_maps(const std::vector<std::string>&, const std::string&, bool) { refu
 constexpr const char* without_hdf5 = "and in a build without HDF5";
 
 void bind_merging(nb::module_& m) {
-  Signature merge("merge_reach_maps", "None",
-                  std::string("Joins files that hold parts of one map into one file. Raises Error "
-                              "for parts of different maps, where parts are missing unless "
-                              "`incomplete`, ") +
-                      without_hdf5 + ".");
+  Signature merge(
+      "merge_reach_maps", "None",
+      std::string("Joins files that hold parts of one map into one file. Raises Error for parts of "
+                  "different maps, where parts are missing unless `incomplete`, ") +
+          without_hdf5 + ".");
   merge.takes("parts", "collections.abc.Sequence[str | os.PathLike[str]]", "The files.")
       .takes("path", path_like, "The file that is written.")
       .takes("incomplete", "bool", "Parts may be missing.", "False");
@@ -74,12 +74,11 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
 
   Signature compute(
       "compute_reach_map", Value<Ending>::type(),
-      std::string(
-          "Computes a map, or a part of it, into an HDF5 file. The folder `path`.parts "
-          "holds what is computed, which a call continues that follows one that was ended "
-          "or killed; its slabs are deleted in the end. The memory needed does not depend on the "
-          "size of the map. Raises Error as reach_cells() does, for a shard that does not "
-          "exist, for a folder with parts of another map, ") +
+      std::string("Computes a map, or a part of it, into an HDF5 file. The folder `path`.parts "
+                  "holds what is computed, which a call continues that follows one that was ended "
+                  "or killed; its slabs are deleted in the end. The memory needed does not depend "
+                  "on the size of the map. Raises Error as reach_cells() does, for a shard that "
+                  "does not exist, for a folder with parts of another map, ") +
           without_hdf5 + ".");
   compute.takes("arm", "Arm", "The arm.")
       .takes("grid", "ReachGrid", "The cells.")

@@ -77,7 +77,7 @@ void bind_arrays(nb::class_<ReachMap>& map) {
         [member](nb::handle_t<ReachMap> self) {
           return read_only((all_cells(self).*member).array);
         },
-        nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + type))), doc);
+        getter(name, type), doc);
   };
   add("branches", &CellArrays::branches, Value<KeptArray<std::uint8_t>>::type(),
       "Number of solutions in each cell, of the shape grid.shape; 0: not reached. Read from a file "
@@ -94,34 +94,25 @@ void bind_header(nb::class_<ReachMap>& map) {
       [](nb::handle_t<ReachMap> self) {
         return kept(self, "arm", [&] { return nb::cast(nb::cast<const ReachMap&>(self).arm()); });
       },
-      nb::for_getter(nb::sig("def arm(self) -> Arm")), "The arm.");
+      getter("arm", "Arm"), "The arm.");
   map.def_prop_ro(
       "grid",
       [](nb::handle_t<ReachMap> self) {
         return kept(self, "grid",
                     [&] { return nb::cast(grid_of(nb::cast<const ReachMap&>(self))); });
       },
-      nb::for_getter(nb::sig("def grid(self) -> ReachGrid")), "The cells.");
-  const auto add = [&map]<class M>(const Field<MapOptions, M>& field) {
-    const auto member = field.member;
-    map.def_prop_ro(
-        field.name,
-        [member](const ReachMap& self) { return Value<M>::to(options_of(self).*member); },
-        nb::for_getter(
-            nb::sig(kept_text("def " + std::string(field.name) + "(self) -> " + Value<M>::type()))),
-        field.doc);
-  };
-  std::apply([&](const auto&... field) { (add(field), ...); }, Fields<MapOptions>::all());
+      getter("grid", "ReachGrid"), "The cells.");
+  bind_part<MapOptions>(map, &options_of);
   map.def_prop_ro(
       "path", [](const ReachMap& self) { return Value<std::string>::to(self.path()); },
-      nb::for_getter(nb::sig("def path(self) -> str")), "Of the file; empty for a map in memory.");
+      getter("path", "str"), "Of the file; empty for a map in memory.");
   map.def_prop_ro(
       "slabs",
       [](const ReachMap& self) {
         return nb::object(nb::module_::import_("numpy").attr("array")(
             Value<std::vector<bool>>::to(self.slabs()), nb::arg("dtype") = "bool"));
       },
-      nb::for_getter(nb::sig("def slabs(self) -> numpy.typing.NDArray[numpy.bool_]")),
+      getter("slabs", "numpy.typing.NDArray[numpy.bool_]"),
       "Whether each part of the map is here: a file may hold some of them.");
   map.def_prop_ro("complete", &ReachMap::complete, "Whether all are.");
 }
@@ -136,9 +127,7 @@ void bind_reading(nb::class_<ReachMap>& map) {
         return self.totals();
       },
       totals);
-  Signature cells("cells", "ReachCells",
-                  "Reads the cells of the positions from `first` to `last`, exclusive. Raises "
-                  "Error for positions that the grid does not have or the file does not hold.");
+  Signature cells("cells", "ReachCells", comment("ReachMap::cells"));
   cells.takes("self")
       .takes("first", "int", "First position.", "0")
       .takes("last", "int | None", "The one after the last position; None: all.", "None");

@@ -115,7 +115,7 @@ struct Value<T> {
 
 template <class T, class M>
 void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
-  const char* sig = kept_text("def " + std::string(field.name) + "(self) -> " + Value<M>::type());
+  const auto sig = getter(field.name, Value<M>::type());
   const auto member = field.member;
   if constexpr (requires { Value<M>::large; } || is_described<M>) {
     const char* name = field.name;
@@ -126,12 +126,24 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
           const T* value = nb::inst_ptr<T>(self);
           return kept(self, name, [&] { return Value<M>::to(value->*member); });
         },
-        nb::for_getter(nb::sig(sig)), field.doc);
+        sig, member_doc(field));
   } else {
     bound.def_prop_ro(
-        field.name, [member](const T& self) { return read_only(Value<M>::to(self.*member)); },
-        nb::for_getter(nb::sig(sig)), field.doc);
+        field.name, [member](const T& self) { return read_only(Value<M>::to(self.*member)); }, sig,
+        member_doc(field));
   }
+}
+
+/// Adds the members of a struct that get(object) returns, as read-only attributes.
+template <class Part, class T, class Get>
+void bind_part(nb::class_<T>& bound, Get get) {
+  const auto add = [&]<class M>(const Field<Part, M>& field) {
+    const auto member = field.member;
+    bound.def_prop_ro(
+        field.name, [member, get](const T& self) { return Value<M>::to(get(self).*member); },
+        getter(field.name, Value<M>::type()), member_doc(field));
+  };
+  std::apply([&](const auto&... field) { (add(field), ...); }, Fields<Part>::all());
 }
 
 /// Adds ==, by `same(a, b)`, of objects that have no hash.
@@ -175,7 +187,7 @@ void bind_text(nb::class_<T>& bound) {
   }
   if constexpr (std::is_constructible_v<bool, T>) {
     bound.def(
-        "__bool__", [](const T& self) { return static_cast<bool>(self); }, Described::truth);
+        "__bool__", [](const T& self) { return static_cast<bool>(self); }, struct_doc<T>("bool"));
   }
 }
 
@@ -196,7 +208,7 @@ T restored(const nb::tuple& state) {
   return result;
 }
 
-/// The tuple of all members, which copies and pickles need.
+/// Which copies and pickles need.
 template <class T>
 nb::tuple state_of(const T& value) {
   return std::apply(
@@ -219,12 +231,11 @@ void bind_state(nb::class_<T>& bound) {
 template <class T>
 nb::class_<T> bind_record(nb::module_& module) {
   using Described = Fields<T>;
-  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
+  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), struct_doc<T>());
   if constexpr (has_trajectory<T>) {
     bound.def_prop_ro(
         "duration", [](const T& self) { return duration_of(self.trajectory); },
-        nb::for_getter(nb::sig("def duration(self) -> float")),
-        "Of the trajectory, s; 0 without samples.");
+        getter("duration", "float"), "Of the trajectory, s; 0 without samples.");
   }
   std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
   if constexpr (is_constructible<T>) {

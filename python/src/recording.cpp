@@ -111,15 +111,14 @@ void takes_matching(Signature& signature) {
 }
 
 void bind_loading(nb::class_<Trajectory>& trajectory) {
-  const std::string text =
-      std::string(
-          "Reads a trajectory from a file: .csv, with columns t, then the joints' names, NAME_vel "
-          "and NAME_acc where known; .json and .yaml, the message trajectory_msgs/JointTrajectory "
-          "of ROS. ") +
-      tables +
-      " With an arm the trajectory is matched_to() it; only then may a table have no header, and "
-      "a RecordingWarning is issued for each note of read_recording(). Raises FileError for "
-      "invalid lines, which it names.";
+  const std::string text = std::string(
+                               "Reads a trajectory from a file: .csv, with columns t, then the "
+                               "joints' names, NAME_vel and NAME_acc where known; .json and .yaml, "
+                               "the message trajectory_msgs/JointTrajectory of ROS. ") +
+                           tables +
+                           " With an arm the trajectory is matched_to() it; only then may a table "
+                           "have no header, and a RecordingWarning is issued for each note of "
+                           "read_recording(). Raises FileError for invalid lines, which it names.";
   Signature load("load", "Trajectory", text);
   load.takes("path", path_like, "Its ending determines the format.")
       .takes("arm", "Arm | None", "The arm.", "None");

@@ -12,8 +12,6 @@ namespace beeline::python {
 /// What arguments of configurations are, in signatures' documentation.
 inline constexpr const char* configurations_doc =
     "Configuration (n,), or many (..., n), rad and m, within limits or not.";
-inline constexpr const char* threads_doc =
-    "Of a batch; 0: one for each core. The results do not depend on it.";
 
 /// Configurations (n,) or (..., n) of an arm, float64, or float32 where accepted. Throws Error for
 /// another last dimension, and for one configuration that is not finite.

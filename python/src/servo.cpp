@@ -24,19 +24,7 @@ ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
 }
 
 nb::class_<Described<Servo>> servo_class(nb::module_& m) {
-  nb::class_<Described<Servo>> servo(
-      m, "Servo",
-      kept_text(
-          std::string(
-              "Cartesian velocity control: converts tool velocities into joint velocities within "
-              "the "
-              "arm's limits, in a control loop. Each step maximises alpha in [0, 1] subject to J "
-              "qdot = "
-              "alpha v and the limits of velocity, acceleration and position: the tool keeps the "
-              "direction of the command v and slows down. A redundant arm moves away from its "
-              "position "
-              "limits (Liegeois 1977).") +
-          loop_doc));
+  nb::class_<Described<Servo>> servo(m, "Servo", loop_class_doc("Servo"));
   Signature made("__init__", "None", "Starts a loop of an arm at rest.");
   made.takes("self").takes("arm", "Arm", "The arm.").options<ServoOptions>();
   define(
@@ -69,9 +57,7 @@ void bind_steps(nb::class_<Described<Servo>>& servo) {
         });
       },
       step, nb::arg("q"), nb::arg("command"), nb::kw_only(), nb::arg("out") = nb::none());
-  Signature towards("step_towards", "ServoStep",
-                    "Moves towards a pose: the command is gain times the pose error, within the "
-                    "bounds on its speed.");
+  Signature towards("step_towards", "ServoStep", comment("Servo::step_towards"));
   towards.takes("self")
       .takes("q", array_like, configuration_doc)
       .takes("world_T_tool", arm_pose_like, arm_pose_doc)
@@ -89,8 +75,7 @@ void bind_steps(nb::class_<Described<Servo>>& servo) {
 }
 
 void bind_velocity(nb::class_<Described<Servo>>& servo) {
-  Signature velocity("set_velocity", "None",
-                     "Sets the arm's current velocity, which is zero at first.");
+  Signature velocity("set_velocity", "None", comment("Servo::set_velocity"));
   velocity.takes("self").takes("velocity", array_like, "rad/s or m/s, (n,).");
   define(
       servo,

@@ -13,21 +13,21 @@ const char* kept_text(std::string text) {
   return texts.emplace_back(std::move(text)).c_str();
 }
 
-std::string default_text(nb::handle value) {
+std::string source_of(nb::handle value) {
   if (PyFloat_Check(value.ptr()) && std::isinf(nb::cast<double>(value))) {
     return nb::cast<double>(value) > 0 ? "float('inf')" : "float('-inf')";
   }
   const bool simple = value.is_none() || PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
-                      PyUnicode_Check(value.ptr());
+                      PyUnicode_Check(value.ptr()) || PyTuple_Check(value.ptr());
   return simple ? nb::repr(value).c_str() : "...";
 }
 
 Signature::Signature(std::string name, std::string returns, std::string summary)
     : name_(std::move(name)), returns_(std::move(returns)), summary_(std::move(summary)) {
-  const std::size_t end = summary_.rfind(" Raises ");
-  if (end == std::string::npos) return;
-  refused_ = summary_.substr(end + 8);
-  summary_.erase(end);
+  const std::size_t end = summary_.rfind("Raises ");
+  if (end == std::string::npos || end == 0) return;
+  refused_ = summary_.substr(end + 7);
+  summary_.erase(summary_.find_last_not_of(" \n", end - 1) + 1);
 }
 
 void Signature::refuses(const std::string& name, const std::string& type) {
@@ -127,13 +127,9 @@ Signature& Signature::returns(std::string doc) {
 
 void Signature::budget(bool reports) {
   takes("time_limit", "float | None",
-        "Seconds after which the search ends. What it ends depends "
-        "on the machine.",
-        "None");
+        "Seconds after which the search ends. What it ends depends on the machine.", "None");
   takes("max_work", "int | None",
-        "Units of work, of some microseconds each, after which the "
-        "search ends.",
-        "None");
+        "Units of work, of some microseconds each, after which the search ends.", "None");
   if (reports) progress();
 }
 

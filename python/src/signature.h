@@ -8,59 +8,32 @@
 #include <beeline/budget.h>
 
 #include "class_argument.h"
-#include "value.h"
+#include "fields.h"
 
 namespace beeline::python {
-
-/// One public member of a struct: its name in C++ and in Python, and its meaning.
-template <class T, class M>
-struct Field {
-  const char* name;
-  M T::*member;
-  const char* doc;
-};
-template <class T, class M>
-constexpr Field<T, M> field(const char* name, M T::*member, const char* doc) {
-  return {name, member, doc};
-}
-
-/// Describes a struct once, for its Python class, for keyword arguments, signatures and docstrings:
-/// `name`, `doc`, `all()`, a tuple of Field; where users make such objects, `constructible`, by
-/// keywords, or `required`, the number of members that must be given, by position too; `as_tuple`
-/// where an argument may be the tuple of its members;
-/// `truth`, the meaning of its truth value, where it has one; `check`, a function that throws for
-/// values that such an object cannot have. A member of type Budget stands for the keywords
-/// time_limit, max_work and progress.
-template <class T>
-struct Fields;
-
-template <class T>
-inline constexpr bool is_described = requires {
-  Fields<T>::name;
-};
-
-/// The number of members that the constructor needs.
-template <class T>
-constexpr std::size_t required_members = 0;
-template <class T>
-requires requires { Fields<T>::required; }
-inline constexpr std::size_t required_members<T> = Fields<T>::required;
-
-/// The type of the member that a field describes.
-template <class F>
-struct MemberOf;
-template <class T, class M>
-struct MemberOf<Field<T, M>> {
-  using Type = M;
-};
-template <class F>
-using MemberType = typename MemberOf<std::decay_t<F>>::Type;
 
 /// Keeps a text for the life of the process, as nanobind needs.
 const char* kept_text(std::string text);
 
-/// The default of an option as Python source; `...` for one that is not a plain value.
-std::string default_text(nb::handle value);
+/// The signature of an attribute, for nanobind.
+inline auto getter(const std::string& name, const std::string& type) {
+  return nb::for_getter(nb::sig(kept_text("def " + name + "(self) -> " + type)));
+}
+
+/// A value as Python source; `...` for one that is not plain.
+std::string source_of(nb::handle value);
+
+/// The tuple of all members, in record.h.
+template <class T>
+nb::tuple state_of(const T& value);
+template <class M>
+std::string default_text(const M& value) {
+  if constexpr (requires { Fields<M>::as_tuple; }) {
+    return source_of(state_of(value));
+  } else {
+    return source_of(Value<M>::to(value));
+  }
+}
 
 /// Whether a computation with these options calls `progress`; else that is no keyword of it.
 template <class Options>
@@ -78,6 +51,13 @@ class Signature {
   /// Adds a parameter. Without `fallback` it is required.
   Signature& takes(const std::string& name, const std::string& type = "",
                    const std::string& doc = "", const std::string& fallback = "");
+  /// Adds a parameter that sets a member of a struct, with its comment and default.
+  template <auto Member>
+  Signature& member() {
+    using T = decltype(struct_of(Member));
+    option(T{}, field<Member>(Member), false);
+    return *this;
+  }
   /// The parameters that follow are keywords.
   Signature& keywords();
   /// Adds a keyword for each field.
@@ -99,6 +79,12 @@ class Signature {
   }
   /// The keyword `progress`, which options() has with a budget.
   Signature& progress();
+  /// Adds a parameter with the names of an enumeration, and what the header says of them.
+  template <class Enum>
+  Signature& choice(const std::string& name, const std::string& doc,
+                    const std::string& fallback = "") {
+    return takes(name, Value<Enum>::type(), with_choices<Enum>(doc), fallback);
+  }
   /// What is returned, in one sentence.
   Signature& returns(std::string doc);
   /// Any numbers are accepted, finite or not: arguments are refused for their shapes only.
@@ -120,8 +106,9 @@ class Signature {
     if constexpr (std::is_same_v<M, Budget>) {
       budget(reports<T>);
     } else {
-      takes(field.name, argument_type<M>(), field.doc,
-            required ? "" : default_text(Value<M>::to(defaults.*field.member)));
+      std::string fallback;
+      if (!required) fallback = default_text(defaults.*field.member);
+      takes(field.name, argument_type<M>(), member_doc(field), fallback);
     }
   }
   void budget(bool reports);
@@ -210,15 +197,7 @@ struct BudgetOptions {
 template <>
 inline constexpr bool reports<BudgetOptions> = false;
 template <>
-struct Fields<BudgetOptions> {
-  static constexpr const char* name = "BudgetOptions";
-  static constexpr auto all() { return std::tuple(field("budget", &BudgetOptions::budget, "")); }
-};
-
-template <>
-inline std::vector<Ending> choices() {
-  return {Ending::complete, Ending::time_limit, Ending::cancelled, Ending::work_limit};
-}
+struct Fields<BudgetOptions> : Members<&BudgetOptions::budget> {};
 
 /// Sets the member of `result` that the keyword names; returns whether there is one. Adds the names
 /// of all members to `names`.

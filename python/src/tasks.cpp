@@ -37,8 +37,7 @@ std::vector<std::string> row_names_of(nb::handle rows) {
 
 void bind_measures(nb::module_& m) {
   Signature measures("manipulability_measures", "ManipulabilityMeasures",
-                     "Returns the measures of a Jacobian, or of some of its rows. Linear and "
-                     "angular rows have different units: see task_jacobian().");
+                     comment("manipulability_measures"));
   measures.takes("jacobian", array_like, matrix_doc);
   define(
       m,
@@ -47,8 +46,7 @@ void bind_measures(nb::module_& m) {
       },
       measures, nb::arg("jacobian"));
   Signature ellipsoids("manipulability_ellipsoids", "ManipulabilityEllipsoids",
-                       "Returns the ellipsoids of a Jacobian; take its linear or angular rows, as "
-                       "their units differ.");
+                       comment("manipulability_ellipsoids"));
   ellipsoids.takes("jacobian", array_like, matrix_doc);
   define(
       m,
@@ -74,10 +72,7 @@ void bind_measures(nb::module_& m) {
 void bind_rates(nb::module_& m) {
   bind_record<RateExcess>(m);
   bind_record<JointRates>(m);
-  Signature rates("joint_rates", "JointRates",
-                  "Computes the joint rates that move the tool at a velocity, J dq = v (Whitney, "
-                  "1969), of a redundant arm the smallest. Raises Error for a task in the tool's "
-                  "axes with another frame.");
+  Signature rates("joint_rates", "JointRates", comment("joint_rates"));
   rates.takes("arm", "Arm", "The arm.")
       .takes("q", array_like, "Configuration (n,).")
       .takes("velocity", array_like,
@@ -141,7 +136,7 @@ void bind_errors(nb::module_& m) {
             task_rows(Value<Task>::from(task, "task"), Value<Twist>::from(twist, "twist")));
       },
       rows, nb::arg("task"), nb::arg("twist"));
-  Signature inside("within", "bool", "Whether neither part exceeds that of the tolerance.");
+  Signature inside("within", "bool", comment("within"));
   inside.takes("deviation", "Deviation").takes("tolerance", "Deviation");
   define(m, &within, inside, nb::arg("deviation"), nb::arg("tolerance"));
 }

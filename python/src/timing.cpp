@@ -52,10 +52,7 @@ PointToPoint planned(nb::handle arm, nb::handle from, nb::handle to, nb::handle 
 void bind_curves(nb::module_& m) {
   nb::class_<SCurve> curve = bind_record<SCurve>(m);
   bind_record<JointState>(m);
-  Signature made("s_curve", "SCurve",
-                 "Minimises the duration over `distance` subject to abs(v) <= velocity, abs(a) <= "
-                 "acceleration, abs(j) <= jerk, in closed form. Without a jerk limit the velocity "
-                 "is a trapezoid, without an acceleration limit as well it is a step.");
+  Signature made("s_curve", "SCurve", comment("s_curve"));
   made.takes("distance", "float", "rad or m.")
       .takes("limits", "Limits", "Position limits are ignored; at least one other is finite.");
   define(
@@ -64,8 +61,7 @@ void bind_curves(nb::module_& m) {
         return s_curve(Value<double>::from(distance, "distance"), limits);
       },
       made, nb::arg("distance"), nb::arg("limits"));
-  Signature longer("stretched", "SCurve",
-                   "Returns the same motion with this duration: all phases are scaled alike.");
+  Signature longer("stretched", "SCurve", comment("stretched"));
   longer.takes("self").takes("duration", "float", "s, not shorter than the curve's own.");
   define(
       curve,
@@ -83,9 +79,9 @@ void bind_curves(nb::module_& m) {
 
 void bind_point_to_point(nb::module_& m) {
   nb::class_<PointToPoint> motion = bind_record<PointToPoint>(m);
-  Signature state("sample", "TrajectoryState",
-                  "Returns the state at time t. It is exactly `from_` until 0, and `to` from the "
-                  "duration on.");
+  Signature state(
+      "sample", "TrajectoryState",
+      "Returns the state at time t. It is exactly `from_` until 0, and `to` from the duration on.");
   state.takes("self").takes("t", array_like, "Time, s; or times of any shape.");
   define(motion, &states_of, state, nb::arg("t"));
 
@@ -98,11 +94,7 @@ void bind_point_to_point(nb::module_& m) {
       .takes("from_", array_like, "Configuration (n,).")
       .takes("to", array_like, "Configuration (n,).")
       .keywords()
-      .takes("synchronise", Value<Synchronise>::type(),
-             "`time`: each joint has an s-curve of its own, stretched to the duration of the "
-             "slowest; `straight`: all joints have one s-curve in proportion, a straight line in "
-             "joint space.",
-             "'time'");
+      .member<&PointToPointOptions::synchronise>();
   define(m, &planned, made, nb::arg("arm"), nb::arg("from_"), nb::arg("to"), nb::kw_only(),
          nb::arg("synchronise") = "time");
 
@@ -129,30 +121,18 @@ void bind_time_scaling(nb::module_& m) {
   bind_record<PathLimits>(m);
   nb::class_<TimeScaling> scaling = bind_record<TimeScaling>(m);
   scaling.def_prop_ro("duration", &TimeScaling::duration, "s.");
-  Signature of_arm("path_limits", "PathLimits",
-                   "Returns the arm's limits, unknown ones replaced by assumed ones.");
-  of_arm.takes("arm", "Arm", "The arm.")
-      .takes("speed_scale", "float",
-             "k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk by "
-             "k^3.",
-             "1.0");
+  Signature of_arm("path_limits", "PathLimits", comment("path_limits"));
+  of_arm.takes("arm", "Arm", "The arm.").member<&RetimeOptions::speed_scale>();
   define(
       m,
       [](const Arm& arm, nb::handle speed_scale) {
         return path_limits(arm, Value<double>::from(speed_scale, "speed_scale"));
       },
       of_arm, nb::arg("arm"), nb::arg("speed_scale") = 1.0);
-  Signature scaled(
-      "time_scaling", "TimeScaling",
-      "Minimises T subject to abs(dq/dt) <= velocity, abs(d2q/dt2) <= acceleration, "
-      "abs(d3q/dt3) <= jerk (not for `fastest` and `trapezoidal`) and ds/dt <= speed, at rest "
-      "at t = 0 and t = T, over all s(t) for `fastest` and `jerk`, and over those of "
-      "the profile's form for the others. Where the budget ends the search of `jerk`, "
-      "returns the best found so far, which keeps the limits; one with a "
-      "`reason`, and no points, where there is none yet.");
+  Signature scaled("time_scaling", "TimeScaling", comment("time_scaling"));
   scaled.takes("path", "JointPath", "Path.")
       .takes("limits", "PathLimits", "Limits.")
-      .takes("profile", Value<Profile>::type(), "Form of s(t).", "'jerk'")
+      .choice<Profile>("profile", "Form of s(t).", "'jerk'")
       .options<BudgetOptions>();
   define(
       m,
@@ -172,14 +152,7 @@ void bind_timing(nb::module_& m) {
   bind_point_to_point(m);
   bind_time_scaling(m);
   bind_record<Retimed>(m);
-  Signature retimed("retime", "Retimed",
-                    "Retimes a trajectory from rest to rest: minimises its duration over the time "
-                    "scalings of the profile, subject to the arm's limits. The geometric path is "
-                    "the cubic spline through its positions by chord length; its times and "
-                    "velocities are ignored, except that stops are kept (a stop is a repeated "
-                    "position or a zero velocity vector). The result is within the limits at all "
-                    "times. Raises Error when the trajectory does not fit the arm or has no two "
-                    "different positions.");
+  Signature retimed("retime", "Retimed", comment("retime"));
   retimed.summary_has_motions()
       .takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
@@ -191,10 +164,10 @@ void bind_timing(nb::module_& m) {
         return unlocked(asked.budget, [&] { return retime(arm, trajectory, asked); });
       },
       retimed, nb::arg("arm"), nb::arg("trajectory"), nb::arg("keywords"));
-  Signature assumed("motion_limits", "Limits",
-                    "Returns the limits that motions keep: the joint's own where they are known, "
-                    "else the assumed ones: 1 rad/s or m/s, reached in 0.25 s, and full "
-                    "acceleration in 0.1 s.");
+  Signature assumed(
+      "motion_limits", "Limits",
+      "Returns the limits that motions keep: the joint's own where they are known, else the "
+      "assumed ones: 1 rad/s or m/s, reached in 0.25 s, and full acceleration in 0.1 s.");
   assumed.takes("limits", "Limits", "Of one joint.");
   define(
       m, [](const Limits& limits) { return motion_limits(limits); }, assumed, nb::arg("limits"));

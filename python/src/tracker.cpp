@@ -7,18 +7,7 @@ namespace beeline::python {
 namespace {
 
 nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
-  nb::class_<Described<Tracker>> tracker(
-      m, "Tracker",
-      kept_text(
-          std::string(
-              "Follows commanded tool poses, as a hand controller sends them, in a control loop: "
-              "poses "
-              "in, configurations out. Commands may jump, be out of reach or lead through "
-              "singularities. Each step keeps the limits of velocity, acceleration and position, "
-              "unknown ones assumed; the configuration never jumps to another solution of inverse "
-              "kinematics. A command within the limits is reached at the end of the step. Equal "
-              "commands give equal results.") +
-          loop_doc));
+  nb::class_<Described<Tracker>> tracker(m, "Tracker", loop_class_doc("Tracker"));
   Signature made("__init__", "None",
                  "Starts at rest at `start`. Raises Error for a start outside the arm's limits.");
   made.takes("self")
@@ -60,7 +49,7 @@ void bind_trackers(nb::module_& m) {
         return made_step;
       },
       step, nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
-  Signature reset("reset", "None", "Continues at rest from another configuration.");
+  Signature reset("reset", "None", comment("Tracker::reset"));
   reset.takes("self").takes("q", array_like, configuration_doc);
   define(
       tracker, [](Described<Tracker>& self, nb::handle q) { self.reset(Numbers(q, "q")); }, reset,
@@ -68,8 +57,7 @@ void bind_trackers(nb::module_& m) {
   const auto property = [&tracker](const char* name, auto get, const char* doc) {
     tracker.def_prop_ro(
         name, [get](const Described<Tracker>& self) { return Value<Configuration>::to(get(self)); },
-        nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + array_type))),
-        doc);
+        getter(name, array_type), doc);
   };
   property(
       "configuration", [](const Described<Tracker>& self) { return self.configuration(); },

@@ -60,16 +60,13 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
   trajectory.def_prop_ro(
       "interpolation",
       [](const Trajectory& self) { return Value<Interpolation>::to(self.interpolation()); },
-      nb::for_getter(
-          nb::sig(kept_text("def interpolation(self) -> " + Value<Interpolation>::type()))),
+      getter("interpolation", Value<Interpolation>::type()),
       "The motion between the samples: polynomials of degree 1, 3 or 5 in time.");
   trajectory.def_prop_ro(
       "duration", [](const Trajectory& self) { return duration_of(self); },
       "From the first sample to the last, s.");
 
-  Signature states("sample", "TrajectoryState",
-                   "Returns the state at time t of the motion that the columns mean. Before the "
-                   "first sample and after the last the joints are at rest there.");
+  Signature states("sample", "TrajectoryState", comment("sample"));
   states.takes("self")
       .takes("t", array_like, "Time, s; or times of any shape.")
       .keywords()
@@ -79,11 +76,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
   define(trajectory, &sampled_states, states, nb::arg("t"), nb::kw_only(),
          nb::arg("side") = "after");
 
-  Signature matched(
-      "matched_to", "Trajectory",
-      "Returns the trajectory with its columns in the arm's order, matched by the names of its "
-      "joints, or those that descriptions for ROS have, with or without a text in front of all. "
-      "Raises Error for joints that are missing or that the arm does not have.");
+  Signature matched("matched_to", "Trajectory", comment("matched_to"));
   matched.takes("self").takes("arm", "Arm", "The arm.");
   takes_matching(matched);
   define(
@@ -122,19 +115,14 @@ void bind_files(nb::class_<Trajectory>& trajectory) {
 }
 
 void bind_limit_usage(nb::module_& m) {
-  Signature rest("at_rest", "Trajectory",
-                 "Returns a trajectory of one sample: the arm at rest at q at time zero.");
+  Signature rest("at_rest", "Trajectory", comment("at_rest"));
   rest.takes("arm", "Arm", "The arm.").takes("q", array_like, "Configuration (n,).");
   define(
       m,
       [](const Arm& arm, nb::handle q) { return at_rest(arm, Value<Configuration>::from(q, "q")); },
       rest, nb::arg("arm"), nb::arg("q"));
 
-  Signature usage("limit_usage", "LimitUsage",
-                  "Returns the fractions of the arm's limits that a trajectory uses: the extremes "
-                  "of the polynomials between its samples. Exact for the velocity of any "
-                  "trajectory, the acceleration of cubics and quintics, and the jerk of quintics. "
-                  "Limits that are not known are assumed.");
+  Signature usage("limit_usage", "LimitUsage", comment("limit_usage"));
   usage.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<BudgetOptions>();
@@ -164,10 +152,7 @@ void bind_slowdowns(nb::module_& m) {
         return result;
       },
       slower, nb::arg("trajectory"), nb::arg("k"));
-  Signature factor("slowdown_factor", "float",
-                   "Returns the smallest factor k on the duration with which a motion that uses "
-                   "these fractions of its limits is within them: slowed down by k it uses v / k, "
-                   "a / k^2 and j / k^3. The factor is below 1 if the motion may be faster.");
+  Signature factor("slowdown_factor", "float", comment("slowdown_factor"));
   factor.takes("velocity", "float", "Fraction of the velocity limits.")
       .takes("acceleration", "float", "Fraction of the acceleration limits.")
       .takes("jerk", "float", "Fraction of the jerk limits.");
@@ -182,10 +167,7 @@ void bind_slowdowns(nb::module_& m) {
 }
 
 void bind_comparisons(nb::module_& m) {
-  Signature compared("difference", "TrajectoryDifference",
-                     "Compares two trajectories of an arm, each from its own first sample on, "
-                     "joints linear between samples, at the samples of both. The joints' largest "
-                     "differences are exact; those of the tool are the largest at the samples.");
+  Signature compared("difference", "TrajectoryDifference", comment("difference"));
   compared.takes("arm", "Arm", "The arm.")
       .takes("a", "Trajectory", "The first trajectory.")
       .takes("b", "Trajectory", "The second one.");

@@ -10,50 +10,25 @@
 namespace beeline::python {
 
 template <>
-inline std::vector<Interpolation> choices() {
-  return {Interpolation::linear, Interpolation::cubic, Interpolation::quintic};
-}
-
-template <>
-inline std::vector<Side> choices() {
-  return {Side::before, Side::after};
-}
-template <>
-inline std::string spelling(Side side) {
-  return side == Side::before ? "before" : "after";
-}
-
-template <>
-struct Fields<Trajectory> {
-  static constexpr const char* name = "Trajectory";
-  static constexpr const char* doc =
-      "A motion of n joints as N samples: positions[k] at times[k]. The columns determine the "
-      "motion "
-      "between the samples, as ros2_control's joint trajectory controller plays it: positions "
-      "alone, linear; positions and velocities, the cubic polynomial; with accelerations too, the "
-      "quintic one. Its arrays are read-only.";
+struct Fields<Trajectory>
+    : Members<&Trajectory::joint_names, &Trajectory::times, &Trajectory::positions,
+              &Trajectory::velocities, &Trajectory::accelerations> {
   static constexpr auto check = [](const Trajectory& trajectory) { check_trajectory(trajectory); };
-  static constexpr auto all() {
-    return std::tuple(
-        field("joint_names", &Trajectory::joint_names, "One for each coordinate."),
-        field("times", &Trajectory::times, "Seconds, strictly increasing, (N,)."),
-        field("positions", &Trajectory::positions, "rad, or m for prismatic joints, (N, n)."),
-        field("velocities", &Trajectory::velocities,
-              "rad/s or m/s, (N, n); (0, 0) where they are not known."),
-        field("accelerations", &Trajectory::accelerations,
-              "rad/s^2 or m/s^2, (N, n); (0, 0) where they are not known."));
-  }
 };
 
-/// States at one time, arrays (n,), or at times of any shape, arrays (..., n).
+/// A column of States.
 struct StateColumn {
   std::vector<Index> shape;
   std::vector<double> values;
   bool operator==(const StateColumn&) const = default;
 };
 
+/// State of n joints at one time, arrays (n,), or at times of any shape, arrays (..., n).
 struct States {
-  StateColumn position, velocity, acceleration, jerk;
+  StateColumn position;      ///< rad or m
+  StateColumn velocity;      ///< rad/s or m/s
+  StateColumn acceleration;  ///< rad/s^2 or m/s^2
+  StateColumn jerk;          ///< rad/s^3 or m/s^3
 };
 
 template <>
@@ -66,124 +41,42 @@ struct Value<StateColumn> {
 };
 
 template <>
-struct Fields<States> {
+struct Fields<States>
+    : Members<&States::position, &States::velocity, &States::acceleration, &States::jerk> {
   static constexpr const char* name = "TrajectoryState";
-  static constexpr const char* doc =
-      "State of n joints at one time, arrays (n,), or at times of any shape, arrays (..., n).";
-  static constexpr auto all() {
-    return std::tuple(field("position", &States::position, "rad or m."),
-                      field("velocity", &States::velocity, "rad/s or m/s."),
-                      field("acceleration", &States::acceleration, "rad/s^2 or m/s^2."),
-                      field("jerk", &States::jerk, "rad/s^3 or m/s^3."));
-  }
 };
 
 template <>
-struct Fields<JointDifference> {
-  static constexpr const char* name = "JointDifference";
-  static constexpr const char* doc = "The difference of one coordinate between two trajectories.";
-  static constexpr auto all() {
-    return std::tuple(field("largest", &JointDifference::largest, "rad or m."),
-                      field("time", &JointDifference::time,
-                            "Of the largest difference, s from the first samples."),
-                      field("rms", &JointDifference::rms,
-                            "Root mean square over the common duration, rad or m."));
-  }
-};
+struct Fields<JointDifference>
+    : Members<&JointDifference::largest, &JointDifference::time, &JointDifference::rms> {};
 
 template <>
-struct Fields<TrajectoryDifference> {
-  using T = TrajectoryDifference;
-  static constexpr const char* name = "TrajectoryDifference";
-  static constexpr const char* doc = "The difference of two trajectories of an arm.";
-  static constexpr auto all() {
-    return std::tuple(
-        field("joints", &T::joints, "One for each coordinate."),
-        field("largest_position", &T::largest_position, "Distance between the tools, m."),
-        field("position_time", &T::position_time, "Of that distance, s."),
-        field("largest_orientation", &T::largest_orientation, "Angle between the tools, rad."),
-        field("orientation_time", &T::orientation_time, "Of that angle, s."),
-        field("overlap", &T::overlap, "Common duration, s."),
-        field("longer", &T::longer, "Duration of b minus that of a, s."));
-  }
-};
+struct Fields<TrajectoryDifference>
+    : Members<&TrajectoryDifference::joints, &TrajectoryDifference::largest_position,
+              &TrajectoryDifference::position_time, &TrajectoryDifference::largest_orientation,
+              &TrajectoryDifference::orientation_time, &TrajectoryDifference::overlap,
+              &TrajectoryDifference::longer> {};
 
 template <>
-struct Fields<MappedJoint> {
-  static constexpr const char* name = "MappedJoint";
-  static constexpr const char* doc =
-      "A joint of a recording that is a coordinate of an arm: unit * (sign * recorded + offset).";
+struct Fields<MappedJoint>
+    : Members<&MappedJoint::name, &MappedJoint::sign, &MappedJoint::offset, &MappedJoint::unit> {
   static constexpr std::size_t required = 1;
-  static constexpr auto all() {
-    return std::tuple(
-        field("name", &MappedJoint::name, "In the recording."),
-        field("sign", &MappedJoint::sign, "1 or -1."),
-        field("offset", &MappedJoint::offset, "In the recording's unit."),
-        field("unit", &MappedJoint::unit,
-              "rad or m per unit of the recording; None: that of all angles, or metres."));
-  }
 };
 
 template <>
-struct Fields<UnwrappedJoint> {
-  static constexpr const char* name = "UnwrappedJoint";
-  static constexpr const char* doc = "A joint whose recorded values jumped by whole revolutions.";
-  static constexpr auto all() {
-    return std::tuple(
-        field("joint", &UnwrappedJoint::joint, "Its name."),
-        field("wraps", &UnwrappedJoint::wraps, "Number of jumps."),
-        field("first_time", &UnwrappedJoint::first_time, "Of the sample after the first jump, s."));
-  }
-};
+struct Fields<UnwrappedJoint>
+    : Members<&UnwrappedJoint::joint, &UnwrappedJoint::wraps, &UnwrappedJoint::first_time> {};
 
 template <>
-struct Fields<Unwrapped> {
-  static constexpr const char* name = "Unwrapped";
-  static constexpr const char* doc =
-      "A trajectory without the jumps of sensors whose values wrap after a revolution.";
-  static constexpr auto all() {
-    return std::tuple(field("trajectory", &Unwrapped::trajectory, "In the arm's order."),
-                      field("joints", &Unwrapped::joints, "Those that were changed."));
-  }
-};
+struct Fields<Unwrapped> : Members<&Unwrapped::trajectory, &Unwrapped::joints> {};
 
 template <>
-inline std::vector<TimeUnit> choices() {
-  return {TimeUnit::seconds, TimeUnit::milliseconds, TimeUnit::microseconds, TimeUnit::nanoseconds};
-}
+struct Fields<LimitFraction>
+    : Members<&LimitFraction::fraction, &LimitFraction::joint, &LimitFraction::time,
+              &LimitFraction::exact, &LimitFraction::assumed> {};
 
 template <>
-struct Fields<LimitFraction> {
-  static constexpr const char* name = "LimitFraction";
-  static constexpr const char* doc =
-      "The largest fraction of one kind of limit that a trajectory uses; above 1 it exceeds the "
-      "limit.";
-  static constexpr auto all() {
-    return std::tuple(
-        field("fraction", &LimitFraction::fraction, "Of the limit."),
-        field("joint", &LimitFraction::joint, "The joint that uses it; empty for a fraction of 0."),
-        field("time", &LimitFraction::time, "Of the sample before it, s."),
-        field("exact", &LimitFraction::exact,
-              "Whether it is exact for the motion that the columns mean. Otherwise the "
-              "interpolation does not bound this derivative, as it jumps at the samples: the "
-              "fraction is then what the smoothest motion through the samples needs, by divided "
-              "differences."),
-        field("assumed", &LimitFraction::assumed, "The limit is not known but assumed."));
-  }
-};
-
-template <>
-struct Fields<LimitUsage> {
-  static constexpr const char* name = "LimitUsage";
-  static constexpr const char* doc = "The fractions of the arm's limits that a trajectory uses.";
-  static constexpr auto all() {
-    return std::tuple(
-        field("velocity", &LimitUsage::velocity, "Of the velocity limits."),
-        field("acceleration", &LimitUsage::acceleration, "Of the acceleration limits."),
-        field("jerk", &LimitUsage::jerk, "Of the jerk limits."),
-        field("ending", &LimitUsage::ending,
-              "`complete`, or what ended the computation: then these are the largest so far."));
-  }
-};
+struct Fields<LimitUsage> : Members<&LimitUsage::velocity, &LimitUsage::acceleration,
+                                    &LimitUsage::jerk, &LimitUsage::ending> {};
 
 }  // namespace beeline::python

@@ -11,6 +11,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 
+#include "declared_names.h"
 #include "numpy_arrays.h"
 
 #include <nanobind/stl/string.h>
@@ -298,13 +299,21 @@ struct Value<std::array<T, 2>> {
   }
 };
 
-/// Enumerations are the names that the command line has for them. choices() is specialised for
-/// each.
+/// Enumerations are the names that the command line has for them or, where it has none, those of
+/// the enumerators.
 template <class Enum>
-std::vector<Enum> choices();
+std::vector<Enum> choices() {
+  std::vector<Enum> all;
+  for (std::size_t i = 0; i < enumerators<Enum>.size(); ++i) all.push_back(static_cast<Enum>(i));
+  return all;
+}
 template <class Enum>
 std::string spelling(Enum value) {
-  return std::string(name(value));  // found beside the type
+  if constexpr (requires { name(value); }) {
+    return std::string(name(value));  // found beside the type
+  } else {
+    return std::string(enumerators<Enum>[static_cast<std::size_t>(value)]);
+  }
 }
 
 /// The error for a name that is none of them.

@@ -17,7 +17,10 @@ enum class AngleUnit { radians, degrees };
 double to_radians(double angle, AngleUnit unit);
 
 /// The meaning of three numbers without names: x,y,theta or x,y,z.
-enum class Triple { planar, position };
+enum class Triple {
+  planar,    ///< x,y,theta
+  position,  ///< x,y,z
+};
 
 /// How numbers give a pose in space: the position x,y,z, then the orientation; or both in a matrix.
 enum class PoseForm {
@@ -36,8 +39,9 @@ const std::vector<std::string>& pose_columns(PoseForm form);
 
 /// The units and the form of poses in a text.
 struct PoseFormat {
-  AngleUnit unit = AngleUnit::radians;  ///< of theta, roll, pitch and yaw
-  Triple triple = Triple::planar;       ///< what three numbers without names are
+  /// Of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in degrees.
+  AngleUnit unit = AngleUnit::radians;
+  Triple triple = Triple::planar;  ///< the meaning of three numbers without names
   /// The form of numbers without names. Default: the one of as many numbers, of six rpy.
   std::optional<PoseForm> pose_form = std::nullopt;
   bool millimetres = false;  ///< positions are in millimetres instead of metres
@@ -54,18 +58,19 @@ struct WrittenPose {
   std::optional<PoseForm> form = std::nullopt;  ///< none: planar or a position
 };
 
-/// Poses of a CSV file. A text gives a pose in one of the forms of PoseForm, or as
-///     x,y,theta     x,y,z     x,y
-/// The first and the last are planar: in the plane z = 0. The last two have no orientation.
+/// Poses of a CSV file, each in one of the forms of PoseForm, or as x,y,theta or x,y in the plane z
+/// = 0, or as x,y,z. The last two have no orientation.
 struct PoseList {
-  std::vector<Pose> poses = {};                 ///< at least one
-  std::vector<int> lines = {};                  ///< the line of the file of each pose
-  bool planar = false;                          ///< given as x,y,theta or x,y
-  double max_angle = 0;                         ///< as WrittenPose::max_angle, of all poses
-  bool oriented = true;                         ///< false: positions, given as x,y,z or x,y
-  std::vector<std::string> columns = {};        ///< of the form
-  bool has_header = true;                       ///< false: the number of columns gives the form
-  std::optional<PoseForm> form = std::nullopt;  ///< none: planar or positions
+  std::vector<Pose> poses = {};  ///< at least one
+  std::vector<int> lines = {};   ///< the line of the file of each pose
+  bool planar = false;           ///< given as x,y,theta or x,y
+  /// The theta, roll, pitch or yaw, or the length of a rotation vector, that is largest by
+  /// magnitude, rad; 0 in the other forms.
+  double max_angle = 0;
+  bool oriented = true;                   ///< false: positions, given as x,y,z or x,y
+  std::vector<std::string> columns = {};  ///< of the form
+  bool has_header = true;                 ///< false: the form follows from the number of columns
+  std::optional<PoseForm> form = std::nullopt;  ///< std::nullopt: planar or positions
 };
 
 /// The columns by which a file gives a pose, in the order in which numbers without names are.
