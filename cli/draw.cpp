@@ -9,7 +9,7 @@
 
 #include "animation_argument.h"
 #include "arm_argument.h"
-#include "input_files.h"
+#include "pose_argument.h"
 #include "program_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"

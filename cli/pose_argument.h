@@ -58,4 +58,13 @@ void warn_of_mount(const beeline::Pose& world_T_base, const UnitArgument& unit);
 /// arm, whose height and tilt would be ignored.
 void check_pose_form(const Arm& arm, const WrittenPose& pose, const TaskArgument& task);
 
+/// The poses in the world of the file of an option such as --through, with this text, given in the
+/// frame of --work, each in a form that fits the arm and the task.
+PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
+                        const TaskArgument& task, const WorkArgument& work,
+                        const UnitArgument& unit, const std::string& option = "--through");
+
+/// --through.
+Option through_option(std::string help, std::string* target);
+
 }  // namespace beeline::command

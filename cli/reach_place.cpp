@@ -8,7 +8,7 @@
 #include "budget_argument.h"
 #include "command/progress.h"
 #include "format.h"
-#include "input_files.h"
+#include "pose_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {

@@ -2,6 +2,7 @@
 #include <cli/command/help.h>
 #include <cli/command/program.h>
 #include <cli/verbs.h>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace beeline::command {
@@ -47,8 +48,10 @@ void change(const Option& option) {
   } else if (std::holds_alternative<std::string*>(option.target)) {
     *std::get<std::string*>(option.target) += "changed";
   } else {
-    const double lowest = std::max(option.range.lowest, 1.0);
-    assign(option, option.name, lowest < 2 ? "1" : number(lowest));
+    const auto [lowest, highest, excludes_lowest] = option.range;
+    double value = std::isfinite(highest) ? (lowest + highest) / 2 : std::max(lowest, 1.0) + 1;
+    if (value > 1) value = std::floor(value);
+    assign(option, option.name, value > 1e6 ? "1000000" : number(value));
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -99,6 +100,73 @@ TEST(Json, HostileTextsNeitherOverflowNorHang) {
   std::string many = "[";
   for (int i = 0; i < 8'000'000; ++i) many += "0,";
   EXPECT_REFUSED(parse(many + "0]"), "holds more than 8 million values");
+}
+
+/// A random value, with at most `depth` levels of lists and objects.
+Json any_json(testing::Random& random, int depth) {
+  const int kind = random.integer(0, depth > 0 ? 6 : 4);
+  if (kind == 0) return nullptr;
+  if (kind == 1) return random.integer(0, 1) == 1;
+  if (kind == 2) return random.uniform(-1, 1) * std::pow(10, random.integer(-300, 300));
+  if (kind == 3) return random.integer(-1000, 1000);
+  if (kind == 4) return std::string(random.integer(0, 3), '"') + "\n\x01gr\xc3\xbc\xc3\x9f";
+  Json json = kind == 5 ? Json::list() : Json::object();
+  for (int i = random.integer(0, 4); i > 0; --i) {
+    if (kind == 5) json.append(any_json(random, depth - 1));
+    if (kind == 6) json.add("key " + std::to_string(i), any_json(random, depth - 1));
+  }
+  return json;
+}
+
+bool same_json(const Json& a, const Json& b) {
+  if (const auto* whole = std::get_if<std::int64_t>(&a.value)) {
+    return std::get<double>(b.value) == static_cast<double>(*whole);
+  }
+  if (a.value.index() != b.value.index()) return false;
+  if (const auto* items = std::get_if<Json::Items>(&a.value)) {
+    return std::ranges::equal(*items, std::get<Json::Items>(b.value), same_json);
+  }
+  if (const auto* members = std::get_if<Json::Members>(&a.value)) {
+    return std::ranges::equal(*members, std::get<Json::Members>(b.value),
+                              [](const Json::Member& x, const Json::Member& y) {
+                                return x.key == y.key && same_json(x.value, y.value);
+                              });
+  }
+  if (const auto* text = std::get_if<std::string>(&a.value)) {
+    return *text == std::get<std::string>(b.value);
+  }
+  if (const auto* number = std::get_if<double>(&a.value)) {
+    return *number == std::get<double>(b.value);
+  }
+  const auto* truth = std::get_if<bool>(&a.value);
+  return truth == nullptr || *truth == std::get<bool>(b.value);
+}
+
+TEST(Json, AnyValueThatIsWrittenReadsBack) {
+  testing::Random random;
+  for (int i = 0; i < 2000; ++i) {
+    const Json json = any_json(random, 4);
+    const JsonDocument document = parse(json.text());
+    ASSERT_TRUE(same_json(json, document.root())) << json.text();
+  }
+}
+
+TEST(Json, IsWrittenWithTwoBlanksForEachLevel) {
+  const Json json{{"a", 1}, {"b", 1.0}, {"c", Json::list()}, {"d", {{"e", "t"}, {"f", nullptr}}}};
+  EXPECT_EQ(json.text(),
+            "{\n  \"a\": 1,\n  \"b\": 1.0,\n  \"c\": [],\n  \"d\": {\n    \"e\": \"t\",\n"
+            "    \"f\": null\n  }\n}");
+  EXPECT_EQ(Json(Eigen::VectorXd(Eigen::Vector2d(-0.0, 1e-7))).text(), "[\n  -0.0,\n  1e-07\n]");
+  EXPECT_EQ(Json(std::nan("")).text() + Json(std::optional<double>()).text(), "nullnull");
+  EXPECT_EQ(Json("a\xff\xc3\xbc").text(), "\"a\xef\xbf\xbd\xc3\xbc\"");
+}
+
+TEST(Json, AKeyIsInAnObjectOnce) {
+  Json json{{"a", 1}, {"b", 2}};
+  json.add("a", 3);
+  json.add(Json{{"b", 4}, {"c", 5}});
+  json.add(Json());
+  EXPECT_EQ(json.text(), "{\n  \"a\": 3,\n  \"b\": 4,\n  \"c\": 5\n}");
 }
 
 }  // namespace
