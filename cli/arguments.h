@@ -71,7 +71,7 @@ struct TaskArgument {
 
 /// --frame with --task: which Jacobian.
 struct JacobianArgument {
-  std::string frame = {};  ///< empty: that of the task
+  std::string frame = {};  ///< empty: the task's frame
   TaskArgument task = {};
 
   std::vector<Option> options();

@@ -164,7 +164,8 @@ constexpr const char* poses_help =
     "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
     "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, "
     "16 numbers or the first 12; or x,y,theta (planar arms); with units behind the names or not, "
-    "as x_mm. Without a header, as many numbers in this order; of six, those of --pose-form.";
+    "as x_mm. Without a header, as many numbers in this order; six numbers are in the form of "
+    "--pose-form.";
 
 /// The arguments and options that all verbs `batch NAME` have.
 Verb common(const std::shared_ptr<BatchArguments>& shared, const char* name, const char* rows,
@@ -241,8 +242,8 @@ Verb batch_ik() {
       inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";
   verb.description =
-      "Writes the joint values of one solution in each row of the output, that of beeline ik; nan "
-      "if there is none; then the exit code is 1.";
+      "Writes the joint values of one solution in each row of the output, the first of beeline ik; "
+      "nan if there is none; then the exit code is 1.";
   verb.examples = {{"Two poses of the planar arm, solutions in degrees",
                     "printf 'x,y,theta\\n4,3,0\\n4.5,5.2,30\\n' > poses.csv\n"
                     "beeline batch ik rrr --in poses.csv --degrees --out q.csv"},

@@ -91,7 +91,7 @@ RowUnits joint_units(const BatchArguments& arguments, const Arm& arm) {
   return RowUnits(joint_namings(arm).size(), units);
 }
 
-/// The columns of poses that `arm` can have, first those of rows without a header.
+/// The columns of poses that `arm` can have, first the columns of rows without a header.
 std::vector<PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
   std::vector<PoseColumns> all;
   for (const PoseColumns& columns : all_pose_columns()) {

@@ -60,7 +60,7 @@ struct BatchWork {
   RowForms forms;
   RowUnits units;  ///< in which the step takes the numbers
   std::vector<std::string> columns;
-  /// Only the first of the forms may be those of rows without a header.
+  /// Only so many of the forms, from the first, may be forms of rows without a header.
   std::size_t forms_without_header = std::numeric_limits<std::size_t>::max();
   Eigen::Index max_rows = 65536;  ///< in one step
   std::function<void(std::size_t form, RowBlock& block, Eigen::MatrixXd& results,

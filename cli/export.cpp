@@ -188,7 +188,8 @@ Verb export_verb() {
       .summary = "Write a trajectory or a program in the form that a robot's controller takes",
       .description =
           "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
-          "stderr what of a proof (`beeline check`) holds there; the file says it in comments.\n\n"
+          "stderr which guarantees of `beeline check` remain there; the file says it in "
+          "comments.\n\n"
           "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
           "plays as the trajectory's columns mean: everything proved holds. urscript: a program of "
           "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
@@ -206,7 +207,7 @@ Verb export_verb() {
           "arm's description is assumed: a .json arm states another as controller_base, a URDF "
           "file as its link base.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
-          "in radians and metres, those of rapid and krl in degrees; --degrees applies to --tcp "
+          "in radians and metres, files of rapid and krl in degrees; --degrees applies to --tcp "
           "and --mount, and to recordings with an angle more than a revolution outside its limits "
           "in radians.",
       .arguments = {arguments->arm.argument(),

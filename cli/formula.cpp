@@ -214,7 +214,7 @@ Verb formula_verb() {
           "a square Jacobian with the singularities that it shows, and the inverse kinematics of a "
           "planar arm in steps. Joints with parallel axes turn by a sum of angles: c12 is cos(q1 + "
           "q2). Dimensions have the names of Denavit-Hartenberg parameters or of planar links "
-          "where the arm fits them, otherwise those of the joints' offsets; a list gives their "
+          "where the arm fits them, otherwise names of the joints' offsets; a list gives their "
           "values. Constant angles that are multiples of 15 degrees are exact. The formulas are "
           "compared with the arm's kinematics at random configurations before they are printed.\n\n"
           "With --as python, c++ or c the answer is code in one file that needs the language's "

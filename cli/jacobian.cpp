@@ -60,7 +60,7 @@ Task part_of(const Task& task, bool linear) {
   return part;
 }
 
-/// The manipulability of the linear and of the angular rows beside that of all.
+/// The manipulability of the linear rows and of the angular rows, beside all rows.
 void add_parts(const ArmState& state, Answer& answer) {
   for (const bool linear : {true, false}) {
     const Task part = part_of(state.task, linear);

@@ -117,9 +117,10 @@ void PageServer::route() {
                                 {"Cache-Control", "no-store"}});
   server_->set_pre_routing_handler([this](const Request& request, Response& response) {
     if (comes_from_here(request)) return Routing::Unhandled;
-    refuse(response, 403,
-           "requests of other sites are refused: Host must be localhost, an IP address or that of "
-           "--host, with the server's port, and Origin the same site");
+    refuse(
+        response, 403,
+        "requests of other sites are refused: Host must be localhost, an IP address or the host of "
+        "--host, with the server's port, and Origin the same site");
     return Routing::Handled;
   });
   server_->Get("/api/session", [this](const Request&, Response& response) { session(response); });

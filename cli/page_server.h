@@ -32,7 +32,7 @@ struct PageSession {
 /// refused (403), so that no page of the web reaches the server through the user's browser.
 class PageServer {
  public:
-  /// `folder` is that of the built page; `host` the address to listen on.
+  /// `folder`: the folder of the built page; `host`: the address to listen on.
   PageServer(PageSession session, const std::string& folder, std::string host);
   ~PageServer();
 

@@ -21,7 +21,7 @@ bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::
 
 Route PathArgument::through(std::span<const Pose> poses) const { return route(poses, false); }
 
-/// The path through the poses, of which the first may be that of the start, before the file's.
+/// The path through the poses, of which the first may be the start, before the file's.
 Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
   const PathKind path = path_kind_named(kind);
   if (blend && path != PathKind::line) throw Error("--blend requires --path line");

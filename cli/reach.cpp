@@ -23,7 +23,7 @@ Verb merge_verb() {
       .summary = "Join files that hold parts of one map",
       .description =
           "Joins the parts that `beeline reach map --shard` computed. The cells are copied as they "
-          "are stored: the datasets are those of a map computed in one piece. Parts may overlap.",
+          "are stored: the datasets equal a map computed in one piece. Parts may overlap.",
       .arguments = {{.name = "PART",
                      .help = "Files with parts of the same map.",
                      .completes = Completes::file,

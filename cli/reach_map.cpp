@@ -118,7 +118,7 @@ std::vector<Option> grid_options(MapArguments& arguments) {
              &arguments.resolution, {.range = {1e-9, 1e6}}),
       Option("--lower X,Y,Z",
              "Corner of the box of positions, m, in the world, where the cells begin. Default: "
-             "that of the box around the reach. With --azimuths: RADIUS,HEIGHT.",
+             "the corner of the box around the reach. With --azimuths: RADIUS,HEIGHT.",
              &arguments.lower),
       Option("--upper X,Y,Z", "The opposite corner, which the cells cover.", &arguments.upper),
       Option("--azimuths ANGLE",

@@ -137,7 +137,7 @@ Verb view_verb() {
                        Option("--no-browser", "Do not open a browser.", &arguments->no_browser),
                        Option("--page FOLDER",
                               "The folder of the built page. Default: the one that was installed "
-                              "with the command, or that of make web.",
+                              "with the command, or the one that make web built.",
                               &arguments->folder)},
                       arguments->recording.options(),
                       arguments->unit.options(),

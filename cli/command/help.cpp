@@ -166,7 +166,7 @@ Verb help_verb(const std::vector<Verb>& verbs) {
                      .required = false,
                      .choices = kinds}};
   verb.examples = {{"All options of the verb fk", "beeline help fk"},
-                   {"Those of batch ik", "beeline help batch ik"}};
+                   {"The options of batch ik", "beeline help batch ik"}};
   verb.json = nullptr;
   verb.run = [&verbs, name, part]() -> Answer {
     if (name->empty()) return {.text = overview(verbs)};

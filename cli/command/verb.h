@@ -18,7 +18,7 @@ struct Answer {
   Json document = {};
   Json units = {};              ///< of members in other units than the rest, by their keys
   bool yes = true;              ///< no ends with exit code 1
-  std::string reason = {};      ///< of a no, for stderr
+  std::string reason = {};      ///< why the answer is no, for stderr
   bool text_on_stderr = false;  ///< stdout holds other results
 };
 

@@ -26,5 +26,5 @@ for _name in __all__:
             pass  # a function: it cannot be changed
 del _name, _value
 
-# Functions pickle by name, as those of Python do: for multiprocessing, joblib and dask.
+# Functions pickle by name, as functions of Python do: for multiprocessing, joblib and dask.
 _copyreg.pickle(type(_core.forward_kinematics), lambda function: function.__qualname__)

@@ -98,7 +98,7 @@ def to_sympy(formula: "Expression | ExpressionMatrix") -> Any:
 
 
 def _symbol(arm: "SymbolicArm", number: int) -> Any:
-    """A symbol, or what a mimic joint's variable is of that of the joint that it follows."""
+    """A symbol; of a mimic joint, the expression in the symbol of the joint that it follows."""
     sympy: Any = importlib.import_module("sympy")
 
     symbol = arm.symbols[number]
@@ -221,7 +221,7 @@ def determinant_again(arm: "SymbolicArm", task: str) -> "DeterminantFormula":
 
 
 def indices(shape: tuple[int, int], index: Any) -> int | list[list[int]]:
-    """The number of an entry, row by row, or those of a part of the matrix."""
+    """The number of an entry, row by row, or the numbers of a part of the matrix."""
     numbers = np.arange(shape[0] * shape[1]).reshape(shape)[index]
     if np.ndim(numbers) == 0:
         return int(numbers)

@@ -21,7 +21,7 @@ __all__ = ["Page", "view"]
 class Page:
     """The page of an arm: one HTML document with page, core and arm inside, which needs no server and no network.
 
-    `html` is the document, about 4 MB; `height` that of the frame in a notebook, pixels.
+    `html` is the document, about 4 MB; `height` the height of the frame in a notebook, pixels.
     """
 
     def __init__(self, html: str, height: int = 640) -> None:
@@ -82,7 +82,7 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
     Raises
     ------
     beeline.Error
-        For `q` of another shape or not finite; for `trajectory` whose joints are not those of the arm; where the page
+        For `q` of another shape or not finite; for a `trajectory` with joints that the arm does not have; if the page
         is not built: wheels carry it, in a checkout `make web` builds it.
     TypeError
         For an `arm` that is none, for `trajectory` that is none and has none.

@@ -31,7 +31,7 @@ def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **o
     waypoints : array_like, default None
         Poses (N, 4, 4) to mark in the picture of a motion, numbered from 1.
     **options
-        Those of `arm_figure()`: frames, jacobian, title, caption, azimuth, elevation, ....
+        Options of `arm_figure()`: frames, jacobian, title, caption, azimuth, elevation, ....
 
     Returns
     -------
@@ -67,7 +67,7 @@ def animate(
     small_views : bool, default False
         Add small views from above and from the front (spatial arms).
     **options
-        Those of `motion_animation()`: speed, rest_before, rest_after, frames, azimuth, ....
+        Options of `motion_animation()`: speed, rest_before, rest_after, frames, azimuth, ....
 
     Returns
     -------

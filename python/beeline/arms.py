@@ -1,4 +1,4 @@
-"""The built-in arms: those of Dellaert, *Serial Link Manipulators*, and arms on the market.
+"""The built-in arms: the arms of Dellaert, *Serial Link Manipulators*, and arms on the market.
 
 Each is a function without arguments, as `beeline.arms.panda()`. `names()` lists them, and
 `beeline.built_in_arms()` says what each is and where its numbers come from."""

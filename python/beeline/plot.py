@@ -45,9 +45,9 @@ def arm(
     q : array_like, default None
         Configuration (n,). Default: `display_configuration(arm)`.
     ax : matplotlib axes, default None
-        Of a planar arm plain axes, else 3D axes. Default: those of a new figure.
+        Plain axes for a planar arm, 3D axes for others. Default: axes of a new figure.
     frames : bool, default False
-        Draw the frame of every link; that of the tool is always drawn.
+        Draw the frame of every link; the frame of the tool is always drawn.
     jacobian : bool, default False
         Draw the linear part of the Jacobian's columns as arrows at the tool, scaled to a third of the arm.
     alpha : float, default 1
@@ -119,7 +119,7 @@ def motion(
 ) -> Any:
     """Draws a motion: the trail of the tool, the arm at its end and, faded, at `ghosts` earlier times.
 
-    The parameters are those of `arm()` and `trail()`. Returns the axes.
+    It takes the parameters of `arm()` and `trail()`. Returns the axes.
     """
     configurations = _configurations(arm, motion, 400, only_equal_times=True)
     ax = axes_of(arm, ax)
@@ -140,7 +140,7 @@ def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 200
     motion : Trajectory, or a result that has a `trajectory`
         The motion, drawn between its samples too.
     axes : three matplotlib axes, default None
-        Default: those of a new figure.
+        Default: axes of a new figure.
     samples : int, default 2000
         About the number of points of each curve.
 
@@ -246,7 +246,7 @@ def reach(slice: ReachSlice, ax: Any = None, *, colorbar: bool = True, **options
     slice : ReachSlice
         Of `slice_of()`.
     ax : matplotlib axes, default None
-        Plain axes. Default: those of a new figure.
+        Plain axes. Default: axes of a new figure.
     colorbar : bool, default True
         Draw the scale.
     **options

@@ -30,7 +30,7 @@ def from_any(value: Any, position: ArrayLike | None = None) -> Array:
         An array (4, 4) or (N, 4, 4), a scipy RigidTransform, a spatialmath SE3, a pin.SE3, or a list of such; or
         a scipy Rotation or a spatialmath SO3, whose position is zero or given.
     position : array_like, default None
-        Positions (3,) or (N, 3), m, in place of those of `value`.
+        Positions (3,) or (N, 3), m, in place of the positions of `value`.
 
     Returns
     -------

@@ -29,7 +29,7 @@ T struct_of(M T::*);
 
 /// Describes a struct once, for its Python class, for keyword arguments, signatures and docstrings,
 /// by its members: `struct Fields<Line> : Members<&Line::from, &Line::to>`. Names and docstrings
-/// are those of the declarations and of their comments.
+/// come from the declarations and their comments.
 ///
 /// `name`, where Python has another one; where users make such objects, `constructible`, by
 /// keywords, or `required`, the number of members that must be given, by position too; `as_tuple`

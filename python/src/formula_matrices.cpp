@@ -98,7 +98,7 @@ nb::object values_of(const NamedArm& arm, const std::vector<const Expression*>& 
                 std::to_string(arm.arm.dof()) + ",) or (N, " + std::to_string(arm.arm.dof()) + ")");
   }
   if (with_rates && !std::ranges::equal(rates->shape(), at.shape())) {
-    throw Error("dq has the shape " + shape_text(rates->shape()) + "; expected that of q, " +
+    throw Error("dq has the shape " + shape_text(rates->shape()) + "; expected the shape of q, " +
                 shape_text(at.shape()));
   }
   const Index n = arm.arm.dof(), count = at.rows(1);

@@ -27,7 +27,7 @@ std::vector<std::pair<int, int>> pairs_from(const NamedArm& arm, nb::handle stat
 
 nb::tuple state_tuple(nb::handle state, std::size_t count) {
   if (!nb::isinstance<nb::tuple>(state) || nb::len(state) < count) {
-    throw Error("the pickled state is not that of a formula");
+    throw Error("the pickled state does not belong to a formula");
   }
   return nb::borrow<nb::tuple>(state);
 }

@@ -290,7 +290,7 @@ void bind_solver(nb::module_& m) {
       [](Solver& self, const nb::tuple& state) {
         if (nb::len(state) != 2) throw Error("the pickled state has another number of values");
         if (!nb::isinstance<Arm>(state[0]) || !nb::isinstance<nb::dict>(state[1])) {
-          throw Error("the pickled state is not that of an InverseSolver");
+          throw Error("the pickled state does not belong to an InverseSolver");
         }
         new (&self) Solver(state[0], nb::borrow<nb::dict>(state[1]));
       },
@@ -333,10 +333,11 @@ void bind_inverse(nb::module_& m) {
       },
       one, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
 
-  Signature batched("batch_inverse", "BatchInverseResult",
-                    "Computes one solution for each of many poses, by all cores. The keywords are "
-                    "those of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
-                    "`all` and `every_turn` are ignored; the budget is that of the whole batch.");
+  Signature batched(
+      "batch_inverse", "BatchInverseResult",
+      "Computes one solution for each of many poses, by all cores. It takes the keywords "
+      "of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
+      "`all` and `every_turn` are ignored; the budget is for the whole batch.");
   batched.takes("arm", "Arm", "The arm.")
       .takes("world_T_tool", arm_poses_like,
              "Poses (..., 4, 4), or a list of poses; of a planar arm also (..., 3), x, y, theta "

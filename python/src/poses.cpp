@@ -9,7 +9,7 @@ namespace {
 constexpr const char* rotation_like = "A rotation matrix (3, 3), or a pose, whose rotation it is.";
 constexpr const char* twist_doc = "[vx vy vz wx wy wz], m and rad, or per second.";
 
-/// A rotation matrix, or that of a pose.
+/// A rotation matrix, or the rotation of a pose.
 Rotation rotation_from(nb::handle value, const char* name) {
   const nb::object matrix = matrix_of(value);
   const InputArray array(matrix, name);

@@ -110,7 +110,7 @@ void bind_programs(nb::module_& m) {
   planned.takes("arm", "Arm", "The arm.")
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "
-             "be that of a joint move or a line.")
+             "belong to a joint move or a line.")
       .takes("program", "Program", "Program.")
       .options<PathMotionOptions>();
   define(

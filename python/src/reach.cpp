@@ -29,7 +29,7 @@ nb::object direction_rows(const ReachGrid& grid) {
   return rows.release_read_only();
 }
 
-/// The pose of a cell, or those of many.
+/// The pose of a cell, or the poses of many.
 nb::object poses_of(const ReachGrid& grid, nb::handle cell) {
   if (PyIndex_Check(cell.ptr()) && !is_array(cell)) {
     return Value<Pose>::to(grid.pose(number_below(cell, "cell", grid.cells())));
@@ -106,7 +106,7 @@ void bind_coordinates(nb::class_<GridOfArm>& grid) {
               return numbers(self.rolls(), [&](Index r) { return self.roll(r); });
             });
   bind_kept(grid, "orientation", std::string(array_type) + " | None",
-            "That of all cells, world_R_tool (3, 3), where it is fixed; else None.",
+            "Orientation of all cells, world_R_tool (3, 3), if it is fixed; else None.",
             [](const ReachGrid& self) -> nb::object {
               if (self.orientations() != ReachOrientations::fixed) return nb::none();
               return read_only(Value<Rotation>::to(self.orientation()));
@@ -207,7 +207,7 @@ void bind_grid_state(nb::class_<GridOfArm>& grid) {
       "__setstate__",
       [](GridOfArm& self, const nb::tuple& state) {
         if (nb::len(state) != 2 || !nb::isinstance<nb::tuple>(state[1])) {
-          throw Error("the pickled state is not that of a ReachGrid");
+          throw Error("the pickled state does not belong to a ReachGrid");
         }
         const auto asked = restored<ReachGridOptions>(nb::borrow<nb::tuple>(state[1]));
         new (&self) GridOfArm(made_grid(state[0], asked));
@@ -230,7 +230,7 @@ void bind_cells(nb::module_& m) {
   Signature cells(
       "reach_cells", "ReachCells",
       "Computes what an arm can do at the cells of a range of positions. Where any roll will do, a "
-      "direction is reached if some value of the last joint reaches it, and the margin is that of "
+      "direction is reached if some value of the last joint reaches it, and the margin is over "
       "the other joints. Raises Error for positions that the grid does not have, for an arm with "
       "fewer joints than a pose has components, without rolls for an arm whose last joint does not "
       "turn about the tool's z axis, for azimuths of an arm whose solutions cannot all be "
@@ -294,7 +294,7 @@ void bind_reach(nb::module_& m) {
   nb::class_<GridOfArm> grid(
       m, "ReachGrid", nb::dynamic_attr(),
       "The cells of a map of an arm in its world: positions on a grid and, at each of them, the "
-      "same orientations. Cell numbers are those of the flattened array of `shape`.");
+      "same orientations. Cell numbers count the flattened array of `shape`.");
   Signature made("__init__", "None",
                  "Makes the grid. Raises Error for an orientation together with directions, rolls "
                  "or azimuths, azimuths of an arm whose first joint does not turn about an axis "

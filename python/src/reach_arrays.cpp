@@ -82,7 +82,7 @@ ReachCells cells_of(const ReachGrid& grid, const CellArrays& arrays) {
   if (!std::ranges::equal(shape, with_orientations(positions_shape(grid, count), grid)) &&
       !std::ranges::equal(shape, with_orientations({count}, grid))) {
     const auto all = with_orientations(positions_shape(grid, grid.positions()), grid);
-    throw Error("the cells have the shape " + shape_text(shape) + "; those of the grid have " +
+    throw Error("the cells have the shape " + shape_text(shape) + "; the cells of the grid have " +
                 shape_text(all) + ", or (N, ...) for N positions");
   }
   const auto copied = [](const auto& array) {

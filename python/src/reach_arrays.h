@@ -38,13 +38,13 @@ class CellWriter {
 
 CellArrays arrays_of(const ReachGrid& grid, const ReachCells& cells);
 
-/// The cells of arrays, which are those of whole positions. Throws Error for another shape, and for
+/// The cells of arrays, which are cells of whole positions. Throws Error for another shape, and for
 /// ones that were not computed to the end.
 ReachCells cells_of(const ReachGrid& grid, const CellArrays& arrays);
 
 PositionArrays summary_of(const ReachGrid& grid, const ReachCells& cells);
 
-/// The part of ReachMap in the module, and that of its files.
+/// The part of ReachMap in the module, and its files.
 void bind_map(nb::module_& module);
 /// The options of computing cells. Throws Error for a negative number of threads.
 template <class... Others>

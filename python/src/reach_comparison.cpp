@@ -40,7 +40,7 @@ void bind_comparison(nb::module_& m) {
 
   Signature slices = of_two_maps("slices_of", "tuple[ReachSlice, ReachSlice]",
                                  std::string("Returns the slices of two maps at the same cells, "
-                                             "those of compare_reach(). Raises Error ") +
+                                             "the cells of compare_reach(). Raises Error ") +
                                      not_comparable + "and for a coordinate outside both.");
   SlicePlane::takes(slices);
   define(

@@ -85,7 +85,7 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
       .takes("path", path_like, "The file; it is replaced.")
       .options<ReachOptions>()
       .options<ShardOptions>();
-  compute.returns("`complete`, or what of the budget ended it.");
+  compute.returns("`complete`, or which limit of the budget ended it.");
   define(
       m,
       [](const Arm& arm, const GridOfArm& grid, nb::handle path, const nb::kwargs& keywords) {

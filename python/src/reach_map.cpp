@@ -179,7 +179,7 @@ void bind_map_state(nb::class_<ReachMap>& map) {
         if (nb::len(state) != 4 || !nb::try_cast<const GridOfArm*>(state[1], grid) || !grid ||
             !nb::isinstance<nb::tuple>(state[2]) ||
             !nb::try_cast<const CellArrays*>(state[3], cells) || !cells) {
-          throw Error("the pickled state is not that of a ReachMap");
+          throw Error("the pickled state does not belong to a ReachMap");
         }
         const auto made = restored<MapOptions>(nb::borrow<nb::tuple>(state[2]));
         new (&self) ReachMap(map_of(*grid->arm, grid->grid, *cells, made));
@@ -190,7 +190,7 @@ void bind_map_state(nb::class_<ReachMap>& map) {
 void bind_making(nb::module_& m, nb::class_<ReachMap>& map) {
   Signature made("__init__", "None",
                  "Makes a map in memory of cells that were computed. Raises Error for cells that "
-                 "were not computed to the end or are not those of all positions of the grid.");
+                 "were not computed to the end or do not cover all positions of the grid.");
   made.takes("self")
       .takes("arm", "Arm", "The arm.")
       .takes("grid", "ReachGrid", "The cells.")

@@ -94,8 +94,8 @@ void bind_errors(nb::module_& m) {
                   "Returns pose_difference(desired, current) in the axes of the frame, (6,).");
   error.takes("desired", array_like, pose_doc)
       .takes("current", array_like, pose_doc)
-      .takes("frame", Value<Frame>::type(), "`base`, the world's; or `tool`, those of `current`.",
-             "'base'");
+      .takes("frame", Value<Frame>::type(),
+             "`base`, the world's; or `tool`, the axes of `current`.", "'base'");
   define(
       m,
       [](nb::handle desired, nb::handle current, nb::handle frame) {

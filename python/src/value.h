@@ -299,7 +299,7 @@ struct Value<std::array<T, 2>> {
   }
 };
 
-/// Enumerations are the names that the command line has for them or, where it has none, those of
+/// Enumerations are the names that the command line has for them, otherwise the names of
 /// the enumerators.
 template <class Enum>
 std::vector<Enum> choices() {

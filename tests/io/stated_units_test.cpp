@@ -171,7 +171,7 @@ TEST(StatedUnits, PosesHaveThem) {
                  "unknown column \"blend_mm\"");
 }
 
-/// Rows of numbers in any units and any order are those of the table in the wanted units.
+/// Rows of numbers in any units and any order equal the table in the wanted units.
 TEST(StatedUnits, RowsOfNumbersAreConverted) {
   Random random;
   const testing::TemporaryFolder folder;

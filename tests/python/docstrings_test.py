@@ -63,7 +63,7 @@ def test_every_member_of_python_is_described_in_its_header():
     for member in members:
         name = "::".join(member.split("::")[-2:])
         described += name in texts
-    # Members without words of their own have an enumeration's, or are those of arrays or of a budget.
+    # Members without words of their own have an enumeration's, or belong to arrays or to a budget.
     assert described > 0.9 * len(members) and "Profile" in enumerations
 
 
@@ -89,7 +89,7 @@ def test_members_have_the_words_of_the_header():
     assert "Deviation | tuple[float, float], default (0.0001, 0.001)" in beeline.Tracker.__init__.__doc__
 
 
-def test_comments_are_those_of_the_declarations(tmp_path):
+def test_comments_belong_to_the_declarations(tmp_path):
     text = """
 #pragma once
 namespace beeline {
@@ -157,7 +157,7 @@ void refuse(Thing thing);
         ("Redundancy::nearest or Arm::reach()", "int", "`nearest` or Arm.reach()."),
     ],
 )
-def test_words_become_those_of_python(comment, type, docstring):
+def test_words_become_pythons(comment, type, docstring):
     assert header_texts.for_python(header_texts.Entry("A::b", "struct", type, comment, "")) == docstring
 
 
