@@ -76,6 +76,10 @@ std::string percent(double fraction);
 /// larger one never.
 std::string percent_at_most(double fraction);
 
+/// Returns the least number of so many significant digits that is at least `value`: a bound that is
+/// printed.
+double rounded_up(double value, int digits);
+
 /// A number with six significant digits, rounded up: a bound that is accepted when it is typed.
 std::string number_at_least(double value);
 

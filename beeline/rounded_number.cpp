@@ -57,12 +57,14 @@ std::string percent_at_most(double fraction) {
   return percent_text(std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon())), unit);
 }
 
-std::string number_at_least(double value) {
-  if (!(std::abs(value) > 0 && std::isfinite(value))) return number(value);
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
+double rounded_up(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
   const double units = std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon()));
-  return number(units * unit);
+  return units * unit;
 }
+
+std::string number_at_least(double value) { return number(rounded_up(value, 6)); }
 
 std::string number_apart(double value, double reference) {
   constexpr int usual = 6, all = std::numeric_limits<double>::max_digits10;

@@ -97,8 +97,8 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   }
   if (!mount.empty()) {
     const Pose world_T_base = parse_frame_option(described, "--mount", mount, unit).pose;
-    warn_of_mount(world_T_base, unit);
     arm = with_mount(arm, world_T_base);
+    warn_of_mount(world_T_base, unit);
   }
   if (limits.empty()) return arm;
   const JointLimits file = read_joint_limits(limits, arm);

@@ -48,12 +48,12 @@ std::string moves_text(const LineReport& report, const UnitArgument& unit) {
     const PlannedMove& planned = report.moves[i];
     std::string bound = "joints move in proportion";
     if (move.kind != MoveKind::joint) {
-      bound = fmt::format("{:.2e} m   {:.2e} {}", planned.bound.position,
-                          unit.shown(planned.bound.orientation), unit.name());
+      bound = fmt::format("{:.2e} m   {:.2e} {}", rounded_up(planned.bound.position, 3),
+                          rounded_up(unit.shown(planned.bound.orientation), 3), unit.name());
     }
     text += fmt::format("  {:>4}  {:<8}  {:<10}  {:<10}  {:<14}  {}   {}\n", i + 1, name(move.kind),
                         shown(duration_of(report, i)), shown(pause_after(report, i)),
-                        shown(planned.tool_speed) + " m/s", bound, move.place);
+                        fmt::format("{:.4g} m/s", planned.tool_speed), bound, move.place);
   }
   return text;
 }

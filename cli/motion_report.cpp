@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 #include <beeline/error.h>
 
@@ -33,13 +34,16 @@ Json json_usage(const LimitFraction& use) {
 std::string deviation_text(const PathDeviation& deviation, Interpolation interpolation,
                            const UnitArgument& unit) {
   std::string text = "deviation     position     orientation\n";
-  const auto add = [&](const char* label, const Deviation& value, const std::string& remark) {
-    text += fmt::format("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, value.position,
-                        unit.shown(value.orientation), unit.name(), remark);
+  const auto add = [&](const char* label, double position, double angle,
+                       const std::string& remark) {
+    text += fmt::format("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, position, angle, unit.name(),
+                        remark);
   };
-  add("at samples", deviation.sampled, "");
-  add("measured", deviation.measured, "   (between samples too)");
-  add("proved", deviation.bound,
+  const auto [sampled, measured, bound] =
+      std::tie(deviation.sampled, deviation.measured, deviation.bound);
+  add("at samples", sampled.position, unit.shown(sampled.orientation), "");
+  add("measured", measured.position, unit.shown(measured.orientation), "   (between samples too)");
+  add("proved", rounded_up(bound.position, 3), rounded_up(unit.shown(bound.orientation), 3),
       fmt::format("   (at all times, joints {} between samples)", name(interpolation)));
   return text;
 }

@@ -66,6 +66,18 @@ TEST(NumberAtLeast, IsASixDigitNumberNotBelow) {
   }
 }
 
+TEST(RoundedUp, KeepsSoManyDigitsAndIsNotBelow) {
+  EXPECT_DOUBLE_EQ(rounded_up(5.6021e-5, 3), 5.61e-5);
+  EXPECT_DOUBLE_EQ(rounded_up(0.25, 3), 0.25);
+  EXPECT_EQ(rounded_up(0, 3), 0);
+  testing::Random random;
+  for (int i = 0; i < testing::cases(2000); ++i) {
+    const double value = std::pow(10, random.uniform(-12, 9));
+    EXPECT_GE(rounded_up(value, 3) * (1 + 1e-15), value);
+    EXPECT_LE(rounded_up(value, 3), value * 1.0101);
+  }
+}
+
 TEST(NumberApart, DiffersFromTheReferenceWhereTheNumbersDo) {
   EXPECT_EQ(number_apart(2.61, 1), "2.61");
   EXPECT_EQ(number_apart(1, 1), "1");

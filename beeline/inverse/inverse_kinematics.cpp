@@ -33,11 +33,12 @@ std::string name(InverseStatus status) { return statuses.of(status); }
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
   if (result.solutions.empty()) return out << ": " << result.reason;
-  out << ", " << result.solutions.size() << " solution(s)"
+  const std::size_t count = result.solutions.size();
+  out << ", " << count << (count == 1 ? " solution" : " solutions")
       << (result.self_motion_dimension > 0 ? " of infinitely many, " : ", ") << result.method;
   for (const Configuration& q : result.solutions) {
     out << '\n';
-    for (const double value : q) out << "  " << number(value);
+    for (const double value : q) out << "  " << number(std::abs(value) < 1e-12 ? 0 : value);
   }
   return out;
 }

@@ -190,7 +190,8 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion) {
   if (!motion) return out << motion.status << ": " << motion.reason;
   return out << motion.status << " in " << number(motion.trajectory.times.back()) << " s, "
              << motion.trajectory.size() << " samples, deviation at most "
-             << motion.deviation.bound;
+             << Deviation{rounded_up(motion.deviation.bound.position, 3),
+                          rounded_up(motion.deviation.bound.orientation, 3)};
 }
 
 }  // namespace beeline
