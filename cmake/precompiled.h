@@ -1,5 +1,10 @@
 // What nearly every source includes, compiled once (target_precompile_headers). Each source still
 // includes what it uses: the lint's builds do without this header.
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,9 +23,3 @@
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>

@@ -9,7 +9,7 @@ PATH=$PWD/.venv-lint/bin:$PATH  # clang-format and clang-tidy of scripts/lint_re
 . scripts/steps.sh
 
 formatting() { scripts/sources.sh | xargs clang-format --dry-run -Werror; }
-headers() { cmake --build "$build" --target all_verify_interface_header_sets; }
+headers() { cmake --build "$build" --target all_verify_interface_header_sets header_texts; }
 
 step "formatting" formatting
 step "scripts" shellcheck scripts/*.sh .ci/run

@@ -29,9 +29,9 @@ double cpu_microseconds();
 /// `passes`: the mean of each pass, timed as a whole. `calls`: the shortest call of each pose.
 Timing timing_of(std::vector<double> passes, std::vector<double> calls);
 
-/// Times solve(0) ... solve(count - 1). The mean is taken from the median pass, the CPU time of each
-/// pass measured as a whole. The percentiles come from passes with each call timed, minus the cost
-/// of the clock; the time of a pose is its shortest of all passes, so that the tail shows hard
+/// Times solve(0) ... solve(count - 1). The mean is taken from the median pass, the CPU time of
+/// each pass measured as a whole. The percentiles come from passes with each call timed, minus the
+/// cost of the clock; the time of a pose is its shortest of all passes, so that the tail shows hard
 /// poses and not interruptions. A solver that takes more than a few seconds for each pass gets one
 /// pass of each.
 template <class Solve>

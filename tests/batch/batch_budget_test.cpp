@@ -10,8 +10,8 @@
 namespace beeline {
 namespace {
 
-/// The number of columns without a NaN. Each of them equals the column of the whole batch; the others are NaN
-/// in all rows.
+/// The number of columns without a NaN. Each of them equals the column of the whole batch; the
+/// others are NaN in all rows.
 Eigen::Index expect_part_of(const Eigen::MatrixXd& whole, const Eigen::MatrixXd& part) {
   Eigen::Index computed = 0;
   for (Eigen::Index i = 0; i < part.cols(); ++i) {

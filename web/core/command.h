@@ -3,7 +3,7 @@
 extern "C" {
 
 /// Runs the command `beeline` with these arguments, argv[0] included, and returns its exit code.
-/// It reads and writes files of the module's file system. Calls the module's function `progress` with the
-/// fraction computed, now and then.
+/// It reads and writes files of the module's file system. Calls the module's function `progress`
+/// with the fraction computed, now and then.
 int beeline_command(int argc, char** argv);
 }

@@ -75,11 +75,12 @@ std::vector<PageCell> page_cells(ColumnCells& column, double height, double plot
   const double spare = above.marks.empty() ? 0 : height - height_of(column, plot_height);
   const PaperPoint centred(std::floor((column.width() - above.width) / 2), std::floor(spare / 2));
   std::vector<PageCell> cells;
-  cells.push_back({{column.width(), above.height + spare}, [&above, &marks, centred](auto corner) {
-                     for (const PaperMark& mark : above.marks) {
-                       marks.push_back(moved(mark, corner + centred));
-                     }
-                   }});
+  cells.push_back(
+      {{column.width(), above.height + spare}, [&above, &marks, centred](const auto& corner) {
+         for (const PaperMark& mark : above.marks) {
+           marks.push_back(moved(mark, corner + centred));
+         }
+       }});
   for (ChartCell& cell : column.cells) {
     const auto draw_cell = [&, plot_height](const PaperPoint& corner) {
       cell.plot.low = corner + PaperPoint(column.left, heading_height(cell));

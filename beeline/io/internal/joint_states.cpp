@@ -3,7 +3,6 @@
 #include <utility>
 
 #include <beeline/error.h>
-#include <beeline/io/text/numbers.h>
 #include <beeline/io/internal/joint_states.h>
 #include <beeline/io/internal/recordable.h>
 #include <beeline/io/internal/time_column.h>
@@ -13,6 +12,7 @@
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/internal/yaml.h>
+#include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
 namespace {

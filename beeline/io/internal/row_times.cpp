@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/io/text/numbers.h>
 #include <beeline/io/internal/row_times.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/numbers.h>

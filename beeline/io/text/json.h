@@ -24,7 +24,7 @@ struct Json {
   Json(std::nullptr_t);
   Json(bool truth);
   template <std::integral Integer>
-  Json(Integer number) : value(static_cast<std::int64_t>(number)) {}
+  Json(Integer number);
   Json(double number);  ///< null if infinite or NaN, which JSON cannot represent
   Json(const char* text);
   Json(std::string text);
@@ -58,6 +58,9 @@ struct Json::Member {
   std::string key;
   Json value;
 };
+
+template <std::integral Integer>
+Json::Json(Integer number) : value(static_cast<std::int64_t>(number)) {}
 
 /// A parsed JSON text with checked access. Every error is a FileError that names the line and the
 /// value's path: `arm.json:7: joints[2].limits.lower must be a number, not text`.

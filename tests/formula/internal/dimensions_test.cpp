@@ -38,7 +38,8 @@ TEST(AxisRotations, FindMultiplesOf15Degrees) {
   }
 }
 
-/// The determinants of the blocks multiply to the determinant of the matrix, for random patterns of zeros.
+/// The determinants of the blocks multiply to the determinant of the matrix, for random patterns of
+/// zeros.
 TEST(BlockForm, HasTheDeterminantOfTheMatrix) {
   testing::Random random;
   int split = 0;

@@ -16,8 +16,8 @@ using testing::joint;
 using testing::link;
 
 std::string mimic(const std::string& leader, double multiplier, double offset) {
-  return "<mimic joint=\"" + leader + "\" multiplier=\"" + exact(multiplier) +
-         "\" offset=\"" + exact(offset) + "\"/>";
+  return "<mimic joint=\"" + leader + "\" multiplier=\"" + exact(multiplier) + "\" offset=\"" +
+         exact(offset) + "\"/>";
 }
 
 /// The arm whose joint `c` is constant is the arm with `c` free, at that value.
