@@ -197,11 +197,12 @@ struct ControllerFileOptions {
 
 /// A motion in the form that a controller takes.
 struct ControllerFile {
-  std::string text;         ///< its content, with `proof` and `note` as comments
-  std::string proof;        ///< which part of a proof about the trajectory holds for the controller
-  std::string note;         ///< what the user must ensure; may be empty
+  std::string text;         ///< content of the file, with `proof` and `note` as comments
+  std::string proof;        ///< guarantees of verify() that remain on the controller
+  std::string note;         ///< conditions that the user must ensure; may be empty
   std::size_t samples = 0;  ///< number of setpoints or moves
-  double duration = 0;      ///< seconds; with a rate at most one period more than the trajectory's
+  /// Duration, s; with a rate at most one period longer than the trajectory.
+  double duration = 0;
 };
 
 /// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
@@ -216,12 +217,12 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
 /// Returns a planned program as moves for a controller, from the configuration at which its
 /// trajectory begins: joint moves to the planned joint values, the others to their poses in the
 /// controller's root frame, ControllerFrames::base, or in `options.work`, with speeds, blends and
-/// dwells. The file sets the arm's tool. Where the arm stands in the world plays no part. Moves
-/// without a speed get the largest of the planned motion. The controller plans all motions again.
-/// `samples` is the number of moves, `duration` that of the planned motion. Throws Error for a
-/// motion that is not complete or not of the program; as the function above; for ros2, csv and a
-/// rate, which need a trajectory; and for a kind of move that the form does not have: screws, and
-/// splines except of krl.
+/// dwells. The file sets the arm's tool. The mount of the arm in the world has no influence. A move
+/// without a speed gets the largest speed of the planned motion. The controller plans all motions
+/// again. `samples` is the number of moves, `duration` the duration of the planned motion. Throws
+/// Error for a motion that is not complete or not a motion of the program, for an arm that the
+/// function above refuses, for ros2, csv and a rate, which need a trajectory, and for a kind of
+/// move that the form does not have: screws, and splines except of krl.
 ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
                                ControllerForm form, const ControllerFileOptions& options = {});
 

@@ -60,7 +60,7 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
 /// How joint_rates() ends.
 enum class RatesStatus {
   solved,         ///< the rates move the tool at the velocity
-  damped,         ///< the rates are those of damped least squares
+  damped,         ///< the rates are the damped least-squares solution
   singular,       ///< the velocity has a part in a direction that is lost at a singularity
   too_few_joints  ///< it has a part in a direction that the arm has no joint for
 };

@@ -84,23 +84,24 @@ class Arm {
   const Joint& joint_of(Eigen::Index k) const { return joints_[leaders_[k]]; }
   std::vector<std::string> joint_names() const;  ///< one for each coordinate
 
-  /// The limits of coordinate k: those of its joint, tightened so that the mimic joints that follow
-  /// it stay within theirs.
+  /// The limits of coordinate k: the limits of its joint, tightened so that the mimic joints that
+  /// follow it stay within their own limits.
   const Limits& limits(Eigen::Index k) const { return limits_[k]; }
   const std::vector<Limits>& limits() const { return limits_; }
 
-  /// How joint i (from 0) depends on q: its value is ratio * q[coordinate] + shift.
-  struct Drive {
+  /// The dependence of a joint's value on q: ratio * q[coordinate] + shift.
+  struct JointCoupling {
     int coordinate = 0;
     double ratio = 1;
     double shift = 0;
   };
-  const std::vector<Drive>& drives() const { return drives_; }
+  /// One for each joint.
+  const std::vector<JointCoupling>& couplings() const { return couplings_; }
 
   /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
-  /// Whether all axes of rotation are parallel to the world's z, as those of planar arms and
+  /// Whether all axes of rotation are parallel to the world's z axis. True for planar arms and
   /// SCARAs.
   bool rotates_about_z() const { return rotates_about_z_; }
 
@@ -131,7 +132,7 @@ class Arm {
   Pose base_, tool_;
   ControllerFrames controller_;
   std::vector<int> leaders_;
-  std::vector<Drive> drives_;
+  std::vector<JointCoupling> couplings_;
   std::vector<Limits> limits_;
   KernelForm kernel_form_;
   bool planar_ = false;
@@ -176,21 +177,24 @@ std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q,
 /// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
 Configuration middle_configuration(const Arm& arm);
 
-/// Returns a configuration uniform within the position limits. A coordinate with one limit is
-/// within one revolution or two metres of it; without limits, within half of that of zero. An
-/// engine with the same seed gives the same configurations on every machine.
+/// Returns a configuration from the uniform distribution within the position limits. A coordinate
+/// with one limit is within one revolution or two metres of it. A coordinate without limits is
+/// within half a revolution or one metre of zero. An engine with the same seed gives the same
+/// configurations on every machine.
 Configuration random_configuration(const Arm& arm, std::mt19937_64& engine);
 
-/// The limits of joint i (from 0): those of its coordinate, or a mimic joint's own.
+/// Returns the limits of joint i (from 0): a mimic joint's own limits, otherwise the limits of its
+/// coordinate.
 inline const Limits& joint_limits(const Arm& arm, std::size_t i) {
   const Joint& joint = arm.joints()[i];
-  return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);
+  return joint.mimic ? joint.limits : arm.limits(arm.couplings()[i].coordinate);
 }
 
-/// Returns the arm as a table: each joint with its kind, its axis in the world where all joints are
-/// at 0, its position limits and its limits of velocity, acceleration and jerk, those of
-/// motion_limits() marked where they are assumed; the frames of all links and of the tool there;
-/// the reach. Six significant digits, angles in rad or in degrees.
+/// Returns the arm as a table. For each joint it has the kind, the axis in the world with all
+/// joints at 0, the position limits, and the limits of velocity, acceleration and jerk, with a mark
+/// at the values that motion_limits() assumes. It also has the frames of all links and of the tool
+/// with all joints at 0, and the reach. Numbers have six significant digits; angles are in rad or
+/// in degrees.
 std::string arm_table(const Arm& arm, bool degrees = false);
 
 /// Prints arm_table().

@@ -21,9 +21,9 @@ struct BuiltInArm {
   std::vector<std::vector<std::string>> joint_names;
 };
 
-/// The built-in arms by name: those of Dellaert, *Serial Link Manipulators* (rrr, section 1.5; rp,
-/// exercise of section 1.3; gantry, exercise of section 1.7), and arms on the market. Each is a
-/// file of beeline/model/arms/, which read_arm_json() reads too.
+/// Returns the built-in arms by name: the arms of Dellaert, *Serial Link Manipulators* (rrr,
+/// section 1.5; rp, exercise of section 1.3; gantry, exercise of section 1.7), and arms on the
+/// market. Each is a file of beeline/model/arms/, which read_arm_json() reads too.
 const std::vector<BuiltInArm>& built_in_arms();
 std::vector<std::string> built_in_names();
 

@@ -52,8 +52,8 @@ constexpr double velocity_limit_of(const Limits& limits) {
                                         : limits.speed_scale * assumed_velocity_limit;
 }
 
-/// The limits that motions keep: the joint's own where they are known, else the assumed ones. None
-/// is infinite but those of the position.
+/// Returns the limits that motions keep: the joint's own limits if they are known, otherwise the
+/// assumed ones. Only position limits can be infinite.
 constexpr Limits motion_limits(Limits limits) {
   limits.velocity = velocity_limit_of(limits);
   if (!(limits.acceleration < Limits::none)) {
@@ -65,8 +65,8 @@ constexpr Limits motion_limits(Limits limits) {
   return limits;
 }
 
-/// Limits that replace those of a joint, in the same units; a limit of std::nullopt stays. An
-/// infinite one states that there is no limit, or none is known.
+/// Limits that replace a joint's limits, in the same units. std::nullopt keeps the joint's limit.
+/// An infinite value means that there is no limit or that none is known.
 struct LimitOverrides {
   std::optional<double> lower = std::nullopt;         ///< of the position, rad or m
   std::optional<double> upper = std::nullopt;         ///< of the position, rad or m

@@ -59,9 +59,9 @@ struct RefineOptions {
   Budget budget = {};           ///< a grid point is a unit of work
 };
 
-/// Returns the same path with more grid points: those of `path` stay, and steps that are longer or
-/// curve more than the options allow are divided into equal parts. Empty where the budget ends it.
-/// Throws Error, too, for more than 1e7 grid points.
+/// Returns the same path with more grid points. The grid points of `path` remain; steps that are
+/// longer or curve more than the options allow are divided into equal parts. The result is empty if
+/// the budget ends the computation. Also throws Error for more than 1e7 grid points.
 JointPath refined(const JointPath& path, const RefineOptions& options = {});
 
 }  // namespace beeline

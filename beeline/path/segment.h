@@ -34,12 +34,12 @@ struct Arc {
   Vector3 rotation;
 };
 
-/// A segment of a spline, or a blend. With the vectors x and r of the polynomial [x; r](s) = sum_k
-/// terms_k s^k, whose coefficients are the columns of `terms`, in world axes, the position is that
-/// of `centre` plus x, and the orientation exp(r) times that of `centre`. Intended for |r| <= pi.
+/// A segment of a spline, or a blend. The polynomial [x; r](s) = sum_k terms_k s^k has the columns
+/// of `terms` as coefficients, in world axes. The position is the position of `centre` plus x, and
+/// the orientation is exp(r) times the orientation of `centre`. Intended for |r| <= pi.
 struct SplineSegment {
   Pose centre = Pose::Identity();  ///< pose at the zero of the polynomial
-  /// Coefficients, m and rad, (6, 6): those of s^k in column k.
+  /// Coefficients of the polynomial, m and rad, (6, 6); column k has the coefficients of s^k.
   Matrix6 terms = Matrix6::Zero();
 };
 

@@ -46,7 +46,8 @@ struct Route {
   ToolPath path;  ///< of the tool
   /// Whether the tool stops after each segment; it always stops after the last.
   std::vector<bool> stops;
-  /// Limit of the tool origin's speed on each segment, m/s; empty: that of the motion's options.
+  /// Limit of the tool origin's speed on each segment, m/s; empty: the limit of the motion's
+  /// options.
   std::vector<double> speeds = {};
 };
 

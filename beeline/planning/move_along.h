@@ -15,26 +15,26 @@
 
 namespace beeline {
 
-/// A rigidly moved path that the arm can follow where it cannot follow the original one, or the
-/// original path from another start.
+/// A path that the arm can follow in place of one that it cannot: the original path after a
+/// translation or rotation, or the original path from another start.
 struct NearbyPath {
-  Vector3 moved = Vector3::Zero();   ///< translation of the path, m, in world axes
-  Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, rad, in tool axes
-  ToolPath path;                     ///< the moved path
-  /// In place of the start that was given; std::nullopt: that start stays.
+  Vector3 translation = Vector3::Zero();  ///< translation of the path, m, in world axes
+  Vector3 rotation = Vector3::Zero();     ///< rotation vector of each pose, rad, in tool axes
+  ToolPath path;                          ///< the path after the translation or rotation
+  /// Start that replaces the given one; std::nullopt if the given start is kept.
   std::optional<Configuration> start = std::nullopt;
-  /// Such as `with every waypoint moved by 0.012 m along -z; the start stays`.
+  /// The change in words, such as `with every waypoint moved by 0.012 m along -z; the start stays`.
   std::string description;
 };
 
-/// Searches for the shortest translation along one of the world's axes or half-way between some of
-/// them, or, if `rotate`, the smallest such rotation of the tool about its own axes, with which
-/// plan_path() succeeds. Sizes quadruple from 4 mm to 0.256 m, or from 0.01 to 0.64 rad; those
-/// of the directions that succeed first are refined by bisection. Each is first searched coarsely,
-/// within a limit of work. Paths of planar arms move in the plane. With a start, the path's first
-/// pose is kept and its first line leads to the moved path; a path whose first segment is no line,
-/// or continues smoothly, then has no result. Where the budget ends the search, the result is empty
-/// or not refined. Throws Error as plan_path() does.
+/// Searches for the shortest translation with which plan_path() succeeds, along one of the world's
+/// axes or half-way between several of them. If `rotate`, searches for the smallest rotation of the
+/// tool about its own axes or about directions half-way between them. Sizes quadruple from 4 mm to
+/// 0.256 m, or from 0.01 to 0.64 rad; bisection refines the size in the directions that succeed
+/// first. Each size is first searched coarsely, within a limit of work. Paths of planar arms move
+/// in the plane. With a start, the path's first pose is kept and its first line leads to the moved
+/// path; there is no result if the path's first segment is not a line or continues smoothly. If the
+/// budget ends the search, the result is empty or not refined. Throws Error as plan_path() does.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);

@@ -188,7 +188,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   }
   if (!best) return {};
   NearbyPath found;
-  (rotate ? found.turned : found.moved) = size * *best;
+  (rotate ? found.rotation : found.translation) = size * *best;
   found.path = trial.at(size * *best);
   found.description = described(*best, size, rotate, start.has_value());
   return found;

@@ -32,8 +32,8 @@ struct Move {
   /// The waypoint of a joint move as a configuration; it replaces `target`.
   std::optional<Configuration> q = std::nullopt;
   std::optional<Vector3> via = std::nullopt;  ///< a position on the arc in the world, m
-  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. It holds on
-  /// the blend with the next move too.
+  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: the limit of the options. It
+  /// also holds on the blend with the next move.
   std::optional<double> speed = std::nullopt;
   /// Max deviation of the blend with the next move from the waypoint and from both lines, m, and 5
   /// rad for each metre: see blended_lines(). 0: none. Both moves must be lines.
@@ -46,7 +46,7 @@ struct Move {
 /// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.
 constexpr std::size_t max_moves = 5000;
 
-/// The moves of an arm in order, such as those of a whole pick.
+/// The moves of an arm in order, such as a whole pick.
 struct Program {
   std::vector<Move> moves;  ///< in order
 };
@@ -101,7 +101,7 @@ struct ProgramMotion {
 
 /// Plans the moves of a program as one trajectory from rest to rest.
 ///
-/// - Without `start` the motion begins at the first move's waypoint, which must be that of a joint
+/// - Without `start` the motion begins at the waypoint of the first move, which must be a joint
 ///   move or a line.
 /// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
 ///   are possible; among those found, at the one that it reaches soonest at the velocity limits. No
@@ -111,10 +111,11 @@ struct ProgramMotion {
 ///   move has its own speed; `suggest` is ignored.
 /// - A dwell has a sample at both ends; with a rate it lasts whole periods, with a sample at each.
 ///
-/// Throws Error for a program without moves, and MoveError for a blend that is not between two
-/// lines or at a dwell; a via or a configuration where there is none, or an arc without via; a
-/// speed, blend or dwell out of range; a configuration outside the limits; and where
-/// path_through(), blended_lines() and move_along() do. `budget` is that of the whole program.
+/// `budget` limits the planning of the whole program. Throws Error for a program without moves, and
+/// MoveError for a blend that is not between two lines or is at a dwell, for a via or a
+/// configuration of a move that cannot have one, for an arc without via, for a speed, blend or
+/// dwell out of range, for a configuration outside the limits, and if path_through(),
+/// blended_lines() or move_along() throws.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {});
 
@@ -128,7 +129,7 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves but joint moves from stop to stop. A joint move is only held to the
 ///   arm's limits.
-/// - The tool's speed is within that of each move.
+/// - The tool's speed is within the speed limit of each move.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
 /// Throws Error as move_program() and verify() do.

@@ -111,7 +111,8 @@ class ReachGrid {
   /// x, y and z, or radius, height and azimuth.
   const std::array<ReachAxis, 3>& axes() const { return axes_; }
   bool cylindrical() const { return cylindrical_; }
-  /// Cells along x, y and z that cover the positions: those of the grid, or of the same resolution.
+  /// Cells along x, y and z that cover the positions: the cells of the grid, or, for a cylindrical
+  /// grid, cells of the same resolution.
   std::array<ReachAxis, 3> cartesian_axes() const;
   ReachOrientations orientations() const { return orientations_; }
   const Rotation& orientation() const { return orientation_; }  ///< of ReachOrientations::fixed

@@ -47,14 +47,14 @@ struct ReachCells {
   void resize(std::size_t cells);
 };
 
-/// Computes the cells of the positions from `first` to `last` (exclusive) of the grid. Where any
-/// roll will do (ReachOrientations::directions), the roll counts as reached if some value of the
-/// last joint reaches it, and the margin is that of the other joints. A pose between the cells is
-/// in that of ReachGrid::cell_of(). Throws Error for an arm with fewer joints than a pose has
-/// components, and without rolls for an arm whose last joint does not turn about the tool's z axis;
-/// for azimuths of an arm whose solutions cannot all be computed, such as a redundant one; by
-/// sampling, for azimuths, one orientation, and a joint without position limits that is not
-/// revolute or that others follow.
+/// Computes the cells of the positions from `first` to `last` (exclusive) of the grid. If any roll
+/// is accepted (ReachOrientations::directions), the roll counts as reached if some value of the
+/// last joint reaches it, and the margin is the smallest margin of the other joints. A pose between
+/// the cells belongs to the cell ReachGrid::cell_of(). Throws Error for an arm with fewer joints
+/// than a pose has components. Without rolls, throws Error for an arm whose last joint does not
+/// turn about the tool's z axis. With azimuths, throws Error for an arm whose solutions cannot all
+/// be computed, such as a redundant one. By sampling, throws Error for azimuths, for one
+/// orientation, and for a joint without position limits that is not revolute or that others follow.
 ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
                        const ReachOptions& options = {});
 

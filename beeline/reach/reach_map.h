@@ -30,8 +30,8 @@ class ReachMap {
   /// Opens a file. The cells of a map by azimuths are computed from it by `threads` threads, 0: one
   /// for each core. Throws FileError for a file that cannot be read or is no reach map.
   explicit ReachMap(const std::string& path, int threads = 0);
-  /// A map in memory. Throws Error for cells that were not computed to the end or are not those of
-  /// all positions of the grid.
+  /// A map in memory. Throws Error for cells that were not computed to the end or do not cover all
+  /// positions of the grid.
   ReachMap(ReachMapHeader header, ReachCells cells);
   ~ReachMap();
   ReachMap(ReachMap&&) noexcept;
@@ -87,10 +87,10 @@ struct ReachMapOptions {
 };
 
 /// Computes a map, or a shard of it, into a file. Each slab is written whole into the folder
-/// `path`.parts, where a call that follows one that was ended or killed finds it; in the end they
-/// are joined and deleted. The datasets do not depend on threads, shards or interruptions. The
-/// memory needed is that of two slabs, by sampling of 2^25 cells. Throws Error as reach_cells()
-/// does and for a shard that does not exist; FileError for what cannot be written and for a folder
+/// `path`.parts. A call after an ended or killed one reuses these slabs. The last step joins and
+/// deletes them. The datasets do not depend on threads, shards or interruptions. Needs the memory
+/// of two slabs, by sampling the memory of 2^25 cells. Throws Error as reach_cells() does and for a
+/// shard that does not exist. Throws FileError for a file that cannot be written and for a folder
 /// with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});

@@ -62,21 +62,24 @@ ReachSlice slice_of(const ReachMap& map, int normal, double at,
 /// cells, FileError for a file that cannot be written, and for an incomplete map.
 void write_vti(const ReachMap& map, const std::string& path);
 
-/// What one of two maps has, at the points at which they are compared. Volumes are areas, m^2, if
+/// Measures of one of two maps, at the points where they are compared. Volumes are areas, m^2, if
 /// both arms are planar.
 struct ReachSide {
-  double volume = 0;      ///< reached in some orientation, m^3
-  double alone = 0;       ///< of it, not reached by the other
-  double better = 0;      ///< where it reaches more of the directions than the other, m^3
-  double directions = 0;  ///< mean fraction reached, where either arm reaches some
-  /// Mean of the largest at each point, where both arms reach some orientation; NaN if nowhere.
+  double volume = 0;            ///< volume reached in some orientation, m^3
+  double volume_only_here = 0;  ///< volume that the other map does not reach, m^3
+  /// Volume of the points with a larger fraction of directions reached than on the other map, m^3.
+  double volume_more_directions = 0;
+  /// Mean fraction of directions reached, over the points that either map reaches.
+  double directions = 0;
+  /// Mean of the largest manipulability at each point, over the points that both maps reach; NaN if
+  /// there are none.
   double manipulability = 0;
-  /// Mean of the largest margin to the joint limits at each point, where both arms reach some
-  /// orientation; NaN if nowhere.
+  /// Mean of the largest margin to the joint limits at each point, over the points that both maps
+  /// reach; NaN if there are none.
   double margin = 0;
 };
 
-/// What two maps have, each alone and both.
+/// Comparison of two maps.
 struct ReachComparison {
   std::array<ReachSide, 2> sides;  ///< of the first map and of the second
   double both = 0;                 ///< volume that both reach, m^3

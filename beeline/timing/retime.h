@@ -45,8 +45,8 @@ struct Retimed {
   double tool_speed = 0;               ///< a bound on the tool origin's speed, m/s
   std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
-  /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
-  /// longer than necessary; `limits` and `tool_speed` are not known.
+  /// How the computation ended. Unless complete, the trajectory has the sections computed so far,
+  /// up to a stop, and may take longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
 
   /// Whether there is a motion, and the best.

@@ -86,11 +86,11 @@ constexpr Profile default_profile = Profile::jerk;
 ///     minimise T  subject to  |dq_i/dt| <= velocity_i,  |d2q_i/dt2| <= acceleration_i,
 ///                             |d3q_i/dt3| <= jerk_i (where the profile keeps it),
 ///                             ds/dt <= speed,  at rest at t = 0 and t = T,
-/// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
-/// Where the budget ends the search of the profile jerk, returns the best found so far, which keeps
-/// the limits; none, with the reason, where it ends the computation before there is one. Throws
-/// Error for a path or limits that check_path() or check_limits() refuse, and for Profile::jerk
-/// without any jerk limit.
+/// over all s(t) for fastest and jerk, and over all s(t) of the profile's form for the others. If
+/// the budget ends the search of the profile jerk, returns the best time scaling so far, which
+/// keeps the limits. Returns none, with the reason, if the budget ends the computation before one
+/// is found. Throws Error for a path or limits that check_path() or check_limits() refuses, and for
+/// Profile::jerk without any jerk limit.
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget = {});
 

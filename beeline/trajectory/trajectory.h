@@ -138,14 +138,14 @@ struct TrajectoryDifference {
   double largest_orientation = 0;       ///< angle between the tools, radians
   double orientation_time = 0;          ///< of that angle, s
   double overlap = 0;                   ///< common duration, seconds
-  double longer = 0;                    ///< duration of b minus that of a, seconds
+  double longer = 0;                    ///< duration of b minus duration of a, s
 };
 
 /// Compares two trajectories of an arm, each from its own first sample on, joints linear between
-/// samples, at the samples of both. A continuous joint of b begins within half a revolution of that
-/// of a: whole revolutions do not count. The joints' largest differences are exact; those of the
-/// tool are the largest at the samples. Throws Error when one of them does not fit the arm or has
-/// no samples.
+/// samples, at the samples of both. Whole revolutions of a continuous joint are ignored: the joint
+/// of b begins within half a revolution of the joint of a. The joints' largest differences are
+/// exact; the tool's differences are the largest at the samples. Throws Error if a trajectory does
+/// not fit the arm or has no samples.
 TrajectoryDifference difference(const Arm& arm, const Trajectory& a, const Trajectory& b);
 
 }  // namespace beeline

@@ -105,8 +105,8 @@ std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
   return times;
 }
 
-/// The indices of the columns of quantities: all but those of times and of texts, which the rows
-/// ignore.
+/// Returns the indices of the columns of quantities. Columns of times are not among them, nor
+/// columns of texts, which the rows ignore.
 Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
                          const std::optional<TimeColumns>& times) {
   Columns columns;

@@ -81,7 +81,7 @@ struct PoseColumns {
   bool oriented = true;
 };
 
-/// All of them: x,y,theta first, those of each PoseForm, x,y,z and x,y last.
+/// Returns all forms of columns: x,y,theta first, then one for each PoseForm, then x,y,z and x,y.
 const std::vector<PoseColumns>& all_pose_columns();
 
 /// The name of the unit in which written_pose() takes the numbers of a column; empty for none.
@@ -106,14 +106,14 @@ Pose pose_of(std::span<const double> numbers, const PoseFormat& format = {});
 std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {});
 
 /// Reads a CSV file whose header names the columns of one form, in any order; upper and lower case
-/// are alike. Without a header, the columns are those of the form with as many, in its order, see
-/// PoseFormat, or those that a comment before the first row names. The separator is a comma, a
-/// semicolon, a tab or blanks; unless it is a comma, numbers may have decimal commas. Empty lines
-/// and lines that begin with # are skipped. Numbers are in the units of `format`, except where a
-/// name of a column (x_mm, roll [deg]), a row of units below the header (mm,mm,deg) or a comment
-/// before it (# units: mm, deg) gives another one. Throws FileError for a column that is missing or
-/// unknown, as pose_of(), for a pose farther away than 1e100 m, and for a comment that contradicts
-/// degrees or millimetres of `format`.
+/// are alike. Without a header, a comment before the first row names the columns, or their number
+/// selects the form, see PoseFormat. The separator is a comma, a semicolon, a tab or blanks; unless
+/// it is a comma, numbers may have decimal commas. Empty lines and lines that begin with # are
+/// skipped. Numbers are in the units of `format`, except where a name of a column (x_mm, roll
+/// [deg]), a row of units below the header (mm,mm,deg) or a comment before it (# units: mm, deg)
+/// gives another one. Throws FileError for a column that is missing or unknown, as pose_of(), for a
+/// pose farther away than 1e100 m, and for a comment that contradicts degrees or millimetres of
+/// `format`.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
@@ -140,7 +140,7 @@ struct ProgramRows {
   std::vector<ProgramRow> rows;  ///< at least one
 };
 
-/// The columns that a program file may have besides those of a pose, in any order:
+/// Returns the columns that a program file may have besides the columns of a pose, in any order:
 ///     motion,relative,q,speed,blend,dwell
 const std::vector<std::string>& program_columns();
 

@@ -20,10 +20,10 @@ struct ParameterRates {
 ParameterRates following(const Segment& segment, double s, const Task& task,
                          const PoseMotion& tool);
 
-/// The difference of the tool's motion from that of the path, whose rows of a task are the first
-/// and second derivative of the rows of the tool's error; in world axes. Rows in tool axes rotate
-/// with the tool: they hold the point of the tool at the path's origin, and motion in free rows has
-/// Coriolis terms.
+/// The difference between the tool's motion and the path's motion, in world axes. Its rows of a
+/// task are the first and second derivatives of the rows of the tool's error. Rows in tool axes
+/// rotate with the tool: they refer to the point of the tool at the path's origin, and motion in
+/// free rows has Coriolis terms.
 struct ErrorRates {
   Twist first, second;
 };

@@ -34,8 +34,8 @@ class SectionJointPath {
   /// The parameter of the joint path at the first sample from this path parameter on.
   double parameter_at(double path_parameter) const;
 
-  /// The path parameter of the tool at a configuration of the joint path, at its parameter s; that
-  /// of the nearest sample if it is at most `rounding` away.
+  /// Returns the path parameter of the tool at a configuration of the joint path with parameter s,
+  /// or the path parameter of the nearest sample if it is at most `rounding` away.
   double path_parameter(const Configuration& q, double s, double rounding) const;
 
  private:

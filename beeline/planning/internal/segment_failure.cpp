@@ -142,8 +142,8 @@ double nearest_distance(const TrackedEnd& end, double s) {
 }
 
 /// Whether a configuration continues q without a jump. Its distance from q then vanishes with the
-/// distance along the segment, as the square root of it where two branches meet, such as those of
-/// the stretched elbow. Behind a jump the distance hardly changes.
+/// distance along the segment, as its square root if two branches meet, as at a stretched elbow.
+/// Behind a jump the distance hardly changes.
 bool continues(const TrackedEnd& end) {
   constexpr double shortest = 1e-7, longer = 1e-5;  // the square roots have the ratio 0.1
   constexpr double vanishing = 0.3;

@@ -13,7 +13,7 @@ using Node = RedundantConfiguration;
 using Place = SelfMotionLayer::Place;
 
 constexpr std::size_t nowhere = SelfMotionLayer::nowhere;
-constexpr double sweep_share = 0.8;  // of the progress; the rest is that of smooth_knots()
+constexpr double sweep_share = 0.8;  // of the progress; smooth_knots() has the remainder
 // Largest change of one joint over an edge, radians or metres.
 constexpr double largest_change = 1.2;
 

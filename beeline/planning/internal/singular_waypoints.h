@@ -27,8 +27,9 @@ class SingularWaypoints {
   using Accept = std::function<bool(const Branch&)>;
 
   /// Tracks a branch again from its singular waypoints, by depth-first search over their
-  /// departures, from that of segment `first` on. Returns whether a complete branch that `accept`
-  /// accepts was found. `branch` is then that one, else the one that reaches farthest.
+  /// departures, beginning with the waypoint of segment `first`. Returns whether it found a
+  /// complete branch that `accept` accepts. `branch` becomes this branch, otherwise the one that
+  /// reaches farthest.
   bool complete(Branch& branch, std::size_t first, const Accept& accept);
 
   /// Tracks the path along each departure from its beginning.

@@ -82,8 +82,8 @@ ReachBranches CellExpansion::solve_once(Eigen::Index cell) {
 void CellExpansion::solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells) {
   const ReachBranches found = solve_once(cell);
   cells.branches[target] = found.counts[0];
-  for (const float value : found.manipulability) raise(cells.manipulability[target], value);
-  for (const float value : found.margin) raise(cells.margin[target], value);
+  for (const float value : found.manipulability) keep_max(cells.manipulability[target], value);
+  for (const float value : found.margin) keep_max(cells.margin[target], value);
 }
 
 void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
@@ -124,8 +124,8 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
         const float margin = std::min({branches.margin[b], azimuth_margins_[a], roll_margins_[r]});
         if (margin < 0) return;
         if (cells.branches[target] < most) ++cells.branches[target];
-        raise(cells.manipulability[target], branches.manipulability[b]);
-        raise(cells.margin[target], margin);
+        keep_max(cells.manipulability[target], branches.manipulability[b]);
+        keep_max(cells.margin[target], margin);
       });
     }
     // At several values of a redundant joint, not all solutions are branches.

@@ -16,7 +16,7 @@ class CellExpansion {
                 int redundant_values);
 
   /// Computes the cells of the positions from `first` to `last` into `cells`, whose first cell is
-  /// the first one of position `origin`. The first cell of `branches` is that of position `solved`,
+  /// the first one of position `origin`. The first cell of `branches` belongs to position `solved`,
   /// counted without azimuths.
   void expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
               Eigen::Index last, Eigen::Index origin, ReachCells& cells);

@@ -40,7 +40,7 @@ class MapFormat {
   Box box(const Dataset& dataset, Eigen::Index slab) const;
 
  private:
-  /// The axes of a dataset after those of the positions.
+  /// Returns the shape of a dataset over positions with these counts; its other axes follow.
   Hdf5Shape of_positions(std::array<Eigen::Index, 3> counts, const Dataset& dataset) const;
 
   ReachGrid grid_;

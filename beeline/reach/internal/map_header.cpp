@@ -60,8 +60,8 @@ std::vector<double> centres_of(const ReachAxis& axis) {
   return values(axis.cells, [&](Eigen::Index i) { return axis.centre(i); });
 }
 
-/// Those of the positions, then of directions and their fractions, headings and rolls where the
-/// grid has them.
+/// Returns the coordinates of the positions, then of the directions and their fractions, the
+/// headings and the rolls, as far as the grid has them.
 std::vector<Coordinates> coordinates_of(const ReachGrid& grid) {
   const auto& axes = grid.axes();
   const bool round = grid.cylindrical();

@@ -14,9 +14,9 @@ class PoseSolver {
   /// `redundant_values`: see ReachOptions.
   PoseSolver(const Arm& arm, int redundant_values);
 
-  /// Finds the solutions within limits. Those of an arm without a redundant joint are complete; of
-  /// one with a redundant joint, they are those at each of its values, and there is one where they
-  /// exist only between these.
+  /// Finds the solutions within limits. They are complete for an arm without a redundant joint. For
+  /// an arm with a redundant joint they are the solutions at each of its values; if solutions exist
+  /// only between these values, one is found.
   void solve(const Pose& world_T_tool);
 
   /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the

@@ -70,8 +70,8 @@ class Samples {
 void add(ReachCells& cells, Eigen::Index cell, float manipulability, float margin) {
   constexpr auto most = std::numeric_limits<std::uint8_t>::max();
   if (cells.branches[cell] < most) ++cells.branches[cell];
-  raise(cells.manipulability[cell], manipulability);
-  raise(cells.margin[cell], margin);
+  keep_max(cells.manipulability[cell], manipulability);
+  keep_max(cells.margin[cell], margin);
 }
 
 void check_grid(const Arm& arm, const ReachGrid& grid) {
@@ -99,7 +99,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   std::fill(cells.manipulability.begin(), cells.manipulability.end(),
             std::numeric_limits<float>::quiet_NaN());
   cells.margin = cells.manipulability;
-  // Where any roll will do, the margin is that of the other joints.
+  // If any roll is accepted, the margin is the smallest margin of the other joints.
   const bool any_roll = grid.orientations() == ReachOrientations::directions && roll_joint(arm);
   const int joints = arm.dof() - (any_roll ? 1 : 0);
   BudgetMeter budget(options.budget);

@@ -18,7 +18,7 @@ struct TurningJoint {
   std::optional<double> turned(const Limits& limits, double q, double angle) const;
 };
 
-/// Whether a coordinate is that of a revolute joint that no other joint follows.
+/// Whether a coordinate belongs to a revolute joint that no other joint follows.
 bool turns_alone(const Arm& arm, int coordinate);
 
 /// The angle between the first joint's axis and the world's z or -z, rad.

@@ -19,8 +19,8 @@ SampledSection uniform_section(const Arm& arm, const TimedSection& section,
 SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
                                         const SectionOptions& options);
 
-/// The time scaling from rest at s = 0 to rest at `length` in so many periods, with the speed
-/// linear between them: that of `speed` at k times the period, scaled such that s ends there.
+/// Returns the time scaling from rest at s = 0 to rest at `length` in this number of periods. The
+/// speed is linear between the values `speed(k period)`, scaled so that s ends at `length`.
 TimeScaling uniform_scaling(double periods, double period, double length,
                             const std::function<double(double)>& speed);
 

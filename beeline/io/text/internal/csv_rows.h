@@ -34,8 +34,8 @@ struct CsvForms {
 /// items, CRLF, a byte order mark, empty lines, and lines that begin with # or % are skipped.
 /// Unless CsvForms::accepts the first line, the comment before it is the header if it has as many
 /// names and CsvForms::accepts_comment them, as files of numpy.savetxt() have it. A row of units
-/// below the header, or a comment of as many, is appended to the names: with_units(). The memory is
-/// that of one line.
+/// below the header, or a comment of as many, is appended to the names: with_units(). Holds one
+/// line in memory.
 class CsvRows {
  public:
   using Names = CsvForms::Names;
@@ -49,10 +49,10 @@ class CsvRows {
   bool has_header() const { return has_header_; }
   /// The units in the comments before the header.
   const StatedUnits& stated() const { return stated_; }
-  /// From now on, from_first(i) is the number of the i-th of these columns less that of the first
-  /// row, exactly if both are whole numbers below 2^63: times since 1970 in nanoseconds exceed the
-  /// digits of a double. The first column may have dates, parse_date(), instead of numbers: then
-  /// rows have 0 and from_first(0) is in seconds.
+  /// After this call, from_first(i) is the number in the i-th of these columns minus the number in
+  /// the first row, exactly if both are whole numbers below 2^63: times since 1970 in nanoseconds
+  /// exceed the digits of a double. The first column may have dates, parse_date(), instead of
+  /// numbers: then rows have 0 and from_first(0) is in seconds.
   void count_from_first(const std::vector<std::size_t>& columns);
   double from_first(std::size_t i) const { return counted_[i].from_first; }
   bool has_dates() const { return has_dates_; }  ///< known once a row has been read

@@ -115,7 +115,7 @@ void UrdfTree::find_moving_faults() {
   }
 }
 
-/// Whether a name may be meant to be that of a link. In a very large file it may.
+/// Whether a name resembles the name of a link. True in a very large file.
 bool UrdfTree::misspelt(const std::string& name) const {
   constexpr std::size_t most_compared = 1000;
   if (file_.links.size() > most_compared) return true;
