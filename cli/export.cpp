@@ -189,10 +189,10 @@ Verb export_verb() {
       .description =
           "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
           "stderr which guarantees of `beeline check` remain on the controller; comments in the "
-          "file "
-          "say the same.\n\n"
+          "file say the same.\n\n"
           "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
-          "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program of "
+          "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program "
+          "of "
           "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
           "instructions; krl: PTP instructions: their controllers plan the motion between the "
           "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "

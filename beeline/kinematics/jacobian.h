@@ -14,9 +14,9 @@ namespace beeline {
 /// axes of the world, in which Arm::base() places link 0, and not the axes of link 0; the two
 /// differ if Arm::base() rotates the arm. The Robotics Toolbox uses the word in the same sense.
 enum class Frame {
-  base,   ///< of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
-  tool,   ///< of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
-  space,  ///< of the point of the tool at the world's origin, in the world's axes (WORLD, space)
+  base,  ///< velocity of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
+  tool,  ///< velocity of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
+  space,  ///< velocity of the tool's point at the world's origin, in world axes (WORLD, space)
 };
 std::string name(Frame frame);
 Frame frame_named(std::string_view name);  ///< Throws Error for an unknown name.

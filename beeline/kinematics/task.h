@@ -50,7 +50,7 @@ std::vector<std::string> row_names(const Task& task);
 /// metres: so scaled, metres and radians compare in a condition number.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit = 1);
-/// The same of default_task(): the planar rows of a planar arm, all six of another.
+/// The same for default_task(): the planar rows of a planar arm, all six rows of any other arm.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q);
 
 /// Returns pose_difference(desired, current) in the axes of `frame`: base for the axes of the

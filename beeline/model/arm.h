@@ -82,7 +82,7 @@ class Arm {
 
   /// The joint of coordinate k (from 0).
   const Joint& joint_of(Eigen::Index k) const { return joints_[leaders_[k]]; }
-  std::vector<std::string> joint_names() const;  ///< one for each coordinate
+  std::vector<std::string> joint_names() const;  ///< names of the joints that have a coordinate
 
   /// The limits of coordinate k: the limits of its joint, tightened so that the mimic joints that
   /// follow it stay within their own limits.
@@ -140,15 +140,15 @@ class Arm {
   Reach reach_;
 };
 
-/// Returns a copy with another tool, in place of the arm's, on the same flange.
+/// Returns a copy with another tool on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
-/// Returns a copy with a tool centre point (TCP): the tool's frame becomes the pose `tool_T_tcp` in
-/// the frame that has been the tool's, which is the flange of an arm described without a tool.
+/// Returns a copy with a tool centre point (TCP): the new tool frame has the pose `tool_T_tcp` in
+/// the old tool frame, which is the flange of an arm described without a tool.
 Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp);
 
-/// Returns a copy that stands in the world: the frame that has been the world becomes the pose
-/// `world_T_mount` in the world. The controller's root frame moves with the arm.
+/// Returns a copy mounted in the world: the frame that was the world has the pose `world_T_mount`
+/// in the new world. The controller's root frame moves with the arm.
 Arm with_mount(const Arm& arm, const Pose& world_T_mount);
 
 /// Returns a copy in which the joints with these names have these limits. Throws Error for the name
@@ -157,8 +157,8 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
 
 /// Returns a copy with the speed scale k from 1e-6 to 1: velocity limits are multiplied by k,
 /// acceleration limits by k^2, jerk limits by k^3, so a motion at its limits takes 1/k of the time
-/// on the same path (Lynch & Park, section 9.1). Limits that are not known remain unknown; those
-/// that a motion assumes instead are scaled too. Throws Error for another k, and when a
+/// on the same path (Lynch & Park, section 9.1). Unknown limits remain unknown; the limits that a
+/// motion assumes instead are scaled too. Throws Error for another k, and when a
 /// limit would be below Limits::min_rate.
 Arm with_speed_scale(const Arm& arm, double k);
 
@@ -174,7 +174,7 @@ std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q,
 std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q,
                                      double slack = position_slack);
 
-/// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
+/// The midpoint of each coordinate's limits, or the value nearest to zero if a limit is infinite.
 Configuration middle_configuration(const Arm& arm);
 
 /// Returns a configuration from the uniform distribution within the position limits. A coordinate

@@ -27,20 +27,20 @@ struct Limits {
   /// Max magnitude of a position limit that is not infinite, rad or m.
   static constexpr double max_position = 1e6;
 
-  double lower = -none;        ///< of the position, at most `upper`
-  double upper = none;         ///< of the position
-  double velocity = none;      ///< of |dq/dt|, above 0
-  double acceleration = none;  ///< of |d2q/dt2|, above 0
-  double jerk = none;          ///< of |d3q/dt3|, above 0
+  double lower = -none;        ///< lower position limit, rad or m, at most `upper`
+  double upper = none;         ///< upper position limit, rad or m
+  double velocity = none;      ///< limit of |dq/dt|, above 0
+  double acceleration = none;  ///< limit of |d2q/dt2|, above 0
+  double jerk = none;          ///< limit of |d3q/dt3|, above 0
   /// The speed scale k that the limits have been multiplied by: velocity by k, acceleration by k^2,
-  /// jerk by k^3. What is assumed in the place of unknown limits is multiplied likewise.
+  /// jerk by k^3. The values that are assumed for unknown limits are multiplied likewise.
   double speed_scale = 1;
 };
 
 /// The velocity limit assumed for a joint without a known one: radians or metres per second.
 constexpr double assumed_velocity_limit = 1.0;
 
-/// Seconds to full speed, and from no to full acceleration, that are assumed for a joint without
+/// Assumed times to full speed and from zero to full acceleration, seconds, of a joint without
 /// known limits of acceleration or jerk.
 constexpr double assumed_time_to_velocity = 0.25;
 constexpr double assumed_time_to_acceleration = 0.1;
@@ -68,11 +68,11 @@ constexpr Limits motion_limits(Limits limits) {
 /// Limits that replace a joint's limits, in the same units. std::nullopt keeps the joint's limit.
 /// An infinite value means that there is no limit or that none is known.
 struct LimitOverrides {
-  std::optional<double> lower = std::nullopt;         ///< of the position, rad or m
-  std::optional<double> upper = std::nullopt;         ///< of the position, rad or m
-  std::optional<double> velocity = std::nullopt;      ///< of |dq/dt|
-  std::optional<double> acceleration = std::nullopt;  ///< of |d2q/dt2|
-  std::optional<double> jerk = std::nullopt;          ///< of |d3q/dt3|
+  std::optional<double> lower = std::nullopt;         ///< lower position limit, rad or m
+  std::optional<double> upper = std::nullopt;         ///< upper position limit, rad or m
+  std::optional<double> velocity = std::nullopt;      ///< limit of |dq/dt|, rad/s or m/s
+  std::optional<double> acceleration = std::nullopt;  ///< limit of |d2q/dt2|, rad/s^2 or m/s^2
+  std::optional<double> jerk = std::nullopt;          ///< limit of |d3q/dt3|, rad/s^3 or m/s^3
 };
 
 Limits overridden(const Limits& limits, const LimitOverrides& overrides);
@@ -116,7 +116,7 @@ struct Joint {
   /// Unit screw [vx vy vz wx wy wz] in the frame of link i: |w| = 1 for R and H, w = 0 and |v| = 1
   /// for P.
   Twist screw = Twist::Zero();
-  Limits limits;               ///< of the coordinate q
+  Limits limits;               ///< limits of the coordinate q
   std::optional<Mimic> mimic;  ///< the joint that it follows
   std::string link;            ///< name of link i; empty where it has none
 };

@@ -29,7 +29,7 @@ struct ScrewLine {
 struct Arc {
   Pose from;       ///< pose at s = 0
   Pose to;         ///< pose at s = 1
-  Vector3 centre;  ///< in the world, m
+  Vector3 centre;  ///< centre of the circle in the world, m
   /// Rotation vector in world axes, whose length is the arc's angle, at most 2 pi rad.
   Vector3 rotation;
 };
@@ -51,8 +51,8 @@ struct SplineSegment {
 /// check these too.
 using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 
-/// The arc from `from` to `to` through a third position. Throws Error where the three positions do
-/// not determine a circle: two of them coincide, or all lie on a straight line to 1e-6 of their
+/// The arc from `from` to `to` through a third position. Throws Error if the three positions do not
+/// determine a circle: two of them coincide, or all lie on a straight line to 1e-6 of their
 /// distance.
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to);
 
@@ -66,8 +66,8 @@ PoseMotion motion_at(const Segment& segment, double s);
 /// Gauss-Legendre quadrature with 80 points (about ten digits unless the origin comes to rest).
 double length_of(const Segment& segment);
 
-/// The segment traversed from its end to its beginning. One that rotates by exactly pi may rotate
-/// in the other direction.
+/// The segment traversed from its end to its beginning. A segment that rotates by exactly pi may
+/// rotate in the other direction.
 Segment reversed(const Segment& segment);
 
 /// Whether the segment rotates about the world's z axis only, as planar arms do.

@@ -21,7 +21,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// velocity [v w] of its origin and its angular velocity, and the derivatives of both, in world
 /// axes; metres and radians.
 struct PoseMotion {
-  Pose pose = Pose::Identity();  ///< at the parameter
+  Pose pose = Pose::Identity();  ///< pose at the parameter
   /// First derivative: the velocity of the origin and the angular velocity.
   Twist velocity = Twist::Zero();
   Twist acceleration = Twist::Zero();  ///< second derivative

@@ -9,14 +9,14 @@
 
 namespace beeline {
 
-/// The limits of a motion along a path in joint space, one number for each coordinate; infinity: no
-/// limit. Finite limits are from 1e-100 on.
+/// The limits of a motion along a path in joint space, one number for each coordinate. Infinity
+/// means no limit; finite limits are 1e-100 or more.
 struct PathLimits {
   Configuration velocity;      ///< rad/s or m/s
   Configuration acceleration;  ///< rad/s^2 or m/s^2
   Configuration jerk;          ///< rad/s^3 or m/s^3
-  /// The largest ds/dt at each grid point of the path, as for a limit of the tool's speed; empty:
-  /// no such limit.
+  /// The largest ds/dt at each grid point of the path, for example from a limit of the tool's
+  /// speed; empty: no such limit.
   std::vector<double> speed;
   /// The fraction of the limits of acceleration and jerk that may be used at each grid point, above
   /// 0 to 1; empty: all of them everywhere.
@@ -49,9 +49,10 @@ struct TimeScaling {
 };
 
 /// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
-/// limits of velocity and acceleration. The samples of a motion keep known jerk limits by every
-/// profile: by those without jerk in their form through wider ramps of acceleration or a slowdown.
-/// To add one, add its name here and its row, in the same order, to the table in profile.cpp.
+/// limits of velocity and acceleration. The samples of a motion keep known jerk limits with every
+/// profile; a profile without jerk in its form needs wider ramps of acceleration or a slowdown for
+/// this. To add a profile, add its name here and its row, in the same order, to the table in
+/// profile.cpp.
 enum class Profile {
   /// Minimum time under velocity and acceleration limits, or the motion by `jerk` if that is
   /// shorter.

@@ -39,10 +39,11 @@ const std::vector<std::string>& pose_columns(PoseForm form);
 
 /// The units and the form of poses in a text.
 struct PoseFormat {
-  /// Of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in degrees.
+  /// Unit of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in
+  /// degrees.
   AngleUnit unit = AngleUnit::radians;
   Triple triple = Triple::planar;  ///< the meaning of three numbers without names
-  /// The form of numbers without names. Default: the one of as many numbers, of six rpy.
+  /// The form of numbers without names. Default: the form with this number of numbers; rpy for six.
   std::optional<PoseForm> pose_form = std::nullopt;
   bool millimetres = false;  ///< positions are in millimetres instead of metres
 };
@@ -68,15 +69,15 @@ struct PoseList {
   /// magnitude, rad; 0 in the other forms.
   double max_angle = 0;
   bool oriented = true;                   ///< false: positions, given as x,y,z or x,y
-  std::vector<std::string> columns = {};  ///< of the form
+  std::vector<std::string> columns = {};  ///< names of the columns of the form
   bool has_header = true;                 ///< false: the form follows from the number of columns
   std::optional<PoseForm> form = std::nullopt;  ///< std::nullopt: planar or positions
 };
 
-/// The columns by which a file gives a pose, in the order in which numbers without names are.
+/// The columns by which a file gives a pose, in the order of numbers without names.
 struct PoseColumns {
   std::vector<std::string> names;
-  std::optional<PoseForm> form = std::nullopt;  ///< of the orientation in space
+  std::optional<PoseForm> form = std::nullopt;  ///< form of the orientation in space
   bool planar = false;
   bool oriented = true;
 };
@@ -122,7 +123,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path,
 /// Parses a pose from numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 
-/// A row of a program file: a move to a waypoint. What it means is in planning/program.h; an empty
+/// A row of a program file: a move to a waypoint. planning/program.h defines its meaning; an empty
 /// text or option is an empty item.
 struct ProgramRow {
   std::string motion;               ///< joint, line, screw, arc, spline, via; empty: line
@@ -132,7 +133,7 @@ struct ProgramRow {
   std::optional<double> speed;      ///< metres per second
   std::optional<double> blend;      ///< metres
   std::optional<double> dwell;      ///< seconds
-  int line = 0;                     ///< of the file
+  int line = 0;                     ///< line of the file
 };
 
 struct ProgramRows {
