@@ -12,7 +12,7 @@
 
 namespace beeline::internal {
 
-/// What is known of a table besides its text.
+/// Properties of a table besides its text.
 struct TableOptions {
   /// Of the arm, also in a table without a header. Empty: no arm, whose table needs a header and
   /// has files of this library's names: no units, and rates NAME_vel, NAME_acc only.

@@ -33,7 +33,7 @@ class PointReader {
 /// nsecs.
 std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, const Json& json);
 
-/// Hands the points of a message to the reader, which must outlive the result.
+/// Returns a function that passes the points of a message to the reader, which must outlive it.
 JsonItemSink sink_of(PointReader& reader);
 
 /// Parses a trajectory in the form of ROS trajectory_msgs/JointTrajectory:

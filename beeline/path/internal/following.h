@@ -5,7 +5,7 @@
 
 namespace beeline::internal {
 
-/// The twist, given in world axes, in the axes of the task's frame.
+/// Transforms a twist from world axes to the axes of the task's frame.
 Twist in_task_axes(const Task& task, const Rotation& world_R_tool, Twist twist);
 
 /// First and second derivative of a segment parameter.
@@ -15,8 +15,8 @@ struct ParameterRates {
 
 /// Returns the rates with which the segment's pose at s best follows the tool's motion: least
 /// squares of the difference of the velocities, then of the accelerations, in the rows of the task,
-/// rotations weighted by metres_per_radian. On a line by position or by rotation alone
-/// (nearest_on_line.h). Zero where the segment is at rest in these rows.
+/// rotations weighted by metres_per_radian. For a line only the position or only the rotation is
+/// used (nearest_on_line.h). The rates are zero if the segment is at rest in these rows.
 ParameterRates following(const Segment& segment, double s, const Task& task,
                          const PoseMotion& tool);
 

@@ -19,8 +19,9 @@ struct BranchSection {
 };
 
 /// The joint path of a section, which makes the tool follow the tool path: quintics between samples
-/// of the branch, at which the tool has the path's position, tangent and curvature. Samples are
-/// added where the tool leaves the path by more than a hundredth of the tolerance between them.
+/// of the branch, at which the tool has the path's position, tangent and curvature. If the tool
+/// deviates from the path by more than a hundredth of the tolerance between two samples, samples
+/// are added there.
 class SectionJointPath {
  public:
   /// Keeps references to the request's arm, path and task.

@@ -11,7 +11,7 @@ namespace beeline::internal {
 /// Resolves the redundancy of an arm with one joint more than the task has rows, along a whole
 /// path. Layer r of the graph has all configurations with the tool at path parameter s_r that a
 /// motion from the path's beginning can reach, as nodes on curves of self-motion: see
-/// SelfMotionSweep. An edge joins a node with those near its continuation, on the same curve.
+/// SelfMotionSweep. An edge joins a node with the nodes near its continuation, on the same curve.
 ///
 /// With the margins m(q) of configurations to the joint limits (limit_margin(), the smallest of all
 /// joints), the knots q_r solve
@@ -25,8 +25,8 @@ namespace beeline::internal {
 KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
                                       const GraphOptions& options);
 
-/// Whether the layers of the graph reach the path's end: a quick test for a motion, which it does
-/// not prove. False where the budget ends it.
+/// Whether the layers of the graph reach the path's end. This is a fast necessary condition for a
+/// motion, not a proof. False if the budget ends the computation.
 bool has_self_motion_path(const Arm& arm, const ToolPath& path, const GraphOptions& options);
 
 }  // namespace beeline::internal

@@ -32,7 +32,7 @@ class PoseSolver {
 
   Arm arm_;
   InverseSolver any_;                 ///< one solution
-  std::optional<InverseSolver> all_;  ///< all of them, where the arm has a closed form;
+  std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
   std::optional<int> redundant_;      ///< then with this coordinate locked
   std::vector<double> values_;        ///< at each of these
   /// The closed form of three axes that meet, which takes the value of the redundant joint.

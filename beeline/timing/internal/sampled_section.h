@@ -13,7 +13,7 @@ namespace beeline::internal {
 struct SampledSection {
   Trajectory trajectory = {};
   std::vector<ParameterState> progress = {};  ///< along the joint path
-  Reason reason = {};                         ///< why there are none at the rate
+  Reason reason = {};                         ///< reason why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
   /// Whether there are none because there would be more than SectionOptions::samples_left.
