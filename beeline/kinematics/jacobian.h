@@ -14,8 +14,8 @@ namespace beeline {
 /// axes of the world, in which Arm::base() places link 0, and not the axes of link 0; the two
 /// differ if Arm::base() rotates the arm. The Robotics Toolbox uses the word in the same sense.
 enum class Frame {
-  base,  ///< velocity of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
-  tool,  ///< velocity of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
+  base,   ///< velocity of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
+  tool,   ///< velocity of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
   space,  ///< velocity of the tool's point at the world's origin, in world axes (WORLD, space)
 };
 std::string name(Frame frame);
@@ -67,9 +67,9 @@ std::vector<std::string> row_names(OrientationCoordinates coordinates);
 /// position of the tool's origin (metres) and of the coordinates of its orientation, both in the
 /// world, with respect to q (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, 2009, section 3.6).
 ///
-/// Throws Error where the coordinates have no derivatives: for roll_pitch_yaw at a pitch of +-90
+/// Throws Error if the coordinates have no derivatives, for roll_pitch_yaw at a pitch of +-90
 /// degrees, and as jacobian() does. The rotation vector jumps at an angle of pi, the quaternion at
-/// qw = 0; there, the derivatives are those on one side.
+/// qw = 0; there the function returns the one-sided derivatives.
 Eigen::MatrixXd analytical_jacobian(const Arm& arm, const ConfigurationRef& q,
                                     OrientationCoordinates coordinates);
 

@@ -9,7 +9,7 @@
 
 namespace beeline {
 
-/// What a built-in arm is, and where its numbers come from.
+/// A built-in arm and the source of its numbers.
 struct BuiltInArm {
   std::string name;    ///< name for built_in(), such as `panda`
   std::string maker;   ///< the maker, or the author of the description

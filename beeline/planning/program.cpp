@@ -184,7 +184,7 @@ class ProgramPlanner {
     return fail(part.first, ahead->status, ahead->reason, part_name(program_, part));
   }
 
-  /// Finds the configuration, the soonest reached, from which the path of part p is possible.
+  /// Finds the configuration reached first of those from which the path of part p is possible.
   bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
                      std::optional<PathMotion>& ahead) {
     const ToolPath& path = parts_[p].route.path;

@@ -8,7 +8,8 @@
 namespace beeline {
 namespace {
 
-/// What the fraction of directions is of: tool directions with or without rolls are the same.
+/// The kind of directions whose fraction is compared: tool directions with and without rolls are
+/// one kind.
 ReachOrientations kind_of(const ReachGrid& grid) {
   const ReachOrientations orientations = grid.orientations();
   return orientations == ReachOrientations::rolls ? ReachOrientations::directions : orientations;

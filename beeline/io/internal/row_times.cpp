@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/io/text/numbers.h>
 #include <beeline/io/internal/row_times.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/numbers.h>
@@ -9,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-/// How many of the unit are a second.
+/// The number of the units in a second.
 double per_second(const Unit& unit) { return std::round(1 / unit.si); }
 
 }  // namespace

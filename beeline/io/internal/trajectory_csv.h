@@ -14,10 +14,11 @@ namespace beeline::internal {
 
 /// Properties of a table besides its text.
 struct TableOptions {
-  /// Of the arm, also in a table without a header. Empty: no arm, whose table needs a header and
-  /// has files of this library's names: no units, and rates NAME_vel, NAME_acc only.
+  /// Names of the arm's joints, also for a table without a header. Empty: there is no arm; the
+  /// table needs a header with the names of this library's files, without units and with rates
+  /// NAME_vel and NAME_acc only.
   std::vector<std::string> joint_names = {};
-  /// Whether the names in a comment are a header; null: all are that name a time.
+  /// Whether the names in a comment are a header; null: all names with a column of times are.
   std::function<bool(const std::vector<std::string>&)> is_header = {};
   std::optional<TimeUnit> time_unit = std::nullopt;
   bool time_unit_is_optional = false;

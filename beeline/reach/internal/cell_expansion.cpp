@@ -12,8 +12,8 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// The joints that stay free where each azimuth and roll is solved: the last one if any roll will
-/// do.
+/// Returns the joints that remain free when each azimuth and roll is solved: the last joint if any
+/// roll is accepted.
 FreeJoints any_angle(const FreeJoints& free) {
   return {.roll = free.any_roll ? free.roll : std::nullopt, .any_roll = free.any_roll};
 }
@@ -52,7 +52,7 @@ CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJo
 
 bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) const {
   if (!free_.base && (!free_.roll || free_.any_roll)) return false;
-  // Infinitely many solutions, of which a file stores the first ones.
+  // There are infinitely many solutions; a file stores the first ones.
   if (branches.counts[cell] > branches.ends[cell] - branches.begin(cell)) return true;
   const auto begin = static_cast<std::ptrdiff_t>(branches.begin(cell));
   const auto end = static_cast<std::ptrdiff_t>(branches.ends[cell]);

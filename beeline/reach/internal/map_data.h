@@ -13,7 +13,7 @@ struct ReachMap::Data {
   std::string path;
   ReachMapHeader header;
   internal::Slabs slabs;
-  std::vector<bool> there;
+  std::vector<bool> is_filled;
   std::function<ReachCells(Eigen::Index first, Eigen::Index last)> read;
   /// Returns the number of reached cells of each position of a slab; empty: counted from the cells
   /// of `read`.

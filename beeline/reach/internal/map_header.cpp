@@ -17,7 +17,7 @@ constexpr double version = 1;
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
 
-/// What the values of a map are of, for those who read the file.
+/// Describes the values of a map for readers of the file.
 std::string answers_of(const ReachMapHeader& header) {
   if (header.samples > 0) {
     return "by sampling: some of the sampled configurations has the tool in the cell";

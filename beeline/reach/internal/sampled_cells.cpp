@@ -43,12 +43,12 @@ class Samples {
   }
 
  private:
-  /// The range of a coordinate; of a revolute joint that no other one follows, at most a revolution
-  /// around its middle.
+  /// Returns the range of a coordinate. For a revolute joint that no other joint follows, it is at
+  /// most a revolution around the middle of the limits.
   static std::pair<double, double> range_of(const Arm& arm, int k) {
     const Limits& limits = arm.limits(k);
     const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
-    // Of a joint that others follow, a revolution more is another configuration.
+    // If other joints follow the joint, a further revolution is another configuration.
     const bool alone = turns_alone(arm, k);
     if (!bounded && !alone) {
       throw Error("joint " + arm.joint_of(k).name + " of " + arm.name() +

@@ -23,7 +23,7 @@ class AveragedScaling {
 
   double duration() const { return scaling_.duration() + width_; }
 
-  /// At times from 0 to the duration.
+  /// Returns the state at a time from 0 to the duration.
   ParameterState at(double t) const;
 
   /// Returns the time at which s is reached, by bisection; inaccurate if the budget ends it.

@@ -114,7 +114,8 @@ class YamlJoint {
     return Limits::none;
   }
 
-  /// A limit that bounds both directions; where only the other one is given, `known` bounds this.
+  /// Returns a limit that bounds both directions. If only the other direction is given, `known`
+  /// bounds this one.
   static std::optional<double> least(std::optional<double> limit, std::optional<double> other,
                                      double known) {
     return other ? std::min(limit.value_or(known), *other) : limit;

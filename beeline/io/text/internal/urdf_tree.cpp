@@ -204,7 +204,8 @@ bool UrdfTree::parts_tree(const UrdfFault& fault) const {
   return (unplaced && fault.moves) || kind == ReadWarningKind::two_parents;
 }
 
-/// Returns the fault that is likely why two links are not connected; null where there is none.
+/// Returns the fault that is the likely reason why two links are not connected; null if there is
+/// none.
 const UrdfFault* UrdfTree::cause_of_gap(std::size_t base, std::size_t tip) const {
   const UrdfFault* unconnected = nullptr;
   for (const std::size_t end : {tip, base}) {
