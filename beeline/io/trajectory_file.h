@@ -105,9 +105,9 @@ std::string name(RecordingNoteKind kind);
 
 /// An assumption that was made to read a recording, or an inference from its numbers.
 struct RecordingNote {
-  RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< what the note says
+  RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< kind of the note
   std::string path = {};                                  ///< path of the file
-  /// Names of all columns, of those with times, or of those in a unit.
+  /// Names of all columns, of the columns with times, or of the columns in a unit.
   std::vector<std::string> columns = {};
   /// Unit of times since 1970 in the first of `columns`; a second column refines it.
   std::optional<TimeUnit> time_unit = std::nullopt;
@@ -128,7 +128,8 @@ struct Recording {
   bool has_times = true;      ///< whether the recording has times; false for a path
   bool mapped = false;        ///< whether the joint map was used
   bool in_time_unit = false;  ///< whether `time_unit` was used
-  std::vector<RecordingNote> notes = {};  ///< how it was read, and what its numbers suggest
+  /// Assumptions made to read it, and inferences from its numbers.
+  std::vector<RecordingNote> notes = {};
 };
 
 /// Reads a recording of an arm. A .csv file may have any of these:

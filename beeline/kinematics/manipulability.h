@@ -23,8 +23,8 @@ struct ManipulabilityMeasures {
 };
 
 /// Returns the measures of a Jacobian, or of some of its rows. Linear and angular rows have
-/// different units: scale one of them first where the condition number matters (task_jacobian()).
-/// Throws Error for an empty matrix, one of more than six rows, or one that is not finite.
+/// different units: scale one kind first if the condition number matters (task_jacobian()). Throws
+/// Error for an empty matrix, one of more than six rows, or one that is not finite.
 ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
 
 /// The velocities J dq of all joint velocities with |dq| = 1, and the forces F of all joint torques
@@ -32,7 +32,8 @@ ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::Mat
 struct ManipulabilityEllipsoids {
   Eigen::MatrixXd axes;      ///< principal axes: orthonormal columns, as many as the rows of J
   Eigen::VectorXd velocity;  ///< semi-axes, in decreasing order; 0 along which nothing moves
-  Eigen::VectorXd force;     ///< their reciprocals; infinite where the velocity is 0
+  /// Semi-axes of the forces, the reciprocals of `velocity`; infinite if it is 0.
+  Eigen::VectorXd force;
 };
 
 /// Returns the ellipsoids of a Jacobian, or of some of its rows; take linear or angular rows, as
@@ -43,8 +44,8 @@ ManipulabilityEllipsoids manipulability_ellipsoids(
 /// Yoshikawa's measure and its derivatives.
 struct ManipulabilityGradient {
   double manipulability = 0;  ///< Yoshikawa's measure, as in ManipulabilityMeasures
-  /// With respect to the coordinates, per radian or metre. Zero where the measure is 0, as it has
-  /// no derivatives there in general.
+  /// Derivatives of the measure with respect to the coordinates, per radian or metre. Zero if the
+  /// measure is 0, because in general it has no derivatives there.
   Configuration gradient;
 };
 
@@ -70,8 +71,8 @@ struct JointRatesOptions {
   /// The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a planar arm
   /// also of x, y, theta such as 110; default: default_task().
   std::optional<Task> task = std::nullopt;
-  std::optional<Frame> frame =
-      std::nullopt;  ///< of the velocity, as of jacobian(); default: the task's
+  /// Frame of the velocity, as for jacobian(); default: the task's frame.
+  std::optional<Frame> frame = std::nullopt;
   /// The damping lambda of damped least squares, 0 or more: minimise |J dq - v|^2 + lambda^2
   /// |dq|^2. With 0 the least |dq| among the minimisers of |J dq - v|.
   double damping = 0;

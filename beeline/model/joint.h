@@ -45,8 +45,8 @@ constexpr double assumed_velocity_limit = 1.0;
 constexpr double assumed_time_to_velocity = 0.25;
 constexpr double assumed_time_to_acceleration = 0.1;
 
-/// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
-/// known, else the assumed one.
+/// The velocity limit that motions keep, radians or metres per second: the joint's own limit if it
+/// is known, otherwise the assumed one.
 constexpr double velocity_limit_of(const Limits& limits) {
   return limits.velocity < Limits::none ? limits.velocity
                                         : limits.speed_scale * assumed_velocity_limit;
@@ -94,7 +94,7 @@ inline double position_in_range(double q, double lower, double upper) {
 }
 
 /// The distance from q to the nearer end of its range, over half the range: 1 in the middle, 0 on a
-/// limit, negative outside. Infinite where the range is infinite or empty.
+/// limit, negative outside. Infinite if the range is infinite or empty.
 inline double limit_margin(double q, double lower, double upper) {
   const double half = (upper - lower) / 2;
   if (!(half > 0 && half < Limits::none)) return Limits::none;
@@ -118,7 +118,7 @@ struct Joint {
   Twist screw = Twist::Zero();
   Limits limits;               ///< limits of the coordinate q
   std::optional<Mimic> mimic;  ///< the joint that it follows
-  std::string link;            ///< name of link i; empty where it has none
+  std::string link;            ///< name of link i; empty if it has none
 };
 
 /// The kind of a joint, from its screw: P without rotation, H with rotation and pitch, else R.

@@ -18,9 +18,9 @@ std::vector<std::string> path_kind_names();
 /// Throws Error listing the kinds for another name.
 PathKind path_kind_named(std::string_view name);
 
-/// Segments, each of which begins where the one before it ends; all poses are world_T_tool. The
-/// path parameter s of a pose is the number of segments before it plus its segment parameter: 2.25
-/// is a quarter of the third segment.
+/// A sequence of segments; each begins at the end of the one before. All poses are world_T_tool.
+/// The path parameter s of a pose is the number of segments before it plus its segment parameter:
+/// 2.25 is a quarter of the third segment.
 struct ToolPath {
   std::vector<Segment> segments;  ///< segments in order
   /// The length of each segment in the common parameter of the path, about metres: see span_of().
@@ -51,7 +51,8 @@ struct Route {
   std::vector<double> speeds = {};
 };
 
-/// Lines, screws and arcs stop where two of them meet; a spline stops only where it turns back.
+/// Returns the route along a path. Lines, screws and arcs have a stop between two segments; a
+/// spline has stops only where it turns back.
 Route route_of(ToolPath path, PathKind kind);
 
 /// The weight of a rotation in a sum of lengths and angles, metres per radian.

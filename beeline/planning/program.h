@@ -24,8 +24,8 @@ std::vector<std::string> move_kind_names();
 /// Throws Error listing the kinds for another name.
 MoveKind move_kind_named(std::string_view name);
 
-/// A move from the waypoint before it to its own, where the tool is at rest unless the move blends
-/// into the next one or both are part of one spline.
+/// A move from the waypoint before it to its own waypoint. The tool is at rest there unless the
+/// move blends into the next one or both are part of one spline.
 struct Move {
   MoveKind kind = MoveKind::line;
   Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
@@ -40,8 +40,8 @@ struct Move {
   /// moves must be lines.
   double blend = 0;
   double dwell = 0;        ///< time at rest at the waypoint, s, 0 or more
-  std::string place = {};  ///< where the move is written, for messages: pick.csv:5
-  int line = 0;            ///< the line of a file there; 0: none
+  std::string place = {};  ///< place of the move in a file, for messages: pick.csv:5
+  int line = 0;            ///< line of this file; 0: none
 };
 
 /// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.

@@ -38,7 +38,7 @@ struct TimeScaling {
   std::vector<double> s;             ///< path parameter, strictly increasing, (N,)
   std::vector<double> t;             ///< seconds, strictly increasing from 0, (N,)
   std::vector<double> speed;         ///< ds/dt, (N,)
-  std::vector<double> acceleration;  ///< d2s/dt2, (N,); the mean of both sides where it jumps
+  std::vector<double> acceleration;  ///< d2s/dt2, (N,); the mean of both sides at a jump
   /// Whether d2s/dt2 is continuous: then s(t) is the quintic Hermite polynomial between points;
   /// else d2s/dt2 is constant there.
   bool smooth = false;

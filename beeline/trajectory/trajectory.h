@@ -30,12 +30,11 @@ constexpr double lowest_rate = 1e-3;
 /// positions only, the cubic polynomial for positions and velocities, and the quintic polynomial
 /// with accelerations too. See sample().
 struct Trajectory {
-  std::vector<std::string> joint_names;   ///< names of the joints, one for each coordinate, (n,)
-  std::vector<double> times;              ///< seconds, strictly increasing, (N,)
-  std::vector<Configuration> positions;   ///< rad, or m for prismatic joints
-  std::vector<Configuration> velocities;  ///< rad/s or m/s; empty where they are not known
-  /// rad/s^2 or m/s^2; empty where they are not known.
-  std::vector<Configuration> accelerations;
+  std::vector<std::string> joint_names;      ///< names of the joints, one for each coordinate, (n,)
+  std::vector<double> times;                 ///< times of the samples, s, strictly increasing, (N,)
+  std::vector<Configuration> positions;      ///< rad, or m for prismatic joints
+  std::vector<Configuration> velocities;     ///< rad/s or m/s; empty if unknown
+  std::vector<Configuration> accelerations;  ///< rad/s^2 or m/s^2; empty if unknown
 
   std::size_t size() const { return times.size(); }
   Interpolation interpolation() const {

@@ -172,8 +172,8 @@ struct JointLimits {
 ///     with the tag !degrees are in degrees, as in the files of Universal Robots. A limit
 ///     bounds both directions, so it is the lower of max_velocity and |min_velocity|, and of
 ///     max_acceleration, |min_acceleration| and |max_deceleration|. A joint NAME of the file that
-///     the arm does not have is its NAME_joint; where the file has all joints of the arm with one
-///     prefix, such as `panda_`, it is left out. The files of Franka's robots are read too:
+///     the arm does not have is its NAME_joint; if the file has all joints of the arm with one
+///     prefix, such as `panda_`, the prefix is ignored. The files of Franka's robots are read too:
 ///     `joint1: limit: {lower, upper, velocity}`. Notes name the file's other joints and its
 ///     default scaling factors, which are not applied.
 ///   - JSON: {"joint1": {"lower", "upper", "velocity", "acceleration", "jerk"}, ...}; all optional.

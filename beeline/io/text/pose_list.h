@@ -126,13 +126,13 @@ WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 /// A row of a program file: a move to a waypoint. planning/program.h defines its meaning; an empty
 /// text or option is an empty item.
 struct ProgramRow {
-  std::string motion;               ///< joint, line, screw, arc, spline, via; empty: line
-  std::string relative;             ///< previous, next; empty: the pose is in the work frame
-  std::optional<WrittenPose> pose;  ///< none where all items of the pose are empty
+  std::string motion;    ///< kind of the motion: joint, line, screw, arc, spline, via; empty: line
+  std::string relative;  ///< previous, next; empty: the pose is in the work frame
+  std::optional<WrittenPose> pose;  ///< pose of the row; none if all items of the pose are empty
   std::string q;                    ///< joint values, or the name of a state
-  std::optional<double> speed;      ///< metres per second
-  std::optional<double> blend;      ///< metres
-  std::optional<double> dwell;      ///< seconds
+  std::optional<double> speed;      ///< tool speed, m/s
+  std::optional<double> blend;      ///< deviation of the blend, m
+  std::optional<double> dwell;      ///< time at rest, s
   int line = 0;                     ///< line of the file
 };
 

@@ -53,8 +53,8 @@ Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
 
-/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. Names
-/// of joints and links are compared with an arm where they are used.
+/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. The
+/// functions that use names of joints and links compare them with an arm.
 struct Srdf {
   struct Group {
     std::string name;
