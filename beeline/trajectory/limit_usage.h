@@ -17,7 +17,7 @@ struct LimitFraction {
   /// bound this derivative, which jumps at the samples; the fraction is then the need of the
   /// smoothest motion through the samples, computed by divided differences.
   bool exact = true;
-  bool assumed = false;  ///< whether the limit is assumed because it is unknown: see motion_limits()
+  bool assumed = false;  ///< whether the limit is unknown and assumed: see motion_limits()
 };
 
 /// The fractions of the arm's limits that a trajectory uses.
