@@ -135,7 +135,7 @@ Answer export_file(const ExportArguments& arguments) {
   }
   write_file(arguments.out, file.text);
   Answer answer{.text = fmt::format(
-                    "exported      {} in {} s, as {}\nproof holds   for {}\n",
+                    "exported      {} in {} s, as {}\nguaranteed    {}\n",
                     counted(static_cast<std::int64_t>(file.samples), program ? "move" : "sample"),
                     shown(file.duration), name(form), file.proof),
                 .document = {{"status", "exported"},
@@ -188,10 +188,11 @@ Verb export_verb() {
       .summary = "Write a trajectory or a program in the form that a robot's controller takes",
       .description =
           "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
-          "stderr which guarantees of `beeline check` remain there; the file says it in "
-          "comments.\n\n"
+          "stderr which guarantees of `beeline check` remain on the controller; comments in the "
+          "file say the same.\n\n"
           "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
-          "plays as the trajectory's columns mean: everything proved holds. urscript: a program of "
+          "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program "
+          "of "
           "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
           "instructions; krl: PTP instructions: their controllers plan the motion between the "
           "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "

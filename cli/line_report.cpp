@@ -131,8 +131,8 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   Json nearby = Json::list();
   for (const NearbyPath& path : report.nearby) {
     Json one{{"description", path.description},
-             {"translation", Eigen::VectorXd(path.moved)},
-             {"rotation", Eigen::VectorXd(path.turned * unit.shown(1.0))}};
+             {"translation", Eigen::VectorXd(path.translation)},
+             {"rotation", Eigen::VectorXd(path.rotation * unit.shown(1.0))}};
     if (path.start) one.add("start", unit.shown(arm, *path.start));
     nearby.append(one);
   }

@@ -21,8 +21,12 @@ struct CompareArguments {
 };
 
 Json json_of(const ReachSide& side, const std::string& map, const Arm& arm) {
-  Json json{{"map", map},          {"arm", arm.name()},     {"volume", side.volume},
-            {"alone", side.alone}, {"better", side.better}, {"directions", side.directions}};
+  Json json{{"map", map},
+            {"arm", arm.name()},
+            {"volume", side.volume},
+            {"alone", side.volume_only_here},
+            {"better", side.volume_more_directions},
+            {"directions", side.directions}};
   if (std::isfinite(side.margin)) {
     json.add("manipulability", side.manipulability);
     json.add("margin", side.margin);
@@ -48,9 +52,10 @@ std::string table(const ReachComparison& comparison, const ReachMap& first,
   };
   std::string text = row("", name_of(first), name_of(second));
   text += numbers("reached, " + unit, a.volume, b.volume);
-  text += numbers("  only by this one", a.alone, b.alone);
+  text += numbers("  only by this one", a.volume_only_here, b.volume_only_here);
   text += numbers("  by both", comparison.both, comparison.both);
-  text += numbers("more directions than the other", a.better, b.better);
+  text +=
+      numbers("more directions than the other", a.volume_more_directions, b.volume_more_directions);
   text += row("directions reached, mean", fmt::format("{:.1f} %", 100 * a.directions),
               fmt::format("{:.1f} %", 100 * b.directions));
   if (comparison.both > 0) {

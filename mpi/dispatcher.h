@@ -7,21 +7,21 @@
 #include <thread>
 #include <vector>
 
-/// Hands out the units of a map (units_of()) by their numbers: on rank 0, whose thread answers the
-/// requests of the others. Each rank asks for the next unit when it has computed one. Waiting ranks
-/// sleep, so that a core can be another's.
+/// Distributes the units of a map (units_of()) by their numbers. It is on rank 0, and a thread of
+/// it answers the requests of the other ranks. Each rank requests the next unit when it has
+/// computed one. Waiting ranks sleep, so that other processes can use their cores.
 class Dispatcher {
  public:
   /// Begins to answer. Requires MPI_THREAD_MULTIPLE.
   explicit Dispatcher(const std::vector<Eigen::Index>& units);
-  /// Ends when every other rank has been answered that nothing is left.
+  /// Waits until every other rank has been answered that no unit is left.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
-  /// The next unit, for rank 0 itself; none when nothing is left.
+  /// Returns the next unit for rank 0 itself; none if no unit is left.
   std::optional<Eigen::Index> next();
-  /// The fraction of all units that was handed out.
+  /// The fraction of all units that has been distributed.
   double fraction();
 
  private:
@@ -33,8 +33,8 @@ class Dispatcher {
   std::thread thread_;
 };
 
-/// The next unit of the dispatcher on rank 0, for the other ranks.
+/// Requests the next unit from the dispatcher on rank 0; for the other ranks.
 std::optional<Eigen::Index> ask_for_unit();
 
-/// Waits until every rank is here, and returns the largest of their values.
+/// Waits until every rank has called this, and returns the largest of their values.
 int largest_of_all(int value);

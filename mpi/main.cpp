@@ -1,6 +1,6 @@
 // beeline-reach-mpi map ARM --out FILE ...: `beeline reach map` by all ranks of an MPI job, on as
-// many machines as it has. Each slab is written whole to FILE.parts: after a rank was killed, which
-// ends the job, the same command continues, with any number of ranks.
+// many machines as it has. Each slab is written whole to FILE.parts. A killed rank ends the job;
+// the same command then continues, with any number of ranks.
 
 #include <beeline/error.h>
 #include <beeline/reach/reach_map.h>
@@ -28,7 +28,7 @@ int rank() {
   return rank;
 }
 
-/// Mistakes in the options are every rank's: rank 0 reports them.
+/// All ranks find the same mistakes in the options; rank 0 reports them.
 class QuietRanks {
  public:
   QuietRanks() : stderr_(dup(STDERR_FILENO)) {
@@ -51,14 +51,14 @@ void abort_job(const std::string& reason, int code) {
   MPI_Abort(MPI_COMM_WORLD, code);
 }
 
-/// Rank 0: hands out the units, computes as the others do, and joins what all have computed.
+/// Rank 0 distributes the units, computes units itself, and joins the results of all ranks.
 Answer lead(ReachMapUnits& units, const ReachMapJob& job) {
   Ending ending = Ending::complete;
   {
     Progress progress;
     Dispatcher dispatcher(units.missing());
     try {
-      // A rank whose budget is spent goes on asking, so that nothing is left for the dispatcher.
+      // A rank whose budget has ended still requests units until none is left for the dispatcher.
       ending = units.compute([&] {
         progress.show(dispatcher.fraction());
         return dispatcher.next();

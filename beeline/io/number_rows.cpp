@@ -14,7 +14,7 @@
 namespace beeline {
 namespace internal {
 
-/// Rows of a CSV file, whose columns are those of a form in any order. "-" is the standard input.
+/// Rows of a CSV file that has the columns of one form, in any order. "-" is the standard input.
 class CsvNumbers {
  public:
   CsvNumbers(const std::string& path, const RowForms& forms, const RowUnits& units)

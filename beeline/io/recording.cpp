@@ -170,7 +170,7 @@ void check_stated(const internal::StatedUnits& stated, const RecordingOptions& o
               ", but the option angle_unit (--angle-unit) gives another unit");
 }
 
-/// Adds a note on the unit to those from the first one on.
+/// Adds a note on the unit to the notes from the first one on.
 void add_note(const JointUnitSource& source, const std::string& path, std::size_t first,
               std::vector<RecordingNote>& notes) {
   const auto unit = static_cast<JointUnit>(source.unit - &internal::all_units().front());

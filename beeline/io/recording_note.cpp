@@ -12,7 +12,7 @@ constexpr internal::EnumNames<RecordingNoteKind::likely_milliseconds> note_names
     "no_header times_since_1970 named_unit read_in_degrees read_in_radians likely_degrees "
     "many_revolutions likely_millimetres likely_milliseconds");
 
-/// How the user reads the recording otherwise, to be appended to the note.
+/// Returns the option that reads the recording otherwise, to be appended to the note.
 const char* choice_after(RecordingNoteKind kind, OptionStyle style) {
   const bool command = style == OptionStyle::command;
   switch (kind) {

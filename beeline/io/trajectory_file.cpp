@@ -162,7 +162,7 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   if (options.comments) {
     comments = {
         "Beeline: " + std::to_string(file.samples) + " samples in " + number(file.duration) + " s",
-        comment("What of a proof about the trajectory holds here: " + file.proof)};
+        comment("Guarantees that still hold for this file: " + file.proof)};
     if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
   }
   file.text = text_in_form(form, samples, comments, options, frames);
@@ -180,8 +180,8 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
   ControllerFile file;
   file.proof =
       "the order and the waypoints; the controller plans each motion between them again, with its "
-      "own profiles and blends, so that times, limits, deviations and the arm's branch are not "
-      "proved there";
+      "own profiles and blends, so times, limits, deviations and the arm's branch are not "
+      "guaranteed";
   const internal::ProgramFrames frames = internal::program_frames(arm, options.work);
   file.note =
       internal::note_on_frames(form, frames) + internal::note_on_form(described, motion.trajectory);
@@ -191,7 +191,8 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       "Beeline: " + std::to_string(file.samples) + " moves, planned and certified with " +
           number(file.duration) + " s and a deviation of at most " +
           deviation_text(motion.deviation.bound),
-      comment("What of that proof holds here: " + file.proof), comment("Note: " + file.note)};
+      comment("Guarantees that still hold for this file: " + file.proof),
+      comment("Note: " + file.note)};
   const internal::MoveSource source{
       motion.trajectory.positions.front(),
       internal::controller_moves(arm, program, motion, frames.frame_of_poses()), comments,

@@ -61,30 +61,33 @@ enum class JointUnit { radians, degrees, metres, millimetres };
 std::string name(JointUnit unit);  ///< rad, deg, m, mm
 
 struct RecordingOptions {
-  /// How joints are matched. The unit of a joint's values is the one in the joint map, else the one
-  /// that its column's name says, as joint1_deg, else `match.angle_unit`.
+  /// Options of matching the joints. The unit of a joint's values is given by the joint map, else
+  /// by its column's name, such as joint1_deg, else by `match.angle_unit`.
   MatchOptions match = {};
-  /// A file that has none of the joint map's names is matched by name, as if there was no map.
+  /// Whether a file that has none of the joint map's names is matched by name, as if there were no
+  /// map.
   bool map_is_optional = false;
-  /// Of the times of a .csv file. Default: what the column's name says, as time_ms; else seconds
-  /// or, for times since 1970, the unit that their size gives. Refused, unless it is seconds, for a
-  /// file without times and for one whose format gives their unit: messages of ROS, as .json,
-  /// .yaml, or with columns of seconds and nanoseconds.
+  /// Unit of the times of a .csv file. Default: the unit in the column's name, such as time_ms;
+  /// otherwise seconds or, for times since 1970, the unit inferred from their size. A unit other
+  /// than seconds is refused for a file without times and for a file whose format gives their unit:
+  /// messages of ROS, as .json, .yaml, or with columns of seconds and nanoseconds.
   std::optional<TimeUnit> time_unit = std::nullopt;
-  /// Such a file is read as if there was no time unit.
+  /// Whether such a file is read as if no time unit were given.
   bool time_unit_is_optional = false;
-  bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
-  /// A recording that does not give the unit of its angles is read in degrees, if they are out of
-  /// range in radians but not in degrees, and otherwise in radians; a note says which, unless it is
-  /// in the form of a motion that this library has planned: the arm's names in its order, with
-  /// velocities and accelerations. If false, a note says where degrees are likely. Applies if
-  /// `match.angle_unit` is 1.
+  bool needs_times = true;  ///< whether a .csv file must have times; otherwise it may be a path
+                            ///< with rows at 0, 1, 2, ... s
+  /// Whether a recording that does not give the unit of its angles is read in degrees if they are
+  /// out of range in radians but not in degrees, and otherwise in radians. A note states the unit,
+  /// unless the recording has the form of a motion that this library has planned: the arm's names
+  /// in its order, with velocities and accelerations. If false, a note says where degrees are
+  /// likely. Applies if `match.angle_unit` is 1.
   bool detect_degrees = false;
-  /// `match.angle_unit` is what the user has stated: angles have no such notes.
+  /// Whether the user has stated `match.angle_unit`. There are then no such notes on angles.
   bool angle_unit_is_known = false;
 };
 
-/// How a recording was read where the file does not say, and what its numbers suggest.
+/// The kind of a note on a recording: an assumption about data that the file does not state, or an
+/// inference from its numbers.
 enum class RecordingNoteKind {
   no_header,            ///< the columns of a table without a header are read as `columns`
   times_since_1970,     ///< the times in `columns`, in `time_unit`, or dates where there is none,
@@ -100,18 +103,18 @@ enum class RecordingNoteKind {
 };
 std::string name(RecordingNoteKind kind);
 
-/// How a recording was read where the file does not say, or what its numbers suggest.
+/// An assumption that was made to read a recording, or an inference from its numbers.
 struct RecordingNote {
-  RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< what the note says
-  std::string path = {};                                  ///< of the file
-  /// Names of all columns, of those with times, or of those in a unit.
+  RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< kind of the note
+  std::string path = {};                                  ///< path of the file
+  /// Names of all columns, of the columns with times, or of the columns in a unit.
   std::vector<std::string> columns = {};
-  /// Of times since 1970 in the first of `columns`; a second one refines it.
+  /// Unit of times since 1970 in the first of `columns`; a second column refines it.
   std::optional<TimeUnit> time_unit = std::nullopt;
-  std::optional<JointUnit> joint_unit = std::nullopt;  ///< of the columns
-  std::string joint = {};                              ///< of the arm, whose value suggests a unit
-  /// Of that joint as recorded, with the signs and offsets of a joint map, or the mean time between
-  /// samples, s.
+  std::optional<JointUnit> joint_unit = std::nullopt;  ///< unit of the columns
+  std::string joint = {};  ///< joint of the arm whose value suggests a unit
+  /// Recorded value of that joint, with the signs and offsets of a joint map, or the mean time
+  /// between samples, s.
   double value = 0;
 };
 
@@ -121,11 +124,12 @@ std::string sentence(const RecordingNote& note, OptionStyle style = OptionStyle:
 
 /// A trajectory as a program of any kind has recorded it.
 struct Recording {
-  Trajectory trajectory;                  ///< in the arm's order: see matched_to()
-  bool has_times = true;                  ///< false for a path
-  bool mapped = false;                    ///< whether the joint map was used
-  bool in_time_unit = false;              ///< whether `time_unit` was used
-  std::vector<RecordingNote> notes = {};  ///< how it was read, and what its numbers suggest
+  Trajectory trajectory;      ///< trajectory with its columns in the arm's order: see matched_to()
+  bool has_times = true;      ///< whether the recording has times; false for a path
+  bool mapped = false;        ///< whether the joint map was used
+  bool in_time_unit = false;  ///< whether `time_unit` was used
+  /// Assumptions made to read it, and inferences from its numbers.
+  std::vector<RecordingNote> notes = {};
 };
 
 /// Reads a recording of an arm. A .csv file may have any of these:
@@ -177,31 +181,32 @@ ControllerForm controller_form_named(const std::string& name);
 /// The endings of the form's files: script; the first is the default.
 std::vector<std::string> controller_file_endings(ControllerForm form);
 
-/// Throws Error, as controller_file() does, unless the form can hold a motion of this arm, and this
-/// program: before anything is planned.
+/// Throws Error, as controller_file() does, unless the form can hold a motion of this arm or this
+/// program. Does not need a planned motion.
 void check_controller_form(const Arm& arm, ControllerForm form);
 void check_controller_form(const Arm& arm, const Program& program, ControllerForm form);
 
 struct ControllerFileOptions {
-  /// Setpoints per second, of the motion that the trajectory's columns mean. Default: the
-  /// trajectory's own samples; of urscript 125, the control rate of the CB3 series (e-Series: 500).
-  /// csv requires it.
+  /// Setpoints per second of the motion that the trajectory's columns mean. Default: the
+  /// trajectory's own samples; for urscript 125, the control rate of the CB3 series (e-Series:
+  /// 500). csv requires a rate.
   std::optional<double> rate = std::nullopt;
   /// The name of a rapid or krl program; default: the file's name without its ending.
   std::string program_name = "beeline_motion";
-  /// The frame in which the poses of a program are written: its pose in the world. The file states
-  /// it relative to the controller's root frame. Default: the root frame.
+  /// Pose in the world of the frame in which the poses of a program are written. The file states it
+  /// relative to the controller's root frame. Default: the root frame.
   std::optional<Pose> work = std::nullopt;
-  bool comments = true;  ///< false for ros2 as JSON, which has none
+  bool comments = true;  ///< whether comments are written; false for ros2 as JSON, which has none
 };
 
 /// A motion in the form that a controller takes.
 struct ControllerFile {
-  std::string text;         ///< its content, with `proof` and `note` as comments
-  std::string proof;        ///< which part of a proof about the trajectory holds for the controller
-  std::string note;         ///< what the user must ensure; may be empty
+  std::string text;         ///< content of the file, with `proof` and `note` as comments
+  std::string proof;        ///< guarantees of verify() that remain on the controller
+  std::string note;         ///< conditions that the user must ensure; may be empty
   std::size_t samples = 0;  ///< number of setpoints or moves
-  double duration = 0;      ///< seconds; with a rate at most one period more than the trajectory's
+  /// Duration, s; with a rate at most one period longer than the trajectory.
+  double duration = 0;
 };
 
 /// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
@@ -216,12 +221,12 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
 /// Returns a planned program as moves for a controller, from the configuration at which its
 /// trajectory begins: joint moves to the planned joint values, the others to their poses in the
 /// controller's root frame, ControllerFrames::base, or in `options.work`, with speeds, blends and
-/// dwells. The file sets the arm's tool. Where the arm stands in the world plays no part. Moves
-/// without a speed get the largest of the planned motion. The controller plans all motions again.
-/// `samples` is the number of moves, `duration` that of the planned motion. Throws Error for a
-/// motion that is not complete or not of the program; as the function above; for ros2, csv and a
-/// rate, which need a trajectory; and for a kind of move that the form does not have: screws, and
-/// splines except of krl.
+/// dwells. The file sets the arm's tool. The mount of the arm in the world has no influence. A move
+/// without a speed gets the largest speed of the planned motion. The controller plans all motions
+/// again. `samples` is the number of moves, `duration` the duration of the planned motion. Throws
+/// Error for a motion that is not complete or not a motion of the program, for an arm that the
+/// function above refuses, for ros2, csv and a rate, which need a trajectory, and for a kind of
+/// move that the form does not have: screws, and splines except of krl.
 ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
                                ControllerForm form, const ControllerFileOptions& options = {});
 

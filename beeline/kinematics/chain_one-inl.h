@@ -13,15 +13,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// A 3-vector of one configuration and an unused fourth number. VectorOf has
-/// one vector in each lane instead: the two layouts share no operation.
-struct Four {
+/// A 3-vector of one configuration, padded by an unused fourth number. VectorOf has one vector in
+/// each lane instead; the two layouts share no operation.
+struct PaddedVector3 {
   using Tag = hn::CappedTag<double, 4>;
   static constexpr int width = static_cast<int>(hn::MaxLanes(Tag()));
   hn::Vec<Tag> part[4 / width];
 
-  static HWY_INLINE Four load(const double* four) {
-    Four r;
+  static HWY_INLINE PaddedVector3 load(const double* four) {
+    PaddedVector3 r;
     for (int i = 0; i < 4 / width; ++i) r.part[i] = hn::LoadU(Tag(), four + i * width);
     return r;
   }
@@ -33,14 +33,14 @@ struct Four {
     store(four);
     for (int i = 0; i < 3; ++i) three[i] = four[i];
   }
-  HWY_INLINE Four times(double s) const {
-    Four r;
+  HWY_INLINE PaddedVector3 times(double s) const {
+    PaddedVector3 r;
     for (int i = 0; i < 4 / width; ++i) r.part[i] = hn::Mul(part[i], hn::Set(Tag(), s));
     return r;
   }
   /// This + s a.
-  HWY_INLINE Four plus(double s, const Four& a) const {
-    Four r;
+  HWY_INLINE PaddedVector3 plus(double s, const PaddedVector3& a) const {
+    PaddedVector3 r;
     for (int i = 0; i < 4 / width; ++i) {
       r.part[i] = hn::MulAdd(hn::Set(Tag(), s), a.part[i], part[i]);
     }
@@ -49,15 +49,15 @@ struct Four {
 };
 
 /// The cross product of the first three numbers; the fourth has no meaning.
-HWY_INLINE Four cross(const Four& a, const Four& b) {
+HWY_INLINE PaddedVector3 cross(const PaddedVector3& a, const PaddedVector3& b) {
 #if HWY_MAX_BYTES >= 32
-  const Four::Tag tag;
+  const PaddedVector3::Tag tag;
   alignas(32) static constexpr int64_t next_axis[4] = {1, 2, 0, 3};
-  const auto rotated = [&](const Four& v) HWY_ATTR {
+  const auto rotated = [&](const PaddedVector3& v) HWY_ATTR {
     return hn::TableLookupLanes(v.part[0], hn::SetTableIndices(tag, next_axis));
   };
   // a x b = rotated(a rotated(b) - rotated(a) b)
-  Four r;
+  PaddedVector3 r;
   r.part[0] = hn::NegMulAdd(rotated(a), b.part[0], hn::Mul(a.part[0], rotated(b)));
   r.part[0] = rotated(r);
   return r;
@@ -67,17 +67,17 @@ HWY_INLINE Four cross(const Four& a, const Four& b) {
   b.store(v);
   const double w[4] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                        u[0] * v[1] - u[1] * v[0], 0};
-  return Four::load(w);
+  return PaddedVector3::load(w);
 #endif
 }
 
 /// A frame in the world: its axes and its origin, the columns of the 4 x 4 matrix.
 struct Columns {
-  Four x, y, z, p;
+  PaddedVector3 x, y, z, p;
 
   static HWY_INLINE Columns load(const double* columns) {
-    return {Four::load(columns), Four::load(columns + 4), Four::load(columns + 8),
-            Four::load(columns + 12)};
+    return {PaddedVector3::load(columns), PaddedVector3::load(columns + 4),
+            PaddedVector3::load(columns + 8), PaddedVector3::load(columns + 12)};
   }
   HWY_INLINE void store(double* columns) const {
     x.store(columns);

@@ -17,8 +17,9 @@ Column column(const Eigen::Ref<const Jacobian>& columns, Eigen::Index i) {
   return {columns.col(i).head<3>(), columns.col(i).tail<3>()};
 }
 
-/// The derivative of a column of the base frame, in a frame. `velocity` is that of the tool and
-/// `change` the derivative of the column in the base frame, both for the same joint velocities.
+/// Returns the derivative of a column of the base frame, in a frame. `velocity` is the tool's
+/// velocity and `change` the derivative of the column in the base frame, both for the same joint
+/// velocities.
 Twist in_frame(Frame frame, const Pose& world_T_tool, const Column& of, const Column& velocity,
                const Column& change) {
   Twist result;
@@ -97,14 +98,16 @@ Pose jacobian_derivative(const Arm& arm, const ConfigurationRef& q, const Config
     return world_T_tool;
   }
   check_configuration(arm, q);
-  const auto drive = [&](Eigen::Index i) { return arm.drives()[static_cast<std::size_t>(i)]; };
+  const auto coupling = [&](Eigen::Index i) {
+    return arm.couplings()[static_cast<std::size_t>(i)];
+  };
   Jacobian columns;
   const Pose world_T_tool = joint_columns(arm, q, columns);
-  const auto rate = [&](Eigen::Index i) { return drive(i).ratio * dq[drive(i).coordinate]; };
+  const auto rate = [&](Eigen::Index i) { return coupling(i).ratio * dq[coupling(i).coordinate]; };
   differentiate(world_T_tool, frame, rate, columns);
   derivative.setZero();
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-    derivative.col(drive(i).coordinate) += drive(i).ratio * columns.col(i);
+    derivative.col(coupling(i).coordinate) += coupling(i).ratio * columns.col(i);
   }
   return world_T_tool;
 }
@@ -136,8 +139,8 @@ Pose hessian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> col
   derivatives.setZero();
   for (Eigen::Index k = 0; k < joints.cols(); ++k) {
     for (Eigen::Index i = 0; i < joints.cols(); ++i) {
-      const Arm::Drive &of = arm.drives()[static_cast<std::size_t>(i)],
-                       &by = arm.drives()[static_cast<std::size_t>(k)];
+      const Arm::JointCoupling &of = arm.couplings()[static_cast<std::size_t>(i)],
+                               &by = arm.couplings()[static_cast<std::size_t>(k)];
       derivatives.col(by.coordinate * n + of.coordinate) +=
           of.ratio * by.ratio * second_derivative(world_T_tool, frame, joints, i, k);
     }

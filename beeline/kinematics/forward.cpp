@@ -8,8 +8,8 @@ namespace beeline {
 namespace {
 
 Pose link_transform(const Arm& arm, std::size_t i, const ConfigurationRef& q) {
-  const Arm::Drive& drive = arm.drives()[i];
-  return joint_transform(arm.joints()[i], drive.ratio * q[drive.coordinate] + drive.shift);
+  const Arm::JointCoupling& coupling = arm.couplings()[i];
+  return joint_transform(arm.joints()[i], coupling.ratio * q[coupling.coordinate] + coupling.shift);
 }
 
 }  // namespace

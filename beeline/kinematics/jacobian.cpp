@@ -18,14 +18,14 @@ Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobi
   Pose world_T_link = arm.base(), world_T_tool;
   internal::forward_kernel(arm, q.data(), world_T_tool.data());
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Arm::Drive& drive = arm.drives()[i];
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
     const Joint& joint = arm.joints()[i];
-    world_T_link =
-        world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
+    world_T_link = world_T_link *
+                   joint_transform(joint, coupling.ratio * q[coupling.coordinate] + coupling.shift);
     // The screw is the same in the link's frame before and after the motion.
     Twist velocity = joint_velocity(joint, world_T_link, world_T_tool.translation());
     if (arm.planar()) velocity.tail<3>() = velocity.tail<3>().array().round();
-    columns.col(drive.coordinate) += drive.ratio * velocity;
+    columns.col(coupling.coordinate) += coupling.ratio * velocity;
   }
   return world_T_tool;
 }

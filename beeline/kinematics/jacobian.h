@@ -9,14 +9,14 @@
 
 namespace beeline {
 
-/// The velocity that a Jacobian maps to, and its axes. The linear rows always come first. In
-/// brackets the names of the Robotics Toolbox, of Pinocchio, and of Lynch & Park. The axes of
-/// `base` are those of the world, in which Arm::base() places link 0, not those of link 0: the two
-/// differ where Arm::base() rotates the arm. The Robotics Toolbox uses the word in the same sense.
+/// The velocity that a Jacobian maps to, and its axes. The linear rows always come first. Brackets
+/// contain the names in the Robotics Toolbox, in Pinocchio, and in Lynch & Park. `base` means the
+/// axes of the world, in which Arm::base() places link 0, and not the axes of link 0; the two
+/// differ if Arm::base() rotates the arm. The Robotics Toolbox uses the word in the same sense.
 enum class Frame {
-  base,   ///< of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
-  tool,   ///< of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
-  space,  ///< of the point of the tool at the world's origin, in the world's axes (WORLD, space)
+  base,   ///< velocity of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
+  tool,   ///< velocity of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
+  space,  ///< velocity of the tool's point at the world's origin, in world axes (WORLD, space)
 };
 std::string name(Frame frame);
 Frame frame_named(std::string_view name);  ///< Throws Error for an unknown name.
@@ -59,16 +59,17 @@ std::vector<std::string> orientation_coordinates_names();
 /// Throws Error listing the names for another name.
 OrientationCoordinates orientation_coordinates_named(std::string_view name);
 
-/// The rows of analytical_jacobian(): x, y, z, and those of the orientation.
+/// Returns the names of the rows of analytical_jacobian(): x, y, z, then the orientation
+/// coordinates.
 std::vector<std::string> row_names(OrientationCoordinates coordinates);
 
 /// Returns the analytical Jacobian, 6 x dof, or 7 x dof for quaternions: the derivatives of the
 /// position of the tool's origin (metres) and of the coordinates of its orientation, both in the
 /// world, with respect to q (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, 2009, section 3.6).
 ///
-/// Throws Error where the coordinates have no derivatives: for roll_pitch_yaw at a pitch of +-90
+/// Throws Error if the coordinates have no derivatives, for roll_pitch_yaw at a pitch of +-90
 /// degrees, and as jacobian() does. The rotation vector jumps at an angle of pi, the quaternion at
-/// qw = 0; there, the derivatives are those on one side.
+/// qw = 0; there the function returns the one-sided derivatives.
 Eigen::MatrixXd analytical_jacobian(const Arm& arm, const ConfigurationRef& q,
                                     OrientationCoordinates coordinates);
 

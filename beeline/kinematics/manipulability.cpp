@@ -72,8 +72,8 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
   ManipulabilityGradient result{0, Configuration::Zero(n)};
   if (n < count || !(sigma[count - 1] > rounding_of(sigma[0], matrix))) return result;
   result.manipulability = sigma.head(count).prod();
-  // The logarithm of the measure is that of the singular values, and d sigma = u^T dJ v, with
-  // sigma v = J^T u: so the gradient is w tr(J^+ dJ/dq).
+  // The logarithm of w is the sum of log sigma over the singular values, and d sigma = u^T dJ v
+  // with sigma v = J^T u. Hence the gradient is w tr(J^+ dJ/dq).
   const Eigen::MatrixXd pseudoinverse = svd.scaled_right.leftCols(count) *
                                         sigma.head(count).cwiseAbs2().cwiseInverse().asDiagonal() *
                                         svd.left.topLeftCorner(count, count).transpose();

@@ -13,7 +13,7 @@ namespace beeline {
 /// Measures of a Jacobian's distance from singularity (Lynch & Park, *Modern Robotics*, 2017,
 /// section 5.4).
 struct ManipulabilityMeasures {
-  Eigen::VectorXd singular_values;  ///< in decreasing order, min(rows, columns) of them
+  Eigen::VectorXd singular_values;  ///< singular values in decreasing order, (min(m, n),)
   /// The product of the singular values, sqrt(det(J J^T)); 0 with fewer columns than rows
   /// (Yoshikawa, 1985).
   double manipulability = 0;
@@ -23,8 +23,8 @@ struct ManipulabilityMeasures {
 };
 
 /// Returns the measures of a Jacobian, or of some of its rows. Linear and angular rows have
-/// different units: scale one of them first where the condition number matters (task_jacobian()).
-/// Throws Error for an empty matrix, one of more than six rows, or one that is not finite.
+/// different units: scale one kind first if the condition number matters (task_jacobian()). Throws
+/// Error for an empty matrix, one of more than six rows, or one that is not finite.
 ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
 
 /// The velocities J dq of all joint velocities with |dq| = 1, and the forces F of all joint torques
@@ -32,7 +32,8 @@ ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::Mat
 struct ManipulabilityEllipsoids {
   Eigen::MatrixXd axes;      ///< principal axes: orthonormal columns, as many as the rows of J
   Eigen::VectorXd velocity;  ///< semi-axes, in decreasing order; 0 along which nothing moves
-  Eigen::VectorXd force;     ///< their reciprocals; infinite where the velocity is 0
+  /// Semi-axes of the forces, the reciprocals of `velocity`; infinite if it is 0.
+  Eigen::VectorXd force;
 };
 
 /// Returns the ellipsoids of a Jacobian, or of some of its rows; take linear or angular rows, as
@@ -42,9 +43,9 @@ ManipulabilityEllipsoids manipulability_ellipsoids(
 
 /// Yoshikawa's measure and its derivatives.
 struct ManipulabilityGradient {
-  double manipulability = 0;  ///< as in ManipulabilityMeasures
-  /// With respect to the coordinates, per radian or metre. Zero where the measure is 0, as it has
-  /// no derivatives there in general.
+  double manipulability = 0;  ///< Yoshikawa's measure, as in ManipulabilityMeasures
+  /// Derivatives of the measure with respect to the coordinates, per radian or metre. Zero if the
+  /// measure is 0, because in general it has no derivatives there.
   Configuration gradient;
 };
 
@@ -54,15 +55,15 @@ struct ManipulabilityGradient {
 /// jacobian() and check_task() do.
 ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q,
                                                const Task& task);
-/// The same of default_task(): of the planar rows of a planar arm, of all six of another.
+/// The same for default_task(): the planar rows of a planar arm, all six rows of any other arm.
 ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q);
 
-/// How joint_rates() ends.
+/// The outcome of joint_rates().
 enum class RatesStatus {
   solved,         ///< the rates move the tool at the velocity
-  damped,         ///< the rates are those of damped least squares
-  singular,       ///< the velocity has a part in a direction that is lost at a singularity
-  too_few_joints  ///< it has a part in a direction that the arm has no joint for
+  damped,         ///< the rates are the damped least-squares solution
+  singular,       ///< the velocity has a component in a direction that is lost at a singularity
+  too_few_joints  ///< the velocity has a component in a direction that no joint moves
 };
 std::string name(RatesStatus status);
 
@@ -70,8 +71,8 @@ struct JointRatesOptions {
   /// The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a planar arm
   /// also of x, y, theta such as 110; default: default_task().
   std::optional<Task> task = std::nullopt;
-  std::optional<Frame> frame =
-      std::nullopt;  ///< of the velocity, as of jacobian(); default: the task's
+  /// Frame of the velocity, as for jacobian(); default: the task's frame.
+  std::optional<Frame> frame = std::nullopt;
   /// The damping lambda of damped least squares, 0 or more: minimise |J dq - v|^2 + lambda^2
   /// |dq|^2. With 0 the least |dq| among the minimisers of |J dq - v|.
   double damping = 0;
@@ -79,9 +80,9 @@ struct JointRatesOptions {
 
 /// A joint rate above the velocity limit of its joint.
 struct RateExcess {
-  int coordinate = 0;  ///< from 0
-  double rate = 0;     ///< rad/s or m/s
-  double limit = 0;    ///< rad/s or m/s
+  int coordinate = 0;  ///< index of the coordinate, from 0
+  double rate = 0;     ///< joint rate, rad/s or m/s
+  double limit = 0;    ///< velocity limit, rad/s or m/s
 };
 
 /// Joint rates dq of a velocity v of the tool. All velocities of the tool are in the order of v, in
@@ -89,7 +90,7 @@ struct RateExcess {
 struct JointRates {
   RatesStatus status = RatesStatus::solved;
   Configuration rates;  ///< joint rates dq, rad/s or m/s, (n,); if not solved, the nearest
-  Eigen::VectorXd tool_velocity;  ///< J dq, one for each row, (m,)
+  Eigen::VectorXd tool_velocity;  ///< velocity J dq of the tool, (m,)
   double residual = 0;            ///< |J dq - v|, m/s and rad/s
   bool singular = false;          ///< whether J has a smaller rank than its size allows
   /// Orthonormal basis, one velocity in each column, of the complement of the range of J.
@@ -99,9 +100,9 @@ struct JointRates {
   std::vector<int> without_limit = {};
   /// The largest factor of v, at most 1, with which all rates keep the known velocity limits.
   double scale = 1;
-  Reason reason = {};  ///< one sentence unless solved or damped
+  Reason reason = {};  ///< reason of the status in one sentence; none if solved or damped
 
-  /// Whether the rates are what was asked for.
+  /// Whether the rates are solved or damped.
   explicit operator bool() const {
     return status == RatesStatus::solved || status == RatesStatus::damped;
   }

@@ -50,11 +50,11 @@ std::vector<std::string> row_names(const Task& task);
 /// metres: so scaled, metres and radians compare in a condition number.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit = 1);
-/// The same of default_task(): the planar rows of a planar arm, all six of another.
+/// The same for default_task(): the planar rows of a planar arm, all six rows of any other arm.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q);
 
-/// pose_difference(desired, current) in the axes of `frame`: base, the world's; or tool, those of
-/// `current`.
+/// Returns pose_difference(desired, current) in the axes of `frame`: base for the axes of the
+/// world, tool for the axes of `current`.
 Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
 
 /// The task's rows of pose_error(), the error E of the chapter's section 1.8. Its angular part is a
@@ -86,7 +86,7 @@ inline void grow(Deviation& largest, const Deviation& other) {
   largest.orientation = std::max(largest.orientation, other.orientation);
 }
 
-/// Whether neither part exceeds that of the tolerance.
+/// Whether neither part of the deviation exceeds the same part of the tolerance.
 inline bool within(const Deviation& deviation, const Deviation& tolerance) {
   return deviation.position <= tolerance.position && deviation.orientation <= tolerance.orientation;
 }

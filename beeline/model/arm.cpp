@@ -29,10 +29,10 @@ std::size_t leader_of(const std::vector<Joint>& joints,
 
 /// A mimic joint may lead others, in any order: each sequence of leaders is followed up to one that
 /// is resolved, once.
-std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
-                                       const std::unordered_map<std::string, std::size_t>& index,
-                                       const std::vector<int>& coordinate_of) {
-  std::vector<Arm::Drive> drives(joints.size());
+std::vector<Arm::JointCoupling> resolve_couplings(
+    const std::vector<Joint>& joints, const std::unordered_map<std::string, std::size_t>& index,
+    const std::vector<int>& coordinate_of) {
+  std::vector<Arm::JointCoupling> couplings(joints.size());
   std::vector<bool> known(joints.size(), false);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     std::vector<std::size_t> followers;
@@ -44,38 +44,38 @@ std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
       followers.push_back(joint);
       joint = leader_of(joints, index, joint);
     }
-    if (!known[joint]) drives[joint].coordinate = coordinate_of[joint];
+    if (!known[joint]) couplings[joint].coordinate = coordinate_of[joint];
     known[joint] = true;
     for (; !followers.empty(); followers.pop_back()) {
-      const Arm::Drive& leader = drives[joint];
+      const Arm::JointCoupling& leader = couplings[joint];
       joint = followers.back();
       const Mimic& mimic = *joints[joint].mimic;
-      drives[joint] = {leader.coordinate, mimic.multiplier * leader.ratio,
-                       mimic.multiplier * leader.shift + mimic.offset};
-      internal::check_drive(drives[joint], joints[joint].name);
+      couplings[joint] = {leader.coordinate, mimic.multiplier * leader.ratio,
+                          mimic.multiplier * leader.shift + mimic.offset};
+      internal::check_coupling(couplings[joint], joints[joint].name);
       known[joint] = true;
     }
   }
-  return drives;
+  return couplings;
 }
 
 /// Tightens the leader's limits so that a follower, called `what`, stays within its own.
-void tighten(Limits& leader, const Limits& follower, const Arm::Drive& drive,
+void tighten(Limits& leader, const Limits& follower, const Arm::JointCoupling& coupling,
              const std::string& what) {
-  if (drive.ratio == 0) {  // the follower does not move
-    if (drive.shift >= follower.lower && drive.shift <= follower.upper) return;
-    throw Error(what + " is fixed at " + number(drive.shift) + ", outside its limits " +
+  if (coupling.ratio == 0) {  // the follower does not move
+    if (coupling.shift >= follower.lower && coupling.shift <= follower.upper) return;
+    throw Error(what + " is fixed at " + number(coupling.shift) + ", outside its limits " +
                 number(follower.lower) + " to " + number(follower.upper));
   }
-  double lower = (follower.lower - drive.shift) / drive.ratio;
-  double upper = (follower.upper - drive.shift) / drive.ratio;
+  double lower = (follower.lower - coupling.shift) / coupling.ratio;
+  double upper = (follower.upper - coupling.shift) / coupling.ratio;
   if (lower > upper) std::swap(lower, upper);
   leader.lower = std::max(leader.lower, lower);
   leader.upper = std::min(leader.upper, upper);
-  leader.velocity = std::min(leader.velocity, follower.velocity / std::abs(drive.ratio));
+  leader.velocity = std::min(leader.velocity, follower.velocity / std::abs(coupling.ratio));
   leader.acceleration =
-      std::min(leader.acceleration, follower.acceleration / std::abs(drive.ratio));
-  leader.jerk = std::min(leader.jerk, follower.jerk / std::abs(drive.ratio));
+      std::min(leader.acceleration, follower.acceleration / std::abs(coupling.ratio));
+  leader.jerk = std::min(leader.jerk, follower.jerk / std::abs(coupling.ratio));
 }
 
 /// Whether all joints rotate about the world's z and, if `in_plane`, translate across it only, the
@@ -93,11 +93,12 @@ bool moves_about_z(const Arm& arm, bool in_plane) {
 }
 
 /// The largest |d| of the link along the joint's axis within its limits, metres.
-double largest_translation(const Joint& joint, const Limits& limits, const Arm::Drive& drive) {
+double largest_translation(const Joint& joint, const Limits& limits,
+                           const Arm::JointCoupling& coupling) {
   const double along = kind(joint) == JointKind::prismatic ? 1 : std::abs(pitch(joint));
-  if (along == 0 || drive.ratio == 0) return along * std::abs(drive.shift);
-  return along * std::max(std::abs(drive.ratio * limits.lower + drive.shift),
-                          std::abs(drive.ratio * limits.upper + drive.shift));
+  if (along == 0 || coupling.ratio == 0) return along * std::abs(coupling.shift);
+  return along * std::max(std::abs(coupling.ratio * limits.lower + coupling.shift),
+                          std::abs(coupling.ratio * limits.upper + coupling.shift));
 }
 
 /// The centre is a point on the first axis of rotation. A sequence of points, one on each axis of
@@ -111,9 +112,9 @@ Arm::Reach reach_ball(const Arm& arm) {
   Vector3 last = Vector3::Zero();
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
-    const Arm::Drive& drive = arm.drives()[i];
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
     base_T_link = base_T_link * joint.offset;
-    reach.radius += largest_translation(joint, arm.limits(drive.coordinate), drive);
+    reach.radius += largest_translation(joint, arm.limits(coupling.coordinate), coupling);
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();
@@ -154,12 +155,12 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     leaders_.push_back(static_cast<int>(i));
     limits_.push_back(joints_[i].limits);
   }
-  drives_ = resolve_drives(joints_, index, coordinate_of);
+  couplings_ = resolve_couplings(joints_, index, coordinate_of);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!joints_[i].mimic) continue;
     const std::string what = "mimic joint " + joints_[i].name;
-    Limits& leader = limits_[drives_[i].coordinate];
-    tighten(leader, joints_[i].limits, drives_[i], what);
+    Limits& leader = limits_[couplings_[i].coordinate];
+    tighten(leader, joints_[i].limits, couplings_[i], what);
     internal::check_limits(leader, what + " with its leader");
   }
   internal::Chain chain = internal::make_chain(*this);

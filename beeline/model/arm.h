@@ -82,25 +82,26 @@ class Arm {
 
   /// The joint of coordinate k (from 0).
   const Joint& joint_of(Eigen::Index k) const { return joints_[leaders_[k]]; }
-  std::vector<std::string> joint_names() const;  ///< one for each coordinate
+  std::vector<std::string> joint_names() const;  ///< names of the joints that have a coordinate
 
-  /// The limits of coordinate k: those of its joint, tightened so that the mimic joints that follow
-  /// it stay within theirs.
+  /// The limits of coordinate k: the limits of its joint, tightened so that the mimic joints that
+  /// follow it stay within their own limits.
   const Limits& limits(Eigen::Index k) const { return limits_[k]; }
   const std::vector<Limits>& limits() const { return limits_; }
 
-  /// How joint i (from 0) depends on q: its value is ratio * q[coordinate] + shift.
-  struct Drive {
+  /// The dependence of a joint's value on q: ratio * q[coordinate] + shift.
+  struct JointCoupling {
     int coordinate = 0;
     double ratio = 1;
     double shift = 0;
   };
-  const std::vector<Drive>& drives() const { return drives_; }
+  /// One for each joint.
+  const std::vector<JointCoupling>& couplings() const { return couplings_; }
 
   /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
-  /// Whether all axes of rotation are parallel to the world's z, as those of planar arms and
+  /// Whether all axes of rotation are parallel to the world's z axis. True for planar arms and
   /// SCARAs.
   bool rotates_about_z() const { return rotates_about_z_; }
 
@@ -131,7 +132,7 @@ class Arm {
   Pose base_, tool_;
   ControllerFrames controller_;
   std::vector<int> leaders_;
-  std::vector<Drive> drives_;
+  std::vector<JointCoupling> couplings_;
   std::vector<Limits> limits_;
   KernelForm kernel_form_;
   bool planar_ = false;
@@ -139,15 +140,15 @@ class Arm {
   Reach reach_;
 };
 
-/// Returns a copy with another tool, in place of the arm's, on the same flange.
+/// Returns a copy with another tool on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
-/// Returns a copy with a tool centre point (TCP): the tool's frame becomes the pose `tool_T_tcp` in
-/// the frame that has been the tool's, which is the flange of an arm described without a tool.
+/// Returns a copy with a tool centre point (TCP): the new tool frame has the pose `tool_T_tcp` in
+/// the old tool frame, which is the flange of an arm described without a tool.
 Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp);
 
-/// Returns a copy that stands in the world: the frame that has been the world becomes the pose
-/// `world_T_mount` in the world. The controller's root frame moves with the arm.
+/// Returns a copy mounted in the world: the frame that was the world has the pose `world_T_mount`
+/// in the new world. The controller's root frame moves with the arm.
 Arm with_mount(const Arm& arm, const Pose& world_T_mount);
 
 /// Returns a copy in which the joints with these names have these limits. Throws Error for the name
@@ -156,8 +157,8 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
 
 /// Returns a copy with the speed scale k from 1e-6 to 1: velocity limits are multiplied by k,
 /// acceleration limits by k^2, jerk limits by k^3, so a motion at its limits takes 1/k of the time
-/// on the same path (Lynch & Park, section 9.1). Limits that are not known remain unknown; those
-/// that a motion assumes instead are scaled too. Throws Error for another k, and when a
+/// on the same path (Lynch & Park, section 9.1). Unknown limits remain unknown; the limits that a
+/// motion assumes instead are scaled too. Throws Error for another k, and when a
 /// limit would be below Limits::min_rate.
 Arm with_speed_scale(const Arm& arm, double k);
 
@@ -173,24 +174,27 @@ std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q,
 std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q,
                                      double slack = position_slack);
 
-/// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
+/// The midpoint of each coordinate's limits, or the value nearest to zero if a limit is infinite.
 Configuration middle_configuration(const Arm& arm);
 
-/// Returns a configuration uniform within the position limits. A coordinate with one limit is
-/// within one revolution or two metres of it; without limits, within half of that of zero. An
-/// engine with the same seed gives the same configurations on every machine.
+/// Returns a configuration from the uniform distribution within the position limits. A coordinate
+/// with one limit is within one revolution or two metres of it. A coordinate without limits is
+/// within half a revolution or one metre of zero. An engine with the same seed gives the same
+/// configurations on every machine.
 Configuration random_configuration(const Arm& arm, std::mt19937_64& engine);
 
-/// The limits of joint i (from 0): those of its coordinate, or a mimic joint's own.
+/// Returns the limits of joint i (from 0): a mimic joint's own limits, otherwise the limits of its
+/// coordinate.
 inline const Limits& joint_limits(const Arm& arm, std::size_t i) {
   const Joint& joint = arm.joints()[i];
-  return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);
+  return joint.mimic ? joint.limits : arm.limits(arm.couplings()[i].coordinate);
 }
 
-/// Returns the arm as a table: each joint with its kind, its axis in the world where all joints are
-/// at 0, its position limits and its limits of velocity, acceleration and jerk, those of
-/// motion_limits() marked where they are assumed; the frames of all links and of the tool there;
-/// the reach. Six significant digits, angles in rad or in degrees.
+/// Returns the arm as a table. For each joint it has the kind, the axis in the world with all
+/// joints at 0, the position limits, and the limits of velocity, acceleration and jerk, with a mark
+/// at the values that motion_limits() assumes. It also has the frames of all links and of the tool
+/// with all joints at 0, and the reach. Numbers have six significant digits; angles are in rad or
+/// in degrees.
 std::string arm_table(const Arm& arm, bool degrees = false);
 
 /// Prints arm_table().

@@ -47,7 +47,7 @@ std::string right(const std::string& text, std::size_t width) {
 std::vector<Pose> frames_at_zero(const Arm& arm) {
   std::vector<Pose> frames{arm.base()};
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    frames.push_back(frames.back() * joint_transform(arm.joints()[i], arm.drives()[i].shift));
+    frames.push_back(frames.back() * joint_transform(arm.joints()[i], arm.couplings()[i].shift));
   }
   frames.push_back(frames.back() * arm.tool());
   return frames;

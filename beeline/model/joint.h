@@ -27,33 +27,33 @@ struct Limits {
   /// Max magnitude of a position limit that is not infinite, rad or m.
   static constexpr double max_position = 1e6;
 
-  double lower = -none;        ///< of the position, at most `upper`
-  double upper = none;         ///< of the position
-  double velocity = none;      ///< of |dq/dt|, above 0
-  double acceleration = none;  ///< of |d2q/dt2|, above 0
-  double jerk = none;          ///< of |d3q/dt3|, above 0
+  double lower = -none;        ///< lower position limit, rad or m, at most `upper`
+  double upper = none;         ///< upper position limit, rad or m
+  double velocity = none;      ///< limit of |dq/dt|, above 0
+  double acceleration = none;  ///< limit of |d2q/dt2|, above 0
+  double jerk = none;          ///< limit of |d3q/dt3|, above 0
   /// The speed scale k that the limits have been multiplied by: velocity by k, acceleration by k^2,
-  /// jerk by k^3. What is assumed in the place of unknown limits is multiplied likewise.
+  /// jerk by k^3. The values that are assumed for unknown limits are multiplied likewise.
   double speed_scale = 1;
 };
 
 /// The velocity limit assumed for a joint without a known one: radians or metres per second.
 constexpr double assumed_velocity_limit = 1.0;
 
-/// Seconds to full speed, and from no to full acceleration, that are assumed for a joint without
+/// Assumed times to full speed and from zero to full acceleration, seconds, of a joint without
 /// known limits of acceleration or jerk.
 constexpr double assumed_time_to_velocity = 0.25;
 constexpr double assumed_time_to_acceleration = 0.1;
 
-/// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
-/// known, else the assumed one.
+/// The velocity limit that motions keep, radians or metres per second: the joint's own limit if it
+/// is known, otherwise the assumed one.
 constexpr double velocity_limit_of(const Limits& limits) {
   return limits.velocity < Limits::none ? limits.velocity
                                         : limits.speed_scale * assumed_velocity_limit;
 }
 
-/// The limits that motions keep: the joint's own where they are known, else the assumed ones. None
-/// is infinite but those of the position.
+/// Returns the limits that motions keep: the joint's own limits if they are known, otherwise the
+/// assumed ones. Only position limits can be infinite.
 constexpr Limits motion_limits(Limits limits) {
   limits.velocity = velocity_limit_of(limits);
   if (!(limits.acceleration < Limits::none)) {
@@ -65,14 +65,14 @@ constexpr Limits motion_limits(Limits limits) {
   return limits;
 }
 
-/// Limits that replace those of a joint, in the same units; a limit of std::nullopt stays. An
-/// infinite one states that there is no limit, or none is known.
+/// Limits that replace a joint's limits, in the same units. std::nullopt keeps the joint's limit.
+/// An infinite value means that there is no limit or that none is known.
 struct LimitOverrides {
-  std::optional<double> lower = std::nullopt;         ///< of the position, rad or m
-  std::optional<double> upper = std::nullopt;         ///< of the position, rad or m
-  std::optional<double> velocity = std::nullopt;      ///< of |dq/dt|
-  std::optional<double> acceleration = std::nullopt;  ///< of |d2q/dt2|
-  std::optional<double> jerk = std::nullopt;          ///< of |d3q/dt3|
+  std::optional<double> lower = std::nullopt;         ///< lower position limit, rad or m
+  std::optional<double> upper = std::nullopt;         ///< upper position limit, rad or m
+  std::optional<double> velocity = std::nullopt;      ///< limit of |dq/dt|, rad/s or m/s
+  std::optional<double> acceleration = std::nullopt;  ///< limit of |d2q/dt2|, rad/s^2 or m/s^2
+  std::optional<double> jerk = std::nullopt;          ///< limit of |d3q/dt3|, rad/s^3 or m/s^3
 };
 
 Limits overridden(const Limits& limits, const LimitOverrides& overrides);
@@ -94,7 +94,7 @@ inline double position_in_range(double q, double lower, double upper) {
 }
 
 /// The distance from q to the nearer end of its range, over half the range: 1 in the middle, 0 on a
-/// limit, negative outside. Infinite where the range is infinite or empty.
+/// limit, negative outside. Infinite if the range is infinite or empty.
 inline double limit_margin(double q, double lower, double upper) {
   const double half = (upper - lower) / 2;
   if (!(half > 0 && half < Limits::none)) return Limits::none;
@@ -116,9 +116,9 @@ struct Joint {
   /// Unit screw [vx vy vz wx wy wz] in the frame of link i: |w| = 1 for R and H, w = 0 and |v| = 1
   /// for P.
   Twist screw = Twist::Zero();
-  Limits limits;               ///< of the coordinate q
+  Limits limits;               ///< limits of the coordinate q
   std::optional<Mimic> mimic;  ///< the joint that it follows
-  std::string link;            ///< name of link i; empty where it has none
+  std::string link;            ///< name of link i; empty if it has none
 };
 
 /// The kind of a joint, from its screw: P without rotation, H with rotation and pitch, else R.

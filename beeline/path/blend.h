@@ -8,14 +8,16 @@ namespace beeline {
 
 /// The blend of the corner between two lines. Lengths are measured as by span_of().
 struct Blend {
-  double radius = 0;       ///< the part of each line that it replaces, m; 0: no blend
-  bool shortened = false;  ///< the lines are too short for the radius that the tolerances allow
-  bool sharp = false;  ///< the tool's direction reverses: no blend, the tool stops at the corner
-  /// Largest deviation from the two lines. Where both lines translate: from the nearest point by
-  /// position, at which the orientation is compared; else from the pose at the same fraction.
+  double radius = 0;  ///< length of the part of each line that the blend replaces, m; 0: no blend
+  /// Whether the lines are too short for the radius that the tolerances allow.
+  bool shortened = false;
+  /// Whether the tool's direction reverses: there is no blend, and the tool stops.
+  bool sharp = false;
+  /// Largest deviation from the two lines. If both lines translate, the blend is compared with the
+  /// nearest point by position, otherwise with the pose at the same fraction.
   Deviation line_deviation;
   Deviation corner_deviation;  ///< distance from the corner's pose at s = 1/2
-  double curvature = 0;        ///< largest curvature of the tool origin's path, 1/m
+  double curvature = 0;        ///< largest curvature of the path of the tool origin, 1/m
 };
 
 /// Lines with blended corners: the segments are the remaining parts of the lines, and
@@ -24,8 +26,8 @@ struct BlendedPath {
   /// Twice continuously differentiable except at sharp corners. Messages name its segments `line 2
   /// of 5 (pose 2 to 3)` and `the blend at pose 3`.
   ToolPath path;
-  std::vector<bool> stops;    ///< after each segment: true at sharp corners only
-  std::vector<Blend> blends;  ///< one for each pose between the first and the last
+  std::vector<bool> stops;    ///< whether the tool stops after each segment: only at sharp corners
+  std::vector<Blend> blends;  ///< one blend for each pose between the first and the last
   std::vector<std::size_t>
       lines;  ///< of each segment: the line that it is a part of, or blends out
 };
@@ -46,7 +48,7 @@ BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 /// number of them.
 BlendedPath blended_lines(std::span<const Pose> poses, std::span<const Deviation> within);
 
-/// How the poses of a path are counted in messages.
+/// The names and numbers of the poses of a path in messages.
 struct PoseNumbers {
   std::string noun = "pose";
   bool start_first = false;  ///< the first pose is "start", and the next one has number 1

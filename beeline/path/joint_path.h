@@ -44,24 +44,24 @@ PathPoint path_point(const JointPath& path, std::size_t step, double u);
 JointPath joint_spline(std::span<const Configuration> samples, std::span<const double> parameter);
 
 /// Makes the path four times continuously differentiable at its inner grid points by changing dq
-/// and ddq there; positions, and the derivatives at both ends, stay. Throws Error as check_path()
+/// and ddq there; positions, and the derivatives at both ends, remain. Throws Error as check_path()
 /// does.
 void smooth_derivatives(JointPath& path);
 
-/// Arc length along the joint-space polyline, for each sample; 0 first. It does not increase where
-/// samples repeat.
+/// Arc length along the joint-space polyline, for each sample; 0 first. It does not increase
+/// between equal samples.
 std::vector<double> chord_length(std::span<const Configuration> samples);
 
 struct RefineOptions {
-  std::size_t min_steps = 400;  ///< above 0: no step is longer than the path divided by this
-  double max_change = 0.1;      ///< above 0: of dq/ds over a step, relative to |dq/ds|
-  int max_parts = 512;          ///< 1 or more: into which one step is divided
+  std::size_t min_steps = 400;  ///< each step is at most the path's length divided by this; above 0
+  double max_change = 0.1;      ///< max change of dq/ds over a step, relative to |dq/ds|; above 0
+  int max_parts = 512;          ///< max number of parts of one step, 1 or more
   Budget budget = {};           ///< a grid point is a unit of work
 };
 
-/// Returns the same path with more grid points: those of `path` stay, and steps that are longer or
-/// curve more than the options allow are divided into equal parts. Empty where the budget ends it.
-/// Throws Error, too, for more than 1e7 grid points.
+/// Returns the same path with more grid points. The grid points of `path` remain; steps that are
+/// longer or curve more than the options allow are divided into equal parts. The result is empty if
+/// the budget ends the computation. Also throws Error for more than 1e7 grid points.
 JointPath refined(const JointPath& path, const RefineOptions& options = {});
 
 }  // namespace beeline

@@ -29,17 +29,17 @@ struct ScrewLine {
 struct Arc {
   Pose from;       ///< pose at s = 0
   Pose to;         ///< pose at s = 1
-  Vector3 centre;  ///< in the world, m
+  Vector3 centre;  ///< centre of the circle in the world, m
   /// Rotation vector in world axes, whose length is the arc's angle, at most 2 pi rad.
   Vector3 rotation;
 };
 
-/// A segment of a spline, or a blend. With the vectors x and r of the polynomial [x; r](s) = sum_k
-/// terms_k s^k, whose coefficients are the columns of `terms`, in world axes, the position is that
-/// of `centre` plus x, and the orientation exp(r) times that of `centre`. Intended for |r| <= pi.
+/// A segment of a spline, or a blend. The polynomial [x; r](s) = sum_k terms_k s^k has the columns
+/// of `terms` as coefficients, in world axes. The position is the position of `centre` plus x, and
+/// the orientation is exp(r) times the orientation of `centre`. Intended for |r| <= pi.
 struct SplineSegment {
   Pose centre = Pose::Identity();  ///< pose at the zero of the polynomial
-  /// Coefficients, m and rad, (6, 6): those of s^k in column k.
+  /// Coefficients of the polynomial, m and rad, (6, 6); column k has the coefficients of s^k.
   Matrix6 terms = Matrix6::Zero();
 };
 
@@ -51,8 +51,8 @@ struct SplineSegment {
 /// check these too.
 using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 
-/// The arc from `from` to `to` through a third position. Throws Error where the three positions do
-/// not determine a circle: two of them coincide, or all lie on a straight line to 1e-6 of their
+/// The arc from `from` to `to` through a third position. Throws Error if the three positions do not
+/// determine a circle: two of them coincide, or all lie on a straight line to 1e-6 of their
 /// distance.
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to);
 
@@ -66,8 +66,8 @@ PoseMotion motion_at(const Segment& segment, double s);
 /// Gauss-Legendre quadrature with 80 points (about ten digits unless the origin comes to rest).
 double length_of(const Segment& segment);
 
-/// The segment traversed from its end to its beginning. One that rotates by exactly pi may rotate
-/// in the other direction.
+/// The segment traversed from its end to its beginning. A segment that rotates by exactly pi may
+/// rotate in the other direction.
 Segment reversed(const Segment& segment);
 
 /// Whether the segment rotates about the world's z axis only, as planar arms do.

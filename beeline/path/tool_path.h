@@ -18,16 +18,16 @@ std::vector<std::string> path_kind_names();
 /// Throws Error listing the kinds for another name.
 PathKind path_kind_named(std::string_view name);
 
-/// Segments, each of which begins where the one before it ends; all poses are world_T_tool. The
-/// path parameter s of a pose is the number of segments before it plus its segment parameter: 2.25
-/// is a quarter of the third segment.
+/// A sequence of segments; each begins at the end of the one before. All poses are world_T_tool.
+/// The path parameter s of a pose is the number of segments before it plus its segment parameter:
+/// 2.25 is a quarter of the third segment.
 struct ToolPath {
-  std::vector<Segment> segments;  ///< in order
+  std::vector<Segment> segments;  ///< segments in order
   /// The length of each segment in the common parameter of the path, about metres: see span_of().
   /// On a smooth path the velocity with respect to it, motion_at() divided by the span, is
   /// continuous.
   std::vector<double> spans;
-  /// Name each segment in messages, such as `move 3 (line)`, `the blend at pose 3`; empty: `line
+  /// Name of each segment in messages, such as `move 3 (line)`, `the blend at pose 3`; empty: `line
   /// 3`, `segment 3`.
   std::vector<std::string> names = {};
 };
@@ -35,33 +35,35 @@ struct ToolPath {
 /// The name of segment i in messages.
 std::string segment_name(const ToolPath& path, std::size_t i);
 
-/// Poses of a path at most: planning takes about 2 ms for each.
+/// Max number of poses of a path. Planning takes about 2 ms for each.
 constexpr std::size_t max_poses = 20'000;
 
 /// The smallest limit of the tool's speed, metres per second.
 constexpr double slowest_tool = 1e-8;
 
-/// A path, and where the tool comes to rest on it.
+/// A path and the stops of the tool on it.
 struct Route {
-  ToolPath path;  ///< of the tool
+  ToolPath path;  ///< path of the tool
   /// Whether the tool stops after each segment; it always stops after the last.
   std::vector<bool> stops;
-  /// Limit of the tool origin's speed on each segment, m/s; empty: that of the motion's options.
+  /// Limit of the tool origin's speed on each segment, m/s; empty: the limit of the motion's
+  /// options.
   std::vector<double> speeds = {};
 };
 
-/// Lines, screws and arcs stop where two of them meet; a spline stops only where it turns back.
+/// Returns the route along a path. Lines, screws and arcs have a stop between two segments; a
+/// spline has stops only where it turns back.
 Route route_of(ToolPath path, PathKind kind);
 
-/// The weight of a rotation where lengths and angles are added: metres per radian.
+/// The weight of a rotation in a sum of lengths and angles, metres per radian.
 constexpr double metres_per_radian = 0.2;
 
 /// A line that translates by less than this per radian of its rotation is parameterised by its
 /// rotation: metres per radian.
 constexpr double min_metres_per_radian = 0.01;
 
-/// The span of a line, metres: its length, or min_metres_per_radian times its rotation angle
-/// where that is larger.
+/// The span of a line, metres: the larger of its length and min_metres_per_radian times its
+/// rotation angle.
 double span_of(const Line& line);
 
 /// End conditions of a spline: a given velocity (in world axes, with respect to the common
@@ -84,15 +86,15 @@ ToolPath reversed(const ToolPath& path);
 /// where lines meet.
 bool corner_at(const ToolPath& path, double s);
 
-/// The index of the segment at s; where two meet, of the one that ends there.
+/// The index of the segment at s; if two segments meet there, of the one that ends there.
 std::size_t segment_at(const ToolPath& path, double s);
 
 /// Returns the path through the poses (world_T_tool) in order. Lines and screws join neighbours.
 /// Each arc takes two more poses; only the position of the first of them counts. A spline passes
-/// through all poses, and its velocity and acceleration, linear and angular, are continuous. Where
-/// it would turn back at a pose, as at the second of A, B, A, it is divided into two splines: where
-/// its speed with respect to the chord length, 1.5 cos(a/2) between two equal chords that turn by
-/// a, is below 0.03, so for a above 177.7 degrees.
+/// through all poses, and its velocity and acceleration, linear and angular, are continuous. If it
+/// would turn back at a pose, as at the second of A, B, A, it is divided into two splines there.
+/// The condition is that its speed with respect to the chord length, 1.5 cos(a/2) between two equal
+/// chords with an angle a between their directions, is below 0.03, so a is above 177.7 degrees.
 ///
 /// The spline's positions are cubic in the chord length, the root of the sum of the squares of the
 /// distance and of metres_per_radian times the rotation angle. The rotation vectors of the shortest

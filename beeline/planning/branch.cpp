@@ -63,8 +63,8 @@ bool refine(const Arm& arm, const BranchOptions& options, std::size_t grid, bool
   return has_self_motion_curves(arm, options.task) ? complete : grid < 1;
 }
 
-/// Returns the branch that reaches farthest among those guided by graphs; nothing if the graphs are
-/// empty.
+/// Returns the branch that reaches farthest of the branches guided by graphs; nothing if the graphs
+/// are empty.
 std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configuration>& start,
                                    const ToolPath& path, const BranchOptions& options,
                                    BudgetMeter& budget) {

@@ -15,13 +15,13 @@ namespace beeline {
 
 /// The outcome of a motion. Every status except `reached` has a reason of one sentence.
 enum class MotionStatus {
-  reached,           ///< the goal is reached, within tolerance
-  unreachable,       ///< no configuration reaches a pose of the path: by geometry or search, see
-                     ///< InverseStatus
-  not_found,         ///< no configuration was found for a pose of the path; one may exist
-  outside_limits,    ///< a joint would have to leave its limits
-  singular,          ///< at a singularity, where only a jump to another branch would lead on
-  not_proved,        ///< the deviation between samples is not proved to be within tolerance
+  reached,         ///< the goal is reached, within tolerance
+  unreachable,     ///< no configuration reaches a pose of the path: by geometry or search, see
+                   ///< InverseStatus
+  not_found,       ///< no configuration was found for a pose of the path; one may exist
+  outside_limits,  ///< a joint would have to leave its limits
+  singular,    ///< the arm is at a singularity and can continue only by a jump to another branch
+  not_proved,  ///< the deviation between samples is not proved to be within tolerance
   too_many_samples,  ///< the tolerance needs more than the option max_samples
   not_converged,     ///< a feedback controller did not converge to the goal, see ControlledMotion
   time_limit,        ///< the budget's time ended the search
@@ -37,9 +37,9 @@ MotionStatus motion_status(InverseStatus status);
 /// The samples of an arm along one segment of a path, up to the point where it can no longer track
 /// it.
 struct TrackedSegment {
-  std::vector<Configuration> samples;  ///< the first is at the segment's beginning
-  std::vector<double> fractions;       ///< of the segment, at each sample: 0 first, (N,)
-  PathDeviation deviation;             ///< from the path
+  std::vector<Configuration> samples;  ///< samples, the first at the segment's beginning
+  std::vector<double> fractions;  ///< fraction of the segment at each sample, the first 0, (N,)
+  PathDeviation deviation;        ///< deviation from the path
   bool complete() const { return fractions.back() == 1; }
 };
 
@@ -48,15 +48,15 @@ struct TrackedSegment {
 struct Branch {
   Configuration start = {};  ///< configuration at the path's beginning
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};  ///< where and why it ends before the path does
-  /// The path parameter that it reaches: whole segments, with a fraction of the next.
+  Reason reason = {};  ///< reason and position of its end before the path's end
+  /// Path parameter where it ends: the number of complete segments plus a fraction of the next.
   double path_parameter = 0;
-  /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
-  /// joint has limits. 0 where the budget ended the search.
+  /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 if no
+  /// joint has limits, 0 if the budget ended the search.
   double limit_margin = 1;
   /// Smallest inverse condition number of the task's Jacobian along the branch: its smallest over
-  /// its largest singular value, lengths in units of the arm's reach. From 0, at a singularity, to
-  /// 1. 0 where the budget ended the search.
+  /// its largest singular value, with lengths in units of the arm's reach. It is 0 at a singularity
+  /// and at most 1. 0 if the budget ended the search.
   double inverse_condition = 1;
   /// Samples along each segment; one sample if the task's rows are at rest.
   std::vector<TrackedSegment> segments = {};
@@ -66,15 +66,15 @@ struct Branch {
 };
 
 struct BranchOptions {
-  Task task;                           ///< rows that matter; default: spatial, all six
-  Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, above 0, between samples too
-  std::size_t max_samples = 200'000;   ///< of one branch; beyond it `too_many_samples`
+  Task task;                           ///< rows that are constrained; default: spatial, all six
+  Deviation tolerance = {1e-4, 1e-4};  ///< max deviation in m and rad, above 0, between samples too
+  std::size_t max_samples = 200'000;   ///< max samples of one branch; beyond it `too_many_samples`
   /// For redundant arms: max approximate number of solutions per pose in the graph of
-  /// configurations. Grids of 16, 64 and 256 are tried in turn, 16 always; with one redundant joint
-  /// each halves the distances between nodes.
+  /// configurations. Grids of 16, 64 and 256 solutions are tried in this order; 16 is always tried.
+  /// With one redundant joint each grid halves the distances between nodes of the one before.
   int max_grid = 256;
   enum class Reasons { all, best, none };
-  /// The branches whose reason for ending is determined, which takes milliseconds for each.
+  /// The branches whose reason for ending is determined; this takes milliseconds per branch.
   Reasons reasons = Reasons::best;
   /// Returns the preferred configuration at a path parameter, for poses with several solutions;
   /// default: no preference.
@@ -92,18 +92,18 @@ struct BranchOptions {
 ///   fifth: see internal/self_motion_graph.h for the programme.
 /// - Any other arm follows the best of all branches.
 ///
-/// If none is complete, returns the one that reaches farthest, with its reason. Where the budget
-/// ends the search, returns the best so far with the budget's status. Throws Error for a path
-/// without segments or without a span for each, a task that its segments do not allow, tolerances
-/// that are not above zero, and a start that does not fit the arm or whose tool is not at the
-/// path's beginning.
+/// If none is complete, returns the one that reaches farthest, with its reason. If the budget ends
+/// the search, returns the best so far with the budget's status. Throws Error for a path without
+/// segments or without a span for each, a task that its segments do not allow, tolerances that are
+/// not above zero, and a start that does not fit the arm or whose tool is not at the path's
+/// beginning.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options);
 
 /// Computes all branches along a path with their reasons, best first: one for each solution of
-/// inverse kinematics at the path's beginning, on a coarse grid of them where the arm is redundant.
-/// Those that the budget ended have its status, and no segments where they were not begun.
-/// Throws Error as plan_path() does.
+/// inverse kinematics at the path's beginning. For a redundant arm the solutions are on a coarse
+/// grid. A branch that the budget ended has the budget's status; a branch that was not begun has no
+/// segments. Throws Error as plan_path() does.
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const BranchOptions& options);
 
 }  // namespace beeline

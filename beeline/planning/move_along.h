@@ -15,26 +15,26 @@
 
 namespace beeline {
 
-/// A rigidly moved path that the arm can follow where it cannot follow the original one, or the
-/// original path from another start.
+/// A path that the arm can follow in place of one that it cannot: the original path after a
+/// translation or rotation, or the original path from another start.
 struct NearbyPath {
-  Vector3 moved = Vector3::Zero();   ///< translation of the path, m, in world axes
-  Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, rad, in tool axes
-  ToolPath path;                     ///< the moved path
-  /// In place of the start that was given; std::nullopt: that start stays.
+  Vector3 translation = Vector3::Zero();  ///< translation of the path, m, in world axes
+  Vector3 rotation = Vector3::Zero();     ///< rotation vector of each pose, rad, in tool axes
+  ToolPath path;                          ///< the path after the translation or rotation
+  /// Start that replaces the given one; std::nullopt if the given start is kept.
   std::optional<Configuration> start = std::nullopt;
-  /// Such as `with every waypoint moved by 0.012 m along -z; the start stays`.
+  /// The change in words, such as `with every waypoint moved by 0.012 m along -z; the start stays`.
   std::string description;
 };
 
-/// Searches for the shortest translation along one of the world's axes or half-way between some of
-/// them, or, if `rotate`, the smallest such rotation of the tool about its own axes, with which
-/// plan_path() succeeds. Sizes quadruple from 4 mm to 0.256 m, or from 0.01 to 0.64 rad; those
-/// of the directions that succeed first are refined by bisection. Each is first searched coarsely,
-/// within a limit of work. Paths of planar arms move in the plane. With a start, the path's first
-/// pose is kept and its first line leads to the moved path; a path whose first segment is no line,
-/// or continues smoothly, then has no result. Where the budget ends the search, the result is empty
-/// or not refined. Throws Error as plan_path() does.
+/// Searches for the shortest translation with which plan_path() succeeds, along one of the world's
+/// axes or half-way between several of them. If `rotate`, searches for the smallest rotation of the
+/// tool about its own axes or about directions half-way between them. Sizes quadruple from 4 mm to
+/// 0.256 m, or from 0.01 to 0.64 rad; bisection refines the size in the directions that succeed
+/// first. Each size is first searched coarsely, within a limit of work. Paths of planar arms move
+/// in the plane. With a start, the path's first pose is kept and its first line leads to the moved
+/// path; there is no result if the path's first segment is not a line or continues smoothly. If the
+/// budget ends the search, the result is empty or not refined. Throws Error as plan_path() does.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);
@@ -46,36 +46,38 @@ struct PathMotionOptions {
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, 1e-8 or more
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, 1e-8 or more
-  /// The time scaling from stop to stop; default: `jerk`. Every profile keeps known jerk limits;
-  /// `fastest` and `trapezoidal` leave jerk free where it is not known.
+  /// Profile of the time scaling from stop to stop; default: `jerk`. Every profile keeps known jerk
+  /// limits; `fastest` and `trapezoidal` do not limit an unknown jerk.
   std::optional<Profile> profile = std::nullopt;
-  Interpolation interpolation = Interpolation::quintic;  ///< of the trajectory
+  Interpolation interpolation = Interpolation::quintic;  ///< interpolation of the trajectory
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
-  /// Samples per second, 0 or at least 0.001: at k / rate from the first to the last, each section
-  /// from stop to stop lasting a whole number of periods. 0: as many as interpolation and tolerance
-  /// need.
+  /// Samples per second, 0 or at least 0.001. The samples are at k / rate, and each section from
+  /// stop to stop lasts a whole number of periods. 0: as many samples as interpolation and
+  /// tolerance need.
   double rate = 0;
-  /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
+  /// Duration to which the quickest motion is slowed down, s, without a rate; default: the
+  /// shortest.
   std::optional<double> duration = std::nullopt;
-  int max_samples = 200'000;  ///< of the whole path, 2 or more; beyond it `too_many_samples`
-  bool suggest = false;       ///< where the path cannot be followed, search for paths near it
-  Budget budget = {};         ///< of the plan, its timing, its proof and the suggestions
+  /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
+  int max_samples = 200'000;
+  bool suggest = false;  ///< whether to search for nearby paths if the path cannot be followed
+  Budget budget = {};    ///< budget of the plan, its timing, its proof and the suggestions
 };
 
 /// A trajectory along a path, with its proof. Only status, reason, path_parameter and nearby are
 /// set unless reached.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};              ///< one sentence, with the position; none when reached
-  double path_parameter = 0;       ///< the path parameter up to which the plan follows the path
-  std::vector<NearbyPath> nearby;  ///< paths that work, with the option `suggest`
-  Trajectory trajectory;           ///< from rest to rest
+  Reason reason = {};              ///< reason in one sentence, with the position; none if reached
+  double path_parameter = 0;       ///< path parameter up to which the plan follows the path
+  std::vector<NearbyPath> nearby;  ///< paths that the arm can follow, with the option `suggest`
+  Trajectory trajectory;           ///< trajectory from rest to rest
   ToolPath path;                   ///< the path that it follows
-  std::vector<double> path_parameters;  ///< of each sample, (N,)
+  std::vector<double> path_parameters;  ///< path parameter of each sample, (N,)
   /// The sample at the end of each segment of `path`, or the first after it.
   std::vector<std::size_t> arrivals;
-  PathDeviation deviation;  ///< of the finished trajectory, proved
-  LimitUsage limits;        ///< of the finished trajectory
+  PathDeviation deviation;  ///< proved deviation of the finished trajectory
+  LimitUsage limits;        ///< fractions of the limits that the finished trajectory uses
   /// Smallest distance of a joint to a position limit, as a fraction of half its range.
   double limit_margin = 0;
   /// Smallest inverse condition number of the task's Jacobian, from 0 to 1.
@@ -88,7 +90,7 @@ struct PathMotion {
 /// Prints the status with its reason, or with the duration and the proved deviation.
 std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 
-/// Max stops of a path, each of which costs some milliseconds and 100 kB.
+/// Max stops of a path. Each stop costs some milliseconds and 100 kB.
 constexpr std::size_t max_stops = 5000;
 
 /// Moves the tool along a path, at rest where the route stops. A waypoint is a segment's end.

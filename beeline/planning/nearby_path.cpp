@@ -69,8 +69,8 @@ std::string described(const Vector3& unit, double size, bool rotate, bool keep_f
          (axis ? "" : "axis ") + direction + start;
 }
 
-/// The axes of the world or the tool, to both sides, and the directions half-way between two and
-/// three of them, for a planar arm those that it can move in.
+/// Returns the axes of the world or the tool in both directions, and the directions half-way
+/// between two and three of them. For a planar arm, returns only directions in which it can move.
 std::vector<Vector3> directions(bool planar, bool rotate) {
   std::vector<Vector3> units;
   for (int axes = 1; axes <= 3; ++axes) {
@@ -188,7 +188,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   }
   if (!best) return {};
   NearbyPath found;
-  (rotate ? found.turned : found.moved) = size * *best;
+  (rotate ? found.rotation : found.translation) = size * *best;
   found.path = trial.at(size * *best);
   found.description = described(*best, size, rotate, start.has_value());
   return found;

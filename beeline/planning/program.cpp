@@ -101,7 +101,7 @@ class ProgramPlanner {
     std::vector<double> path_parameters;  ///< of its samples
   };
 
-  /// Fails in a move, whose name the reason then has: its own or, if given, that of its part.
+  /// Fails in a move. The reason contains the name of the move or, if given, the name of its part.
   bool fail(std::size_t move, MotionStatus status, Reason reason, const std::string& name = {}) {
     motion_.status = status;
     motion_.reason = std::move(reason);
@@ -122,8 +122,8 @@ class ProgramPlanner {
     if (!start && first.kind != MoveKind::joint && first.kind != MoveKind::line) {
       throw MoveError(
           program_, 0,
-          "the motion begins at this waypoint, as no start is given; it must be that of a "
-          "joint move or a line");
+          "the motion begins at this waypoint, as no start is given; its move must be a joint "
+          "move or a line");
     }
     if (!start && (first.speed || first.blend > 0)) {
       throw MoveError(program_, 0,
@@ -184,7 +184,7 @@ class ProgramPlanner {
     return fail(part.first, ahead->status, ahead->reason, part_name(program_, part));
   }
 
-  /// Finds the configuration, the soonest reached, from which the path of part p is possible.
+  /// Finds the configuration reached first of those from which the path of part p is possible.
   bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
                      std::optional<PathMotion>& ahead) {
     const ToolPath& path = parts_[p].route.path;

@@ -24,31 +24,32 @@ std::vector<std::string> move_kind_names();
 /// Throws Error listing the kinds for another name.
 MoveKind move_kind_named(std::string_view name);
 
-/// A move from the waypoint before it to its own, where the tool is at rest unless the move blends
-/// into the next one or both are part of one spline.
+/// A move from the waypoint before it to its own waypoint. The tool is at rest there unless the
+/// move blends into the next one or both are part of one spline.
 struct Move {
   MoveKind kind = MoveKind::line;
   Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
   /// The waypoint of a joint move as a configuration; it replaces `target`.
   std::optional<Configuration> q = std::nullopt;
   std::optional<Vector3> via = std::nullopt;  ///< a position on the arc in the world, m
-  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. It holds on
-  /// the blend with the next move too.
+  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: the limit of the options. It
+  /// also holds on the blend with the next move.
   std::optional<double> speed = std::nullopt;
-  /// Max deviation of the blend with the next move from the waypoint and from both lines, m, and 5
-  /// rad for each metre: see blended_lines(). 0: none. Both moves must be lines.
+  /// Max deviation of the blend with the next move from the waypoint and from both lines, m. The
+  /// max deviation in orientation is 5 rad for each metre: see blended_lines(). 0: no blend. Both
+  /// moves must be lines.
   double blend = 0;
   double dwell = 0;        ///< time at rest at the waypoint, s, 0 or more
-  std::string place = {};  ///< where the move is written, for messages: pick.csv:5
-  int line = 0;            ///< the line of a file there; 0: none
+  std::string place = {};  ///< place of the move in a file, for messages: pick.csv:5
+  int line = 0;            ///< line of this file; 0: none
 };
 
 /// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.
 constexpr std::size_t max_moves = 5000;
 
-/// The moves of an arm in order, such as those of a whole pick.
+/// The moves of an arm in order, such as a whole pick.
 struct Program {
-  std::vector<Move> moves;  ///< in order
+  std::vector<Move> moves;  ///< moves in order
 };
 
 /// "move 3 (line, pick.csv:5)": the name of moves[i] in messages.
@@ -59,8 +60,8 @@ class MoveError : public Error {
  public:
   MoveError(const Program& program, std::size_t move, const std::string& fault);
 
-  std::size_t move() const { return move_; }           ///< of Program::moves
-  const std::string& fault() const { return fault_; }  ///< the message without move_name()
+  std::size_t move() const { return move_; }           ///< index in Program::moves
+  const std::string& fault() const { return fault_; }  ///< message without the name of the move
 
  private:
   std::size_t move_;
@@ -69,30 +70,31 @@ class MoveError : public Error {
 
 /// The part of a trajectory that is one move.
 struct PlannedMove {
-  std::size_t begin = 0;  ///< its first sample
+  std::size_t begin = 0;  ///< index of its first sample
   /// The sample at its waypoint or, if it blends into the next move, at the blend's end or the
   /// first after it. A dwell follows.
   std::size_t end = 0;
   Deviation bound = {};     ///< proved deviation from its path; 0 for a joint move
-  double tool_speed = 0;    ///< a bound on the speed of the tool's origin, m/s
-  double blend_radius = 0;  ///< the part of both lines that the blend replaces, m
+  double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
+  double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
 };
 
 /// A trajectory of a program, with its proof. Only status, reason and failed are set unless
 /// reached.
 struct ProgramMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};              ///< one sentence that names the move; none when reached
-  std::size_t failed = 0;          ///< the move at which it ends; the number of moves if it is none
-  Trajectory trajectory;           ///< from rest to rest
-  std::vector<PlannedMove> moves;  ///< one for each of the program
-  PathDeviation deviation;         ///< of all moves but joint moves, proved
-  LimitUsage limits;               ///< of the trajectory
-  /// Over all moves but joint moves: smallest distance of a joint to a position limit, as a
-  /// fraction of half its range.
+  Reason reason = {};  ///< reason in one sentence that names the move; none if reached
+  /// Index of the move where the motion ends; the number of moves if it is complete.
+  std::size_t failed = 0;
+  Trajectory trajectory;           ///< trajectory from rest to rest
+  std::vector<PlannedMove> moves;  ///< one for each move of the program
+  PathDeviation deviation;         ///< proved deviation of all moves except joint moves
+  LimitUsage limits;               ///< fractions of the limits that the trajectory uses
+  /// Smallest distance of a joint to a position limit, as a fraction of half its range, over all
+  /// moves except joint moves.
   double limit_margin = 1;
-  /// Over all moves but joint moves: smallest inverse condition number of the task's Jacobian, from
-  /// 0 to 1.
+  /// Smallest inverse condition number of the task's Jacobian, from 0 to 1, over all moves except
+  /// joint moves.
   double inverse_condition = 1;
 
   /// Whether the end was reached.
@@ -101,34 +103,36 @@ struct ProgramMotion {
 
 /// Plans the moves of a program as one trajectory from rest to rest.
 ///
-/// - Without `start` the motion begins at the first move's waypoint, which must be that of a joint
+/// - Without `start` the motion begins at the waypoint of the first move, which must be a joint
 ///   move or a line.
 /// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
-///   are possible; among those found, at the one that it reaches soonest at the velocity limits. No
-///   other move changes the branch: see move_along().
-/// - path_deviation() bounds the deviation of all moves but joint moves, for the trajectory as it
-///   is, with all pauses, and verify() passes it. The options hold for all moves, except where a
-///   move has its own speed; `suggest` is ignored.
-/// - A dwell has a sample at both ends; with a rate it lasts whole periods, with a sample at each.
+///   are possible. Of the configurations found, it ends at the one that it reaches first at the
+///   velocity limits. No other move changes the branch: see move_along().
+/// - path_deviation() bounds the deviation of all moves except joint moves, for the trajectory with
+///   all its pauses, and verify() passes it. The options hold for all moves, except that a move can
+///   have its own speed; `suggest` is ignored.
+/// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
+///   sample in each.
 ///
-/// Throws Error for a program without moves, and MoveError for a blend that is not between two
-/// lines or at a dwell; a via or a configuration where there is none, or an arc without via; a
-/// speed, blend or dwell out of range; a configuration outside the limits; and where
-/// path_through(), blended_lines() and move_along() do. `budget` is that of the whole program.
+/// `budget` limits the planning of the whole program. Throws Error for a program without moves, and
+/// MoveError for a blend that is not between two lines or is at a dwell, for a via or a
+/// configuration of a move that cannot have one, for an arc without via, for a speed, blend or
+/// dwell out of range, for a configuration outside the limits, and if path_through(),
+/// blended_lines() or move_along() throws.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {});
 
-/// Proves or refutes, from the columns alone, that a trajectory is a motion of the program:
+/// Proves or refutes, from the columns only, that a trajectory is a motion of the program:
 ///
-/// - The tool, or the configuration of Move::q to the tolerances, is at the waypoints in order, at
-///   rest where no blend or spline passes them, and at rest for each dwell. A trajectory that does
-///   not begin at the first waypoint moves there first. Rest is to the tolerance of verify() for
-///   the ends; a dwell is within 1e-5 rad or m of one configuration.
+/// - The tool is at the waypoints in order, or the joints at Move::q, within the tolerances. They
+///   are at rest there, unless a blend or a spline passes the waypoint, and for each dwell. A
+///   trajectory that does not begin at the first waypoint moves there first. Rest is to the
+///   tolerance of verify() for the ends; a dwell is within 1e-5 rad or m of one configuration.
 /// - A joint move to a pose ends at a rest there before the next waypoint: it may change the
 ///   configuration at the same pose. Up to 16 rests are tried.
-/// - verify() proves all moves but joint moves from stop to stop. A joint move is only held to the
-///   arm's limits.
-/// - The tool's speed is within that of each move.
+/// - verify() proves all moves except joint moves from stop to stop. A joint move only has to be
+///   within the arm's limits.
+/// - The tool's speed is within the speed limit of each move.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
 /// Throws Error as move_program() and verify() do.

@@ -18,7 +18,8 @@ bool is_rotation(const Rotation& r, double error) {
   return error <= rounding_of_text && r.determinant() > 0;
 }
 
-/// What is wrong with a pose whose rotation has this orthonormality error; nullptr: nothing.
+/// Returns the fault of a pose whose rotation has this orthonormality error; nullptr if there is
+/// none.
 const char* fault_of(const Pose& pose, double error) {
   constexpr double farthest = 1e100;
   if (!pose.matrix().allFinite()) return "has a number that is not finite";

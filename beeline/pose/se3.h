@@ -21,7 +21,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// velocity [v w] of its origin and its angular velocity, and the derivatives of both, in world
 /// axes; metres and radians.
 struct PoseMotion {
-  Pose pose = Pose::Identity();  ///< at the parameter
+  Pose pose = Pose::Identity();  ///< pose at the parameter
   /// First derivative: the velocity of the origin and the angular velocity.
   Twist velocity = Twist::Zero();
   Twist acceleration = Twist::Zero();  ///< second derivative
@@ -32,9 +32,9 @@ struct PoseMotion {
 /// and a right-handed rotation that is orthonormal to 1e-6, as numbers of seven digits are.
 std::string rigid_motion_fault(const Pose& pose);
 
-/// Returns `pose` with its rotation orthonormal to rounding: replaced by that of the nearest unit
-/// quaternion if it deviates by more than 1e-14. Throws Error, calling it `what`, for a
-/// rigid_motion_fault().
+/// Returns `pose` with its rotation orthonormal to rounding. If the rotation deviates by more than
+/// 1e-14, the rotation of the nearest unit quaternion replaces it. Throws Error for a
+/// rigid_motion_fault(); the message calls the pose `what`.
 Pose checked_pose(const Pose& pose, const char* what = "the pose");
 Pose checked_pose(const Pose& pose, const std::string& what);
 

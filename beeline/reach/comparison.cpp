@@ -8,7 +8,8 @@
 namespace beeline {
 namespace {
 
-/// What the fraction of directions is of: tool directions with or without rolls are the same.
+/// The kind of directions whose fraction is compared: tool directions with and without rolls are
+/// one kind.
 ReachOrientations kind_of(const ReachGrid& grid) {
   const ReachOrientations orientations = grid.orientations();
   return orientations == ReachOrientations::rolls ? ReachOrientations::directions : orientations;
@@ -54,9 +55,9 @@ std::array<ReachAxis, 3> common_axes(const ReachMap& first, const ReachMap& seco
 void add(ReachSide& side, const ReachPositions& own, const ReachPositions& other, std::size_t p) {
   const bool reached = own.branches[p] > 0, also = other.branches[p] > 0;
   side.directions += static_cast<double>(own.directions[p]);
-  side.better += own.directions[p] > other.directions[p];
+  side.volume_more_directions += own.directions[p] > other.directions[p];
   side.volume += reached;
-  side.alone += reached && !also;
+  side.volume_only_here += reached && !also;
   if (!reached || !also) return;
   side.manipulability += static_cast<double>(own.manipulability[p]);
   side.margin += static_cast<double>(own.margin[p]);
@@ -84,8 +85,8 @@ ReachComparison compare_reach(const ReachMap& first, const ReachMap& second) {
   const double cell = planar ? step * step : step * step * step;
   for (ReachSide& side : comparison.sides) {  // counts become volumes, sums means
     side.volume *= cell;
-    side.alone *= cell;
-    side.better *= cell;
+    side.volume_only_here *= cell;
+    side.volume_more_directions *= cell;
     side.directions = either > 0 ? side.directions / either : 0;
     side.manipulability /= comparison.both;
     side.margin /= comparison.both;

@@ -24,7 +24,7 @@ std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMa
   return units;
 }
 
-/// Whether a file is of that map and has those slabs.
+/// Whether a file belongs to the map and has the slabs.
 bool holds(const std::string& path, const std::vector<internal::SlabRange>& units,
            const ReachMapHeader& header) {
   try {
@@ -32,7 +32,7 @@ bool holds(const std::string& path, const std::vector<internal::SlabRange>& unit
     internal::check_same_map(path, map.header(), header);
     return std::all_of(units.begin(), units.end(), [&map](const internal::SlabRange& unit) {
       const auto begin = map.slabs().begin();
-      return std::all_of(begin + unit.first, begin + unit.last, [](bool there) { return there; });
+      return std::all_of(begin + unit.first, begin + unit.last, [](bool filled) { return filled; });
     });
   } catch (const Error&) {
     return false;

@@ -138,7 +138,7 @@ std::string name(ReachOrientations orientations) {
 }
 
 std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
-  const double rounding = 1e-9 * step;  // an edge is inside, as it is written, too
+  const double rounding = 1e-9 * step;  // a point on an edge is inside, despite rounding
   if (!(value >= lower - rounding && value <= upper() + rounding)) return std::nullopt;
   const double steps = std::max(0.0, (value - lower) / step);
   return std::min(static_cast<Eigen::Index>(steps), cells - 1);

@@ -13,7 +13,7 @@ namespace beeline {
 
 /// Directions that cover the unit sphere evenly: rings at equal steps of the polar angle, from +z
 /// to -z, each of a multiple of four directions at equal steps of the azimuth. The three axes and
-/// their opposites are among them where the spacing divides 90 degrees.
+/// their opposites are among them if the spacing divides 90 degrees.
 class DirectionGrid {
  public:
   /// `spacing`: the angle between neighbours, rad, from 0.01 to pi/2; rounded so that the rings
@@ -30,10 +30,10 @@ class DirectionGrid {
   Angles angles(Eigen::Index k) const;
   Vector3 direction(Eigen::Index k) const;
 
-  /// The fraction of the sphere that direction k stands for. They sum to 1.
+  /// The fraction of the sphere that direction k represents. The fractions sum to 1.
   double fraction(Eigen::Index k) const;
 
-  /// The direction of the ring nearest in polar angle that is nearest in azimuth: within 0.75
+  /// The direction nearest in azimuth on the ring nearest in polar angle. It is within 0.75
   /// spacings of `direction`, which need not be of unit length. Throws Error for zero.
   Eigen::Index nearest(const Vector3& direction) const;
 
@@ -47,8 +47,8 @@ class DirectionGrid {
 
 /// Equal cells along one coordinate, m, or rad for azimuths.
 struct ReachAxis {
-  Eigen::Index cells = 1;  ///< their number
-  double lower = 0;        ///< where the first cell begins
+  Eigen::Index cells = 1;  ///< number of cells
+  double lower = 0;        ///< lower end of the first cell
   double step = 0;         ///< edge of a cell
 
   double centre(Eigen::Index i) const { return lower + (static_cast<double>(i) + 0.5) * step; }
@@ -57,17 +57,17 @@ struct ReachAxis {
   std::optional<Eigen::Index> cell_of(double value) const;
 };
 
-/// How the cells of a map are orientated.
+/// The orientations of the cells of a map.
 enum class ReachOrientations {
-  fixed,       ///< all as `orientation` says
-  headings,    ///< rotations about the world's z: of planar arms
-  directions,  ///< a tool direction each, with any roll about it
-  rolls,       ///< a tool direction and a roll each
-  any,         ///< with any orientation: of maps by sampling
+  fixed,       ///< one orientation for all cells, the option `orientation`
+  headings,    ///< rotations about the world's z axis, of planar arms
+  directions,  ///< tool directions, each with any roll about it
+  rolls,       ///< tool directions, each with several rolls
+  any,         ///< any orientation, of maps by sampling
 };
 std::string name(ReachOrientations orientations);
 
-/// What a map covers, of an arm in its world.
+/// The positions and orientations that a map covers.
 struct ReachGridOptions {
   /// Edge of the cells, m; default: a twentieth of the radius of the arm's reach.
   std::optional<double> resolution = std::nullopt;
@@ -82,12 +82,13 @@ struct ReachGridOptions {
   /// One orientation of the tool for all cells, world_R_tool, (3, 3); default: tool directions, or
   /// headings of a planar arm.
   std::optional<Rotation> orientation = std::nullopt;
-  /// Any orientation will do: of maps by sampling.
+  /// Whether any orientation counts as reached; for maps by sampling.
   bool any_orientation = false;
   /// Angle between tool directions, or headings, rad, 0.01 to pi/2: see DirectionGrid. Default: 30
   /// degrees.
   std::optional<double> directions = std::nullopt;
-  /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll will do.
+  /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll counts as
+  /// reached.
   std::optional<double> rolls = std::nullopt;
 };
 
@@ -95,14 +96,13 @@ struct ReachGridOptions {
 /// numbers have the layout [x][y][z][direction][roll], the roll fastest.
 ///
 /// A cylindrical grid has the layout [radius][height][azimuth][direction][roll]; its orientations
-/// are those at azimuth 0, turned with the position about the axis of the first joint.
+/// are given at azimuth 0 and rotate with the position about the axis of the first joint.
 class ReachGrid {
  public:
-  /// Throws Error for an option outside its range, an orientation, or any, together with
-  /// directions, rolls or azimuths, azimuths of an arm whose first joint does not turn about an
-  /// axis parallel to z, a box that is empty or without bounds, more than a million cells along an
-  /// axis, and more than 2^52 in all, and more than
-  /// 2^22 orientations at a position.
+  /// Throws Error for an option outside its range; for an orientation, or any orientation, together
+  /// with directions, rolls or azimuths; for azimuths of an arm whose first joint does not turn
+  /// about an axis parallel to z; for a box that is empty or without bounds; for more than a
+  /// million cells along an axis or 2^52 in all; and for more than 2^22 orientations at a position.
   explicit ReachGrid(const Arm& arm, const ReachGridOptions& options = {});
 
   /// Options that give the same grid of the same arm.
@@ -111,15 +111,18 @@ class ReachGrid {
   /// x, y and z, or radius, height and azimuth.
   const std::array<ReachAxis, 3>& axes() const { return axes_; }
   bool cylindrical() const { return cylindrical_; }
-  /// Cells along x, y and z that cover the positions: those of the grid, or of the same resolution.
+  /// Cells along x, y and z that cover the positions: the cells of the grid, or, for a cylindrical
+  /// grid, cells of the same resolution.
   std::array<ReachAxis, 3> cartesian_axes() const;
   ReachOrientations orientations() const { return orientations_; }
-  const Rotation& orientation() const { return orientation_; }  ///< of ReachOrientations::fixed
+  /// Orientation of ReachOrientations::fixed.
+  const Rotation& orientation() const { return orientation_; }
   const DirectionGrid& direction_grid() const { return directions_; }
 
   Eigen::Index positions() const { return axes_[0].cells * axes_[1].cells * axes_[2].cells; }
   Eigen::Index azimuths() const { return cylindrical_ ? axes_[2].cells : 1; }
-  Eigen::Index directions() const { return direction_count_; }  ///< or headings; 1 if fixed
+  /// Number of directions or headings; 1 if fixed.
+  Eigen::Index directions() const { return direction_count_; }
   Eigen::Index rolls() const { return roll_count_; }
   Eigen::Index cells() const { return positions() * directions() * rolls(); }
 
@@ -140,13 +143,13 @@ class ReachGrid {
   Rotation rotation(Eigen::Index d, Eigen::Index r) const;
   /// The pose at the centre of a cell: world_T_tool.
   Pose pose(Eigen::Index cell) const;
-  /// The fraction of all orientations that direction d stands for.
+  /// The fraction of all orientations that direction d represents.
   double fraction(Eigen::Index d) const;
 
   /// The position whose cell contains a point; none for a point outside.
   std::optional<Eigen::Index> position_of(const Vector3& point) const;
-  /// The cell with the centre nearest to a pose in direction and roll, whatever the orientation
-  /// where it is fixed; none for a position outside.
+  /// The cell of a pose: the one at its position that is nearest in direction and roll. A fixed
+  /// orientation is not compared. None for a position outside.
   std::optional<Eigen::Index> cell_of(const Pose& world_T_tool) const;
 
  private:

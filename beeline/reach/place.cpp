@@ -81,7 +81,7 @@ class Mounts {
   Eigen::Index count_ = 0;
 };
 
-/// The margin of each cell, NaN where it is not reached.
+/// Returns the margin of each cell; NaN if it is not reached.
 std::vector<float> margins_of(const ReachMap& map, internal::BudgetMeter& budget) {
   std::vector<float> margins;
   margins.reserve(static_cast<std::size_t>(map.grid().cells()));
@@ -94,7 +94,7 @@ std::vector<float> margins_of(const ReachMap& map, internal::BudgetMeter& budget
   return margins;
 }
 
-/// What the map says of a mount. Better ones are less.
+/// The rank of a mount by the map. A smaller rank is better.
 struct Rank {
   int unreached = 0;  ///< poses
   float margin = 0;   ///< the negative of the least one
@@ -195,7 +195,7 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   }
 }
 
-/// The mounts from which all poses are reached, the best first.
+/// Returns the mounts from which all poses are reached, the best first.
 std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts,
                                        std::span<const Pose> poses, const PlacementOptions& options,
                                        internal::BudgetMeter& budget, PlacementResult& result) {
@@ -225,7 +225,8 @@ std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts
       });
   result.checked = checked;
   result.reaching = std::ssize(found);
-  // The order of threads must not matter: equal ones are ordered by their mounts.
+  // The result must not depend on the order of threads, so equal placements are ordered by their
+  // mounts.
   const auto key = [](const Placement& p) {
     const Vector3& at = p.world_T_mount.translation();
     return std::tuple(-p.margin, -p.manipulability, at.x(), at.y(), at.z(), p.heading);
@@ -235,7 +236,7 @@ std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts
   return found;
 }
 
-/// The duration of the lines through the poses; none where they cannot be followed.
+/// Returns the duration of the lines through the poses; none if the arm cannot follow them.
 std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_mount,
                                         std::span<const Pose> poses,
                                         internal::BudgetMeter& budget) {

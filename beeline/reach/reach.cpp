@@ -82,8 +82,8 @@ ReachPositions reach_positions(const ReachGrid& grid, const ReachCells& cells) {
         if (cells.branches[cell] == 0) continue;
         reached = true;
         best.branches[p] = std::max(best.branches[p], cells.branches[cell]);
-        internal::raise(best.manipulability[p], cells.manipulability[cell]);
-        internal::raise(best.margin[p], cells.margin[cell]);
+        internal::keep_max(best.manipulability[p], cells.manipulability[cell]);
+        internal::keep_max(best.margin[p], cells.margin[cell]);
       }
       if (reached) fraction += grid.fraction(d);
     }

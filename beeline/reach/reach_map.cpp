@@ -15,12 +15,12 @@ ReachMap::ReachMap(ReachMapHeader header, ReachCells cells) {
   }
   const internal::Slabs slabs(header.grid);
   const Eigen::Index at_position = header.grid.directions() * header.grid.rolls();
-  std::vector<bool> there(static_cast<std::size_t>(slabs.count()), true);
+  std::vector<bool> is_filled(static_cast<std::size_t>(slabs.count()), true);
   data_ = std::make_unique<Data>(
       Data{.path = {},
            .header = std::move(header),
            .slabs = slabs,
-           .there = std::move(there),
+           .is_filled = std::move(is_filled),
            .read = [at_position, all = std::move(cells)](Eigen::Index first, Eigen::Index last) {
              return internal::part_of(all, first * at_position, last * at_position);
            }});
@@ -32,10 +32,10 @@ ReachMap& ReachMap::operator=(ReachMap&&) noexcept = default;
 
 const std::string& ReachMap::path() const { return data_->path; }
 const ReachMapHeader& ReachMap::header() const { return data_->header; }
-const std::vector<bool>& ReachMap::slabs() const { return data_->there; }
+const std::vector<bool>& ReachMap::slabs() const { return data_->is_filled; }
 
 bool ReachMap::complete() const {
-  return std::all_of(slabs().begin(), slabs().end(), [](bool there) { return there; });
+  return std::all_of(slabs().begin(), slabs().end(), [](bool filled) { return filled; });
 }
 
 bool ReachMap::has(Eigen::Index position) const {

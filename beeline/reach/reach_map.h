@@ -13,7 +13,7 @@
 
 namespace beeline {
 
-/// What a map is of.
+/// The subject of a map: the arm, the grid and the method.
 struct ReachMapHeader {
   Arm arm;
   ReachGrid grid;
@@ -27,39 +27,38 @@ struct ReachMapHeader {
 /// Threads may read one map.
 class ReachMap {
  public:
-  /// Opens a file. The cells of a map by azimuths are computed from it by `threads` threads, 0: one
-  /// for each core. Throws FileError for a file that cannot be read or is no reach map.
+  /// Opens a file. `threads` threads expand the cells of a map by azimuths; 0: one for each core.
+  /// Throws FileError for a file that cannot be read or is no reach map.
   explicit ReachMap(const std::string& path, int threads = 0);
-  /// A map in memory. Throws Error for cells that were not computed to the end or are not those of
-  /// all positions of the grid.
+  /// A map in memory. Throws Error for cells that were not computed to the end or do not cover all
+  /// positions of the grid.
   ReachMap(ReachMapHeader header, ReachCells cells);
   ~ReachMap();
   ReachMap(ReachMap&&) noexcept;
   ReachMap& operator=(ReachMap&&) noexcept;
 
-  const std::string& path() const;  ///< empty for a map in memory
+  const std::string& path() const;  ///< path of the file; empty for a map in memory
   const ReachMapHeader& header() const;
   const Arm& arm() const { return header().arm; }
   const ReachGrid& grid() const { return header().grid; }
 
-  /// The map is stored in slabs, ranges of positions: whether each is here.
+  /// Whether each slab is available. A map is stored in slabs, which are ranges of positions.
   const std::vector<bool>& slabs() const;
   bool complete() const;
-  /// Whether the position's slab is here. Throws Error for a position outside the grid.
+  /// Whether the slab of the position is available. Throws Error for a position outside the grid.
   bool has(Eigen::Index position) const;
-  /// The end, exclusive, of the positions from this one on that are best read at once: of one slab,
-  /// and of about a million cells.
+  /// The end, exclusive, of the positions that are best read together with this one: within one
+  /// slab, about a million cells.
   Eigen::Index block_end(Eigen::Index position) const;
 
-  /// Counts over all cells that are here.
+  /// Counts over all available cells.
   struct Totals {
-    /// Number of cells that are here: of a file with part of a map, some.
-    std::int64_t cells = 0;
+    std::int64_t cells = 0;      ///< number of cells in this map, which may be part of the grid
     std::int64_t reached = 0;    ///< number of these cells that are reached
-    std::int64_t positions = 0;  ///< number of positions that are here
+    std::int64_t positions = 0;  ///< number of available positions
     /// Number of these positions that are reached in some orientation.
     std::int64_t reached_positions = 0;
-    double volume = 0;  ///< of the reached positions, m^3; of planar arms their area, m^2
+    double volume = 0;  ///< volume of the reached positions, m^3; of planar arms their area, m^2
   };
   Totals totals() const;
 
@@ -74,10 +73,11 @@ class ReachMap {
   std::unique_ptr<Data> data_;
 };
 
-/// One of `count` shares of a map, for one of as many processes: the slabs with the numbers number
-/// - 1, number - 1 + count, and so on; by sampling, as many slabs together as have 2^24 cells.
+/// One of `count` shares of a map, one for each process. It has the slabs with the numbers number -
+/// 1, number - 1 + count, and so on; by sampling, each number means a group of slabs with 2^24
+/// cells.
 struct ReachShard {
-  int number = 1;  ///< from 1 to count
+  int number = 1;  ///< number of this share, from 1 to count
   int count = 1;   ///< number of shares
 };
 
@@ -87,10 +87,10 @@ struct ReachMapOptions {
 };
 
 /// Computes a map, or a shard of it, into a file. Each slab is written whole into the folder
-/// `path`.parts, where a call that follows one that was ended or killed finds it; in the end they
-/// are joined and deleted. The datasets do not depend on threads, shards or interruptions. The
-/// memory needed is that of two slabs, by sampling of 2^25 cells. Throws Error as reach_cells()
-/// does and for a shard that does not exist; FileError for what cannot be written and for a folder
+/// `path`.parts. A call after an ended or killed one reuses these slabs. The last step joins and
+/// deletes them. The datasets do not depend on threads, shards or interruptions. Needs the memory
+/// of two slabs, by sampling the memory of 2^25 cells. Throws Error as reach_cells() does and for a
+/// shard that does not exist. Throws FileError for a file that cannot be written and for a folder
 /// with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});
@@ -106,8 +106,8 @@ class ReachMapUnits {
   ~ReachMapUnits();
 
   std::vector<Eigen::Index> missing() const;  ///< the units whose slabs are not in the folder
-  /// Computes units until `next` returns none. Where the budget ends the computation, it goes on
-  /// asking and computes none of them.
+  /// Computes units until `next` returns none. If the budget ends the computation, `next` is still
+  /// called until it returns none, but no unit is computed.
   Ending compute(const std::function<std::optional<Eigen::Index>()>& next);
   /// Joins the slabs of all units, which are in the folder, into the file and deletes the folder.
   void join();
@@ -118,8 +118,8 @@ class ReachMapUnits {
 };
 
 /// Joins files that hold parts of one map, such as shards, into one file. The cells are copied as
-/// they are stored. Throws FileError for parts of different maps, and where slabs are missing from
-/// all of them unless `incomplete`.
+/// they are stored. Throws FileError for parts of different maps, and, unless `incomplete`, if a
+/// slab is missing from all of them.
 void merge_reach_maps(const std::vector<std::string>& parts, const std::string& path,
                       bool incomplete = false);
 

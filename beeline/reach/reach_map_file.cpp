@@ -16,8 +16,8 @@ namespace {
 using internal::CellExpansion;
 using internal::MapFormat;
 
-/// Reads the slabs of a file. The one read last is kept, decompressed, and those that other threads
-/// read meanwhile. Threads take turns at the file, not at what is computed from it.
+/// Reads the slabs of a file. The last slab read is kept decompressed, as are the slabs that other
+/// threads read meanwhile. Threads take turns in reading the file; they compute in parallel.
 class SlabReader {
  public:
   SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file, int threads)
@@ -100,7 +100,7 @@ ReachMap::ReachMap(const std::string& path, int threads) {
   data_ = std::make_unique<Data>(Data{.path = path,
                                       .header = header,
                                       .slabs = internal::Slabs(header.grid),
-                                      .there = internal::read_slabs(*file, header.grid),
+                                      .is_filled = internal::read_slabs(*file, header.grid),
                                       .read = [reader](Eigen::Index first, Eigen::Index last) {
                                         return reader->read(first, last);
                                       }});

@@ -25,7 +25,7 @@ struct LaneMask {
   hn::Mask<RegisterTag> part[register_count];
 };
 
-/// Eight numbers, on which every operation acts lane by lane.
+/// Eight numbers. Every operation acts lane by lane.
 struct Lanes {
   static constexpr int width = lane_count;
   hn::Vec<RegisterTag> part[register_count];

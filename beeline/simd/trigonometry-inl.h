@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-// The coefficients of sine and cosine are those of Moshier's Cephes library (sin.c; 1984-2000).
+// The coefficients of sine and cosine come from Moshier's Cephes library (sin.c; 1984-2000).
 
 /// Computes sine and cosine of every finite angle, with an error of about 1.5 units in the last
 /// place of 1. Beyond 1e6 rad, where three words of pi are too few, it calls the C library.

@@ -159,7 +159,8 @@ void plan(std::span<const Limits> limits, const ConfigurationRef& from, const Co
           PointToPoint& motion, const PointToPointOptions& options, MeantLimits meant) {
   motion.from.resize(from.size());
   motion.to.resize(to.size());
-  // Element by element, because `from` and `to` may be those of `motion`, exchanged.
+  // Assigned element by element, because `from` and `to` may refer to members of `motion`,
+  // exchanged.
   for (Eigen::Index k = 0; k < from.size(); ++k) {
     const double begin = from[k], end = to[k];
     motion.from[k] = begin;

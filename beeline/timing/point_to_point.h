@@ -15,16 +15,18 @@ namespace beeline {
 /// section 3.4). Seven phases of constant jerk: +j, 0, -j; cruise; -j, 0, +j. A phase that is not
 /// needed lasts zero seconds.
 struct SCurve {
-  double distance = 0;   ///< radians or metres, of either sign
-  double duration = 0;   ///< seconds: 4 jerk_time + 2 acceleration_time + cruise_time
-  double jerk_time = 0;  ///< of each of the four phases of constant nonzero jerk, s
-  /// Of each of the two phases of constant nonzero acceleration, s.
+  double distance = 0;   ///< distance with its sign, rad or m
+  double duration = 0;   ///< duration, s: 4 jerk_time + 2 acceleration_time + cruise_time
+  double jerk_time = 0;  ///< duration of each of the four phases of constant nonzero jerk, s
+  /// Duration of each of the two phases of constant nonzero acceleration, s.
   double acceleration_time = 0;
-  double cruise_time = 0;  ///< at constant velocity, s
-  double velocity = 0;     ///< the largest that is reached, with the sign of the distance
-  /// The largest that is reached, likewise; infinite where the velocity jumps.
+  double cruise_time = 0;  ///< duration of the phase of constant velocity, s
+  double velocity = 0;     ///< largest velocity, rad/s or m/s, with the sign of the distance
+  /// Largest acceleration, rad/s^2 or m/s^2, with the sign of the distance; infinite if the
+  /// velocity jumps.
   double acceleration = 0;
-  /// The largest that is reached, likewise; infinite where the acceleration jumps.
+  /// Largest jerk, rad/s^3 or m/s^3, with the sign of the distance; infinite if the acceleration
+  /// jumps.
   double jerk = 0;
 };
 
@@ -58,14 +60,14 @@ enum class Synchronise {
   straight,  ///< all joints have one s-curve in proportion: a straight line in joint space
 };
 
-/// How far a start may be outside the limits with PointToPointOptions::from_outside.
+/// Largest excess of a start over the limits with PointToPointOptions::from_outside.
 constexpr double farthest_outside_angle = 0.1;    // radians
 constexpr double farthest_outside_length = 0.01;  // metres
 
 struct PointToPointOptions {
   Synchronise synchronise = Synchronise::time;  ///< how the joints' times agree
-  /// Accept a start that is slightly outside the position limits: each joint moves one way only, so
-  /// it moves back in. Of an arm only.
+  /// Whether to accept a start that is slightly outside the position limits. Each joint moves in
+  /// one direction only, so it moves back within them. Only for the limits of an arm.
   bool from_outside = false;
 };
 
@@ -78,15 +80,16 @@ struct PointToPoint {
 };
 
 /// Minimises the duration of a motion from one configuration to another subject to the joints'
-/// limits on velocity, acceleration and jerk. For Synchronise::time the duration is that which the
-/// slowest joint needs alone; for Synchronise::straight it is at least as long, as each joint's
-/// limits bind the common curve. Unknown limits count as assumed ones (motion_limits()).
-/// Throws Error when a configuration does not fit the arm or is outside its limits (farther than
-/// options.from_outside accepts), and where s_curve() does.
+/// limits on velocity, acceleration and jerk. For Synchronise::time the duration is the minimum
+/// time of the slowest joint. For Synchronise::straight it is at least as long, because each
+/// joint's limits bind the common curve. Unknown limits count as assumed ones (motion_limits()).
+/// Throws Error if a configuration does not fit the arm or is outside its limits (farther than
+/// options.from_outside accepts), and if s_curve() throws.
 PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
                             const ConfigurationRef& to, const PointToPointOptions& options = {});
 
-/// The same into the caller's motion; does not allocate when that has had as many joints before.
+/// The same into the caller's motion; does not allocate if `motion` already has this number of
+/// joints.
 void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
                     PointToPoint& motion, const PointToPointOptions& options = {});
 
@@ -103,13 +106,13 @@ void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from
 void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
         Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration);
 
-/// Samples the motion at times k / rate, rounded to nanoseconds, slowed down to whole periods and
-/// one more, over which its accelerations are averaged: the quintics between the samples are within
-/// the arm's limits (motion_limits()) at all times. The first sample is exactly `from`, the last
-/// `to`; one sample where nothing moves; none where the budget ends it. With a `duration`, seconds,
-/// that is longer the motion is slowed down to it, to whole periods. Throws Error when the rate is
-/// not above zero, the motion does not fit the arm, or there would be more than ten million
-/// samples.
+/// Samples the motion at times k / rate, rounded to nanoseconds. The motion is slowed down to whole
+/// periods plus one more, over which its accelerations are averaged, so that the quintics between
+/// the samples are within the arm's limits (motion_limits()) at all times. The first sample is
+/// exactly `from`, the last `to`. There is one sample if nothing moves, and none if the budget ends
+/// the computation. A longer `duration`, in seconds, slows the motion down to it, in whole periods.
+/// Throws Error when the rate is not above zero, the motion does not fit the arm, or there would be
+/// more than ten million samples.
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate,
                    const Budget& budget = {}, double duration = 0);
 

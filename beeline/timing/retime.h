@@ -14,42 +14,44 @@ namespace beeline {
 constexpr int default_max_samples = 200'000;
 
 struct RetimeOptions {
-  /// Form of the time scaling; default: `jerk`. Every profile keeps known jerk limits; `fastest`
-  /// and `trapezoidal` leave jerk free where it is not known.
+  /// Profile of the time scaling; default: `jerk`. Every profile keeps known jerk limits; `fastest`
+  /// and `trapezoidal` do not limit an unknown jerk.
   std::optional<Profile> profile = std::nullopt;
-  Interpolation interpolation = Interpolation::quintic;  ///< of the result
+  Interpolation interpolation = Interpolation::quintic;  ///< interpolation of the result
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
   double speed_scale = 1;
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
-  /// Samples per second, at times k / rate from the first to the last of them; 0: every sample of
-  /// the path, and as many more as the interpolation needs.
+  /// Samples per second, at times k / rate. 0: every sample of the path, and as many more as the
+  /// interpolation needs.
   double rate = 0;
-  /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
+  /// Duration to which the quickest motion is slowed down, s, without a rate; default: the
+  /// shortest.
   std::optional<double> duration = std::nullopt;
-  /// With a rate, 2 or more: there is no motion if it makes more; without one, if the path has
-  /// more, and more than the default. A sample of the path takes some 70 microseconds and 2.5 kB.
+  /// Max samples, 2 or more. With a rate there is no motion if it needs more samples. Without a
+  /// rate there is none if the path has more samples than this and than the default. A sample of
+  /// the path takes some 70 microseconds and 2.5 kB.
   int max_samples = default_max_samples;
-  /// Keep the jumps of continuous joints whose values wrap. The times of the trajectory, which are
-  /// otherwise ignored, decide which jumps are wraps.
+  /// Whether to keep the jumps of continuous joints whose values wrap. The times of the trajectory,
+  /// which are otherwise ignored, decide which jumps are wraps.
   bool no_unwrap = false;
   Budget budget = {};
 };
 
 /// A trajectory with new times.
 struct Retimed {
-  Profile profile = Profile::fastest;  ///< of the time scaling
-  Reason reason = {};                  ///< why there is no motion, or not the best; otherwise none
-  Trajectory trajectory;               ///< empty when there is none
-  LimitUsage limits;                   ///< of the trajectory, relative to the arm's own limits
-  double tool_speed = 0;               ///< a bound on the tool origin's speed, m/s
-  std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
+  Profile profile = Profile::fastest;  ///< profile of the time scaling
+  Reason reason = {};        ///< reason why there is no motion or not the best one; otherwise none
+  Trajectory trajectory;     ///< the retimed trajectory; empty if there is none
+  LimitUsage limits;         ///< fractions of the arm's own limits that the trajectory uses
+  double tool_speed = 0;     ///< bound on the tool origin's speed, m/s
+  std::size_t sections = 0;  ///< number of retimed sections of the path between stops
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
-  /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
-  /// longer than necessary; `limits` and `tool_speed` are not known.
+  /// How the computation ended. Unless complete, the trajectory has the sections computed so far,
+  /// up to a stop, and may take longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
 
-  /// Whether there is a motion, and the best.
+  /// Whether there is a motion and it is the best one.
   explicit operator bool() const { return !reason; }
 };
 
@@ -64,17 +66,17 @@ void check_moves(const Trajectory& trajectory);
 /// path may have a corner there. Continuous joints are unwrapped first (see unwrapped()).
 ///
 /// The result is within the limits at all times, for the motion that its columns mean (see
-/// Interpolation): the acceleration of a cubic or quintic one does not jump, so it takes up to 1 %
-/// longer than a time scaling that does, and more where known limits of jerk need wider ramps; with
-/// a rate about a period more for each section. Without a rate every position remains a sample, to
-/// the motion of a nanosecond, unless it follows the one before within 10 microseconds; with a rate
-/// only the first and the last of each section do, and each section lasts a whole number of
-/// periods.
+/// Interpolation): the acceleration of a cubic or quintic motion does not jump, so it takes up to 1
+/// % longer than a time scaling with jumps, and more if known jerk limits need wider ramps. With a
+/// rate each section takes about a period more. Without a rate every position remains a sample, to
+/// the motion of a nanosecond, unless it follows the one before within 10 microseconds. With a rate
+/// only the first and the last position of each section remain samples, and each section lasts a
+/// whole number of periods.
 ///
-/// Returns no motion, with the reason, when a position or the spline between two leaves the arm's
-/// limits, where there are too many samples or the rate makes none within limits, and for a
-/// duration that is too short. Throws Error when the trajectory does not fit the arm or has no two
-/// different positions, and for options out of range.
+/// Returns no motion, with the reason, if a position or the spline between two leaves the arm's
+/// limits, if there are too many samples, if the rate gives none within limits, or if the duration
+/// is too short. Throws Error if the trajectory does not fit the arm or has no two different
+/// positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

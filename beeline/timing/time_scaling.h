@@ -9,14 +9,14 @@
 
 namespace beeline {
 
-/// The limits of a motion along a path in joint space, one number for each coordinate; infinity: no
-/// limit. Finite limits are from 1e-100 on.
+/// The limits of a motion along a path in joint space, one number for each coordinate. Infinity
+/// means no limit; finite limits are 1e-100 or more.
 struct PathLimits {
   Configuration velocity;      ///< rad/s or m/s
   Configuration acceleration;  ///< rad/s^2 or m/s^2
   Configuration jerk;          ///< rad/s^3 or m/s^3
-  /// The largest ds/dt at each grid point of the path, as for a limit of the tool's speed; empty:
-  /// no such limit.
+  /// The largest ds/dt at each grid point of the path, for example from a limit of the tool's
+  /// speed; empty: no such limit.
   std::vector<double> speed;
   /// The fraction of the limits of acceleration and jerk that may be used at each grid point, above
   /// 0 to 1; empty: all of them everywhere.
@@ -38,7 +38,7 @@ struct TimeScaling {
   std::vector<double> s;             ///< path parameter, strictly increasing, (N,)
   std::vector<double> t;             ///< seconds, strictly increasing from 0, (N,)
   std::vector<double> speed;         ///< ds/dt, (N,)
-  std::vector<double> acceleration;  ///< d2s/dt2, (N,); the mean of both sides where it jumps
+  std::vector<double> acceleration;  ///< d2s/dt2, (N,); the mean of both sides at a jump
   /// Whether d2s/dt2 is continuous: then s(t) is the quintic Hermite polynomial between points;
   /// else d2s/dt2 is constant there.
   bool smooth = false;
@@ -49,9 +49,10 @@ struct TimeScaling {
 };
 
 /// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
-/// limits of velocity and acceleration. The samples of a motion keep known jerk limits by every
-/// profile: by those without jerk in their form through wider ramps of acceleration or a slowdown.
-/// To add one, add its name here and its row, in the same order, to the table in profile.cpp.
+/// limits of velocity and acceleration. The samples of a motion keep known jerk limits with every
+/// profile; a profile without jerk in its form needs wider ramps of acceleration or a slowdown for
+/// this. To add a profile, add its name here and its row, in the same order, to the table in
+/// profile.cpp.
 enum class Profile {
   /// Minimum time under velocity and acceleration limits, or the motion by `jerk` if that is
   /// shorter.
@@ -86,11 +87,11 @@ constexpr Profile default_profile = Profile::jerk;
 ///     minimise T  subject to  |dq_i/dt| <= velocity_i,  |d2q_i/dt2| <= acceleration_i,
 ///                             |d3q_i/dt3| <= jerk_i (where the profile keeps it),
 ///                             ds/dt <= speed,  at rest at t = 0 and t = T,
-/// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
-/// Where the budget ends the search of the profile jerk, returns the best found so far, which keeps
-/// the limits; none, with the reason, where it ends the computation before there is one. Throws
-/// Error for a path or limits that check_path() or check_limits() refuse, and for Profile::jerk
-/// without any jerk limit.
+/// over all s(t) for fastest and jerk, and over all s(t) of the profile's form for the others. If
+/// the budget ends the search of the profile jerk, returns the best time scaling so far, which
+/// keeps the limits. Returns none, with the reason, if the budget ends the computation before one
+/// is found. Throws Error for a path or limits that check_path() or check_limits() refuses, and for
+/// Profile::jerk without any jerk limit.
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget = {});
 

@@ -18,7 +18,7 @@ Trajectory from_zero(const Arm& arm, const Trajectory& given, const char* which)
   return trajectory;
 }
 
-/// Turns the continuous joints of b by whole revolutions, so that they begin near those of a.
+/// Turns the continuous joints of b by whole revolutions, so that they begin near the joints of a.
 void start_near(const Arm& arm, const Trajectory& a, Trajectory& b) {
   for (int k = 0; k < arm.dof(); ++k) {
     if (!internal::is_continuous(arm, k)) continue;

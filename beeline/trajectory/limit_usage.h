@@ -10,29 +10,29 @@ namespace beeline {
 
 /// The largest fraction of one kind of limit that a trajectory uses; above 1 it exceeds the limit.
 struct LimitFraction {
-  double fraction = 0;  ///< of the limit
+  double fraction = 0;  ///< largest fraction of the limit
   std::string joint;    ///< the joint that uses it; empty for a fraction of 0
-  double time = 0;      ///< of the sample before it, seconds
+  double time = 0;      ///< time of the sample before it, s
   /// Whether it is exact for the motion that the columns mean. Otherwise the interpolation does not
-  /// bound this derivative, as it jumps at the samples: the fraction is then what the smoothest
-  /// motion through the samples needs, by divided differences.
+  /// bound this derivative, which jumps at the samples; the fraction is then the need of the
+  /// smoothest motion through the samples, computed by divided differences.
   bool exact = true;
-  bool assumed = false;  ///< the limit is not known but assumed: see motion_limits()
+  bool assumed = false;  ///< whether the limit is unknown and assumed: see motion_limits()
 };
 
 /// The fractions of the arm's limits that a trajectory uses.
 struct LimitUsage {
-  LimitFraction velocity;            ///< of the velocity limits
-  LimitFraction acceleration;        ///< of the acceleration limits
-  LimitFraction jerk;                ///< of the jerk limits
-  Ending ending = Ending::complete;  ///< unless complete, these are the largest so far
+  LimitFraction velocity;      ///< use of the velocity limits
+  LimitFraction acceleration;  ///< use of the acceleration limits
+  LimitFraction jerk;          ///< use of the jerk limits
+  /// How the computation ended; unless complete, these are the largest so far.
+  Ending ending = Ending::complete;
 };
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the extremes of the
 /// polynomials between its samples (see Interpolation), by the zeros of their derivatives. Exact
 /// for the velocity of any trajectory, the acceleration of cubics and quintics, and the jerk of
-/// quintics. Limits that are not known are assumed: see motion_limits(). Throws Error where
-/// matched_to() does.
+/// quintics. Unknown limits are assumed: see motion_limits(). Throws Error as matched_to() does.
 LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory, const Budget& budget = {});
 
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of

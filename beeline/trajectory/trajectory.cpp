@@ -55,7 +55,7 @@ void check_match(const MatchOptions& options, std::size_t columns) {
   }
 }
 
-/// What makes each coordinate of the values in its column.
+/// Returns the map from the values of a column to its coordinate, for each coordinate.
 std::vector<Affine> maps_of(const Arm& arm, const MatchOptions& options,
                             const std::vector<Eigen::Index>& columns) {
   std::vector<Affine> maps(columns.size());

@@ -12,9 +12,9 @@ namespace beeline {
 /// The motion of the joints between two samples, as ros2_control's joint trajectory controller
 /// plays it: polynomials of degree 1, 3 or 5 in time that agree with both samples.
 enum class Interpolation {
-  linear,   ///< of positions alone
-  cubic,    ///< of positions and velocities
-  quintic,  ///< of positions, velocities and accelerations
+  linear,   ///< polynomial of degree 1, from positions only
+  cubic,    ///< polynomial of degree 3, from positions and velocities
+  quintic,  ///< polynomial of degree 5, from positions, velocities and accelerations
 };
 std::string name(Interpolation interpolation);
 std::vector<std::string> interpolation_names();
@@ -26,16 +26,15 @@ Interpolation interpolation_named(const std::string& name);
 constexpr double lowest_rate = 1e-3;
 
 /// A motion of n joints as N samples: positions[k] at times[k]. The columns determine the motion
-/// between the samples, as ros2_control's joint trajectory controller plays it: positions alone,
-/// linear; positions and velocities, the cubic polynomial; with accelerations too, the quintic one.
-/// See sample().
+/// between the samples, as ros2_control's joint trajectory controller plays it: it is linear for
+/// positions only, the cubic polynomial for positions and velocities, and the quintic polynomial
+/// with accelerations too. See sample().
 struct Trajectory {
-  std::vector<std::string> joint_names;   ///< one for each coordinate
-  std::vector<double> times;              ///< seconds, strictly increasing, (N,)
-  std::vector<Configuration> positions;   ///< rad, or m for prismatic joints
-  std::vector<Configuration> velocities;  ///< rad/s or m/s; empty where they are not known
-  /// rad/s^2 or m/s^2; empty where they are not known.
-  std::vector<Configuration> accelerations;
+  std::vector<std::string> joint_names;      ///< names of the joints, one for each coordinate, (n,)
+  std::vector<double> times;                 ///< times of the samples, s, strictly increasing, (N,)
+  std::vector<Configuration> positions;      ///< rad, or m for prismatic joints
+  std::vector<Configuration> velocities;     ///< rad/s or m/s; empty if unknown
+  std::vector<Configuration> accelerations;  ///< rad/s^2 or m/s^2; empty if unknown
 
   std::size_t size() const { return times.size(); }
   Interpolation interpolation() const {
@@ -60,17 +59,17 @@ Trajectory at_rest(const Arm& arm, const ConfigurationRef& q);
 /// times do not increase, or there are accelerations without velocities.
 void check_trajectory(const Trajectory& trajectory);
 
-/// Returns the state at time t of the motion that the columns mean. Before the first sample and
-/// after the last the joints are at rest there. Throws Error when there are no samples, or t is
-/// NaN.
+/// Returns the state at time t of the motion that the columns mean. Before the first sample the
+/// joints are at rest at its position, and after the last sample at the position of the last.
+/// Throws Error when there are no samples, or t is NaN.
 TrajectoryState sample(const Trajectory& trajectory, double t, Side side = Side::after);
 
 /// A joint of a recording that is a coordinate of an arm:
 ///     coordinate = unit * (sign * recorded + offset).
 struct MappedJoint {
-  std::string name;   ///< in the recording
-  double sign = 1;    ///< 1 or -1
-  double offset = 0;  ///< in the recording's unit
+  std::string name;   ///< name of the joint in the recording
+  double sign = 1;    ///< sign of its values, 1 or -1
+  double offset = 0;  ///< offset in the recording's unit
   /// Radians or metres per unit of the recording; default: MatchOptions::column_units, else
   /// MatchOptions::angle_unit for angles, 1 for metres.
   std::optional<double> unit = std::nullopt;
@@ -80,14 +79,17 @@ struct MappedJoint {
 using JointMap = std::vector<MappedJoint>;
 
 struct MatchOptions {
-  JointMap joint_map = {};  ///< empty: joints are matched by name; else all others are dropped
-  double angle_unit = 1;    ///< radians per unit of the recording: pi / 180 for degrees
+  /// Joints of the recording; empty: joints are matched by name. With a map all other columns are
+  /// dropped.
+  JointMap joint_map = {};
+  double angle_unit = 1;  ///< radians per unit of the recording: pi / 180 for degrees
   /// Radians or metres per unit of the values of each of the trajectory's joints, if known; empty:
   /// none is known.
   std::vector<std::optional<double>> column_units = {};
 };
 
-/// The lists of names that an arm's joints have: its own, and, of a built-in arm, the makers'.
+/// Returns the lists of names of an arm's joints: its own names and, for a built-in arm, the
+/// makers' names.
 std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
 
 /// Returns the trajectory with its columns in the arm's order, matched by joint name: the arm's own
@@ -105,13 +107,13 @@ Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
 struct UnwrappedJoint {
   std::string joint;      ///< name of the joint
   int wraps = 0;          ///< number of jumps
-  double first_time = 0;  ///< of the sample after the first jump, s
+  double first_time = 0;  ///< time of the sample after the first jump, s
 };
 
 /// A trajectory without the jumps of sensors whose values wrap after a revolution.
 struct Unwrapped {
-  Trajectory trajectory;               ///< in the arm's order
-  std::vector<UnwrappedJoint> joints;  ///< those that were changed
+  Trajectory trajectory;               ///< trajectory with its columns in the arm's order
+  std::vector<UnwrappedJoint> joints;  ///< joints that were changed
 };
 
 /// Returns the trajectory, matched_to() the arm, without the jumps of sensors whose values wrap
@@ -125,27 +127,27 @@ Unwrapped unwrapped(const Arm& arm, const Trajectory& trajectory);
 
 /// The difference of one coordinate between two trajectories.
 struct JointDifference {
-  double largest = 0;  ///< radians or metres
-  double time = 0;     ///< of the largest difference, seconds from the first samples
-  double rms = 0;      ///< root mean square over the common duration, rad or m
+  double largest = 0;  ///< largest difference, rad or m
+  double time = 0;     ///< time of the largest difference since the first samples, s
+  double rms = 0;      ///< root mean square of the difference over the common duration, rad or m
 };
 
 /// The difference of two trajectories of an arm.
 struct TrajectoryDifference {
-  std::vector<JointDifference> joints;  ///< one for each coordinate
-  double largest_position = 0;          ///< distance between the tools, metres
-  double position_time = 0;             ///< of that distance, s
-  double largest_orientation = 0;       ///< angle between the tools, radians
-  double orientation_time = 0;          ///< of that angle, s
-  double overlap = 0;                   ///< common duration, seconds
-  double longer = 0;                    ///< duration of b minus that of a, seconds
+  std::vector<JointDifference> joints;  ///< differences of the coordinates
+  double largest_position = 0;          ///< largest distance between the tools, m
+  double position_time = 0;             ///< time of the largest distance, s
+  double largest_orientation = 0;       ///< largest angle between the tools, rad
+  double orientation_time = 0;          ///< time of the largest angle, s
+  double overlap = 0;                   ///< common duration, s
+  double longer = 0;                    ///< duration of b minus duration of a, s
 };
 
 /// Compares two trajectories of an arm, each from its own first sample on, joints linear between
-/// samples, at the samples of both. A continuous joint of b begins within half a revolution of that
-/// of a: whole revolutions do not count. The joints' largest differences are exact; those of the
-/// tool are the largest at the samples. Throws Error when one of them does not fit the arm or has
-/// no samples.
+/// samples, at the samples of both. Whole revolutions of a continuous joint are ignored: the joint
+/// of b begins within half a revolution of the joint of a. The joints' largest differences are
+/// exact; the tool's differences are the largest at the samples. Throws Error if a trajectory does
+/// not fit the arm or has no samples.
 TrajectoryDifference difference(const Arm& arm, const Trajectory& a, const Trajectory& b);
 
 }  // namespace beeline

@@ -8,8 +8,8 @@ namespace beeline::python {
 
 template <>
 struct Fields<ReachSide>
-    : Members<&ReachSide::volume, &ReachSide::alone, &ReachSide::better, &ReachSide::directions,
-              &ReachSide::manipulability, &ReachSide::margin> {};
+    : Members<&ReachSide::volume, &ReachSide::volume_only_here, &ReachSide::volume_more_directions,
+              &ReachSide::directions, &ReachSide::manipulability, &ReachSide::margin> {};
 
 template <>
 struct Fields<ReachComparison>

@@ -40,8 +40,9 @@ struct Fields<BranchOptions>
               &BranchOptions::budget> {};
 
 template <>
-struct Fields<NearbyPath> : Members<&NearbyPath::moved, &NearbyPath::turned, &NearbyPath::path,
-                                    &NearbyPath::start, &NearbyPath::description> {};
+struct Fields<NearbyPath>
+    : Members<&NearbyPath::translation, &NearbyPath::rotation, &NearbyPath::path,
+              &NearbyPath::start, &NearbyPath::description> {};
 
 template <>
 struct Fields<PathMotionOptions>

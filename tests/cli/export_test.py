@@ -88,7 +88,7 @@ def test_a_ros_message_holds_the_trajectory(moved, exported, out):
         values = [point[column] for point in message["points"]]
         assert values == (moved.columns[i].tolist() if i < len(moved.columns) else [[]] * len(times))
     exact = all(round(t * 1e9) / 1e9 == t for t in moved.t)
-    assert report["proof"].startswith("all;" if exact else "all but the rounding of times")
+    assert report["proof"].startswith("all;" if exact else "all except the rounding of times")
     assert any(report["proof"] in line for line in comments) == (out == "move.yaml")
 
 
@@ -129,7 +129,7 @@ def test_a_ur_program_follows_the_motion(moved, exported, rate):
 def test_instructions_of_abb_and_kuka_pass_the_samples(moved, exported):
     degrees = np.degrees(moved.columns[0])
     text, report = exported("rapid", "move.mod")
-    assert report["proof"].startswith("nothing but the positions")
+    assert report["proof"].startswith("only the positions")
     lines = [line.strip() for line in text.splitlines() if not line.strip().startswith("!")]
     assert lines[:2] == ["MODULE move", "PROC play_move()"] and lines[-2:] == ["ENDPROC", "ENDMODULE"]
     pattern = re.compile(r"MoveAbsJ \[\[([^\]]*)\],\[9E9(?:,9E9){5}\]\]\\NoEOffs,v100(?:\\T:=([\d.]+))?"

@@ -83,8 +83,8 @@ TEST(LinkPoses, AreThePartialProductsOfEquation11) {
     ASSERT_EQ(world_T_link.size(), arm.joints().size() + 1);
     ASSERT_EQ(world_T_link[0].matrix(), arm.base().matrix());
     for (std::size_t j = 0; j < arm.joints().size(); ++j) {
-      const Arm::Drive& drive = arm.drives()[j];
-      const double value = drive.ratio * q[drive.coordinate] + drive.shift;
+      const Arm::JointCoupling& coupling = arm.couplings()[j];
+      const double value = coupling.ratio * q[coupling.coordinate] + coupling.shift;
       const Joint& joint = arm.joints()[j];
       const Pose step = joint.offset * se3_exp(joint.screw * value);
       ASSERT_LT((world_T_link[j + 1].matrix() - (world_T_link[j] * step).matrix()).norm(), 3e-13);

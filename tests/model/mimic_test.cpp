@@ -30,15 +30,15 @@ TEST(Mimic, ChainsMultiplyTheirRatiosAndCarryTheirShiftsInAnyOrder) {
                         follower("b", {"a", -3, 0.5}), turning_joint("a")});
   EXPECT_EQ(arm.dof(), 2);
   EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"free", "a"}));
-  const Arm::Drive& c = arm.drives()[0];
+  const Arm::JointCoupling& c = arm.couplings()[0];
   EXPECT_EQ(c.coordinate, 1);
   EXPECT_EQ(c.ratio, -6);
   EXPECT_EQ(c.shift, 2);
-  EXPECT_EQ(arm.drives()[1].coordinate, 0);
-  EXPECT_EQ(arm.drives()[2].ratio, -3);
-  EXPECT_EQ(arm.drives()[2].shift, 0.5);
-  EXPECT_EQ(arm.drives()[3].ratio, 1);
-  EXPECT_EQ(arm.drives()[3].shift, 0);
+  EXPECT_EQ(arm.couplings()[1].coordinate, 0);
+  EXPECT_EQ(arm.couplings()[2].ratio, -3);
+  EXPECT_EQ(arm.couplings()[2].shift, 0.5);
+  EXPECT_EQ(arm.couplings()[3].ratio, 1);
+  EXPECT_EQ(arm.couplings()[3].shift, 0);
 }
 
 TEST(Mimic, MovesAsTheSameArmWithoutMimicMovesAtTheFollowersValues) {
@@ -127,10 +127,10 @@ TEST(Mimic, ALongChainOfLeadersIsResolved) {
   joints.push_back(turning_joint("j" + std::to_string(count)));
   const Arm arm("arm", joints);
   EXPECT_EQ(arm.dof(), 1);
-  EXPECT_EQ(arm.drives()[0].ratio, 1) << "an even number of sign changes";
-  EXPECT_EQ(arm.drives()[0].shift, 0);
-  EXPECT_EQ(arm.drives()[1].ratio, -1);
-  EXPECT_EQ(arm.drives()[1].shift, 1);
+  EXPECT_EQ(arm.couplings()[0].ratio, 1) << "an even number of sign changes";
+  EXPECT_EQ(arm.couplings()[0].shift, 0);
+  EXPECT_EQ(arm.couplings()[1].ratio, -1);
+  EXPECT_EQ(arm.couplings()[1].shift, 1);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ def test_members_have_the_words_of_the_header():
     assert beeline.Line.from_.__doc__ == "Pose at s = 0, (4, 4)."
     assert "`s-curve`: " in beeline.retime.__doc__
     assert "J q̇ = α v" in beeline.Servo.__doc__
-    assert beeline.Retimed.__bool__.__doc__.endswith("Whether there is a motion, and the best.")
+    assert beeline.Retimed.__bool__.__doc__.endswith("Whether there is a motion and it is the best one.")
     assert "Deviation | tuple[float, float], default (0.0001, 0.001)" in beeline.Tracker.__init__.__doc__
 
 

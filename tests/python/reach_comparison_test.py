@@ -67,8 +67,8 @@ def test_maps_are_compared_where_either_reaches(puma, moved):
         for k, side in enumerate(compared.sides):
             own, other = (np.nan_to_num(best[i]["directions"]) for i in (k, 1 - k))
             assert side.volume == pytest.approx(reached[k].sum() * cell)
-            assert side.alone == pytest.approx((reached[k] & ~reached[1 - k]).sum() * cell)
-            assert side.better == pytest.approx((own > other + 1e-6).sum() * cell)
+            assert side.volume_only_here == pytest.approx((reached[k] & ~reached[1 - k]).sum() * cell)
+            assert side.volume_more_directions == pytest.approx((own > other + 1e-6).sum() * cell)
             assert side.directions == pytest.approx(own[reached[0] | reached[1]].mean())
             for name in ("manipulability", "margin"):
                 assert getattr(side, name) == pytest.approx(best[k][name][reached[0] & reached[1]].mean())
@@ -80,7 +80,7 @@ def test_maps_are_compared_where_either_reaches(puma, moved):
 def test_maps_without_common_positions(puma):
     far = PUMA.with_mount(beeline.make_pose([5, 0, 0]))
     compared = beeline.compare_reach(puma, beeline.reach_map(far, **COARSE))
-    assert compared.both == 0 and all(side.alone == side.volume > 0 for side in compared.sides)
+    assert compared.both == 0 and all(side.volume_only_here == side.volume > 0 for side in compared.sides)
     assert all(math.isnan(side.margin) and math.isnan(side.manipulability) for side in compared.sides)
     assert pickle.loads(pickle.dumps(compared)) == compared
 

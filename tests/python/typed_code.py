@@ -71,7 +71,7 @@ def reach(arm: beeline.Arm) -> beeline.Placement | None:
     drawing: beeline.Picture = beeline.reach_figure(beeline.slice_of(map, "z", 0, "margin"))
     assert drawing.width > 0
     side: beeline.ReachSide = beeline.compare_reach(map, map).sides[1]
-    assert side.alone == 0 and side.volume > 0
+    assert side.volume_only_here == 0 and side.volume > 0
     first, second = beeline.slices_of(map, map, "y", 0)
     both: beeline.Picture = beeline.reach_figure([first.with_title("first"), second])
     assert both.width > drawing.width

@@ -20,8 +20,8 @@ ReachMap map_of(const Arm& arm, const ReachGridOptions& options) {
 
 void expect_same(const ReachSide& a, const ReachSide& b) {
   EXPECT_DOUBLE_EQ(a.volume, b.volume);
-  EXPECT_DOUBLE_EQ(a.alone, b.alone);
-  EXPECT_DOUBLE_EQ(a.better, b.better);
+  EXPECT_DOUBLE_EQ(a.volume_only_here, b.volume_only_here);
+  EXPECT_DOUBLE_EQ(a.volume_more_directions, b.volume_more_directions);
   EXPECT_DOUBLE_EQ(a.directions, b.directions);
   EXPECT_DOUBLE_EQ(a.manipulability, b.manipulability);
   EXPECT_DOUBLE_EQ(a.margin, b.margin);
@@ -32,8 +32,8 @@ TEST(ReachComparison, OfAMapWithItselfHasNoDifference) {
     const ReachMap map = map_of(built_in(name), {.directions = 60 * deg});
     const ReachComparison same = compare_reach(map, map);
     expect_same(same.sides[0], same.sides[1]);
-    EXPECT_EQ(same.sides[0].alone, 0);
-    EXPECT_EQ(same.sides[0].better, 0);
+    EXPECT_EQ(same.sides[0].volume_only_here, 0);
+    EXPECT_EQ(same.sides[0].volume_more_directions, 0);
     EXPECT_NEAR(same.sides[0].volume, map.totals().volume, 1e-9);
     EXPECT_NEAR(same.both, map.totals().volume, 1e-9);
     EXPECT_GT(same.sides[0].directions, 0.1);
@@ -47,7 +47,8 @@ TEST(ReachComparison, TheOtherWayRoundExchangesTheSides) {
   EXPECT_EQ(a.step, 0.17);
   expect_same(a.sides[0], b.sides[1]);
   expect_same(a.sides[1], b.sides[0]);
-  for (const ReachSide& side : a.sides) EXPECT_NEAR(side.alone + a.both, side.volume, 1e-9);
+  for (const ReachSide& side : a.sides)
+    EXPECT_NEAR(side.volume_only_here + a.both, side.volume, 1e-9);
 }
 
 // An arm on a pedestal reaches the same, higher.
@@ -59,8 +60,8 @@ TEST(ReachComparison, OfTwoMountsFindsWhatMoved) {
   const ReachMap high = map_of(raised, {.resolution = step, .directions = 60 * deg});
   const ReachComparison moved = compare_reach(low, high);
   EXPECT_NEAR(moved.sides[0].volume, moved.sides[1].volume, 1e-9);
-  EXPECT_NEAR(moved.sides[0].alone, moved.sides[1].alone, 1e-9);
-  EXPECT_GT(moved.sides[0].alone, 0);
+  EXPECT_NEAR(moved.sides[0].volume_only_here, moved.sides[1].volume_only_here, 1e-9);
+  EXPECT_GT(moved.sides[0].volume_only_here, 0);
   EXPECT_GT(moved.both, 0);
   const auto slices = slices_of(low, high, 2, 0.6);
   EXPECT_EQ(slices[0].values.size(), slices[1].values.size());
@@ -76,10 +77,11 @@ TEST(ReachComparison, OfABoxAndACylinderOfAnArmFindsLittle) {
   turned.azimuths = 5 * deg;
   const ReachMap box = map_of(arm, cells);
   const ReachComparison compared = compare_reach(box, map_of(arm, turned));
-  for (const ReachSide& side : compared.sides) EXPECT_LT(side.alone, 0.15 * side.volume);
+  for (const ReachSide& side : compared.sides) EXPECT_LT(side.volume_only_here, 0.15 * side.volume);
   // Turned by 20 degrees, more differs.
   const Arm other = with_mount(arm, Pose(Eigen::AngleAxisd(20 * deg, Vector3::UnitZ())));
-  EXPECT_GT(compare_reach(box, map_of(other, turned)).sides[0].alone, 2 * compared.sides[0].alone);
+  EXPECT_GT(compare_reach(box, map_of(other, turned)).sides[0].volume_only_here,
+            2 * compared.sides[0].volume_only_here);
 }
 
 TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {

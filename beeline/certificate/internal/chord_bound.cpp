@@ -26,8 +26,8 @@ std::vector<Contribution> contributions(const Arm& arm, const ConfigurationRef& 
   std::vector<Contribution> parts(arm.joints().size());
   double outer_speed = 0;
   for (std::size_t i = parts.size(); i-- > 0;) {
-    const Arm::Drive& drive = arm.drives()[i];
-    const double step = drive.ratio * (q_b[drive.coordinate] - q_a[drive.coordinate]);
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
+    const double step = coupling.ratio * (q_b[coupling.coordinate] - q_a[coupling.coordinate]);
     const Twist velocity = joint_velocity(arm.joints()[i], world_T_link[i + 1], tool);
     Contribution& part = parts[i];
     part.angular_velocity = step * velocity.tail<3>();

@@ -24,7 +24,7 @@ void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRe
   const Skeleton bones = skeleton(arm, q);
   for (std::size_t i = 0; levers && i < bones.joints.size(); ++i) {
     if (bones.joints[i].kind == JointKind::prismatic) continue;
-    const Colour colour = distinct_colour(arm.drives()[i].coordinate);
+    const Colour colour = distinct_colour(arm.couplings()[i].coordinate);
     drawing.add(Layer::mark, Polyline{{bones.joints[i].centre, bones.tool}, colour, 0.8, {4, 3}});
   }
   std::vector<int> order;

@@ -72,15 +72,15 @@ int ArmNamer::coordinate_symbol(int coordinate) {
 }
 
 int ArmNamer::mimic_symbol(std::size_t i) {
-  const Arm::Drive& drive = source_.drives()[i];
+  const Arm::JointCoupling& coupling = source_.couplings()[i];
   const bool slides = kind(source_.joints()[i]) == JointKind::prismatic;
-  coordinate_symbol(drive.coordinate);
+  coordinate_symbol(coupling.coordinate);
   return symbol({.kind = slides ? SymbolKind::displacement : SymbolKind::joint_angle,
                  .letter = "u",
                  .subscript = std::to_string(i + 1),
-                 .value = drive.shift,
-                 .coordinate = drive.coordinate,
-                 .ratio = drive.ratio,
+                 .value = coupling.shift,
+                 .coordinate = coupling.coordinate,
+                 .ratio = coupling.ratio,
                  .meaning = "mimic joint " + source_.joints()[i].name});
 }
 
@@ -135,11 +135,11 @@ void ArmNamer::place(const Pose& pose, const std::string& subscript, int before,
 
 void ArmNamer::move(std::size_t i, int axis, int sign) {
   const Joint& joint = source_.joints()[i];
-  const Arm::Drive& drive = source_.drives()[i];
+  const Arm::JointCoupling& coupling = source_.couplings()[i];
   const std::string index = std::to_string(i + 1);
-  const bool plain = is_small_integer(drive.ratio) && drive.shift == 0;
-  const int variable = plain ? coordinate_symbol(drive.coordinate) : mimic_symbol(i);
-  const int multiple = sign * (plain ? static_cast<int>(drive.ratio) : 1);
+  const bool plain = is_small_integer(coupling.ratio) && coupling.shift == 0;
+  const int variable = plain ? coordinate_symbol(coupling.coordinate) : mimic_symbol(i);
+  const int multiple = sign * (plain ? static_cast<int>(coupling.ratio) : 1);
   const Expression coordinate = Expression(multiple) * Expression::symbol(variable);
   if (kind(joint) == JointKind::prismatic) {
     add({.rotation = false, .axis = axis, .distance = coordinate});

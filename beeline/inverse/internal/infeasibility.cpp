@@ -25,7 +25,7 @@ std::vector<Twist> screws(const Arm& arm) {
   const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
   std::vector<Twist> all;
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    if (arm.drives()[i].ratio == 0) continue;
+    if (arm.couplings()[i].ratio == 0) continue;
     all.push_back(adjoint(world_T_link[i + 1], arm.joints()[i].screw));
   }
   return all;
@@ -123,7 +123,7 @@ std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_to
 
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    if (arm.drives()[i].ratio != 0 && kind(arm.joints()[i]) != JointKind::revolute) return false;
+    if (arm.couplings()[i].ratio != 0 && kind(arm.joints()[i]) != JointKind::revolute) return false;
   }
   return beyond_reach(arm, world_T_tool, task, tolerance).has_value();
 }

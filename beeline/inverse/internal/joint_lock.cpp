@@ -9,9 +9,9 @@ Arm with_locked(const Arm& arm, int k, double value) {
   Pose fixed = Pose::Identity();  // the product of the fixed joints since the last moving joint
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
-    const Arm::Drive& drive = arm.drives()[i];
-    if (drive.coordinate == k) {
-      fixed = fixed * joint_transform(joint, drive.ratio * value + drive.shift);
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
+    if (coupling.coordinate == k) {
+      fixed = fixed * joint_transform(joint, coupling.ratio * value + coupling.shift);
       continue;
     }
     joints.push_back(joint);

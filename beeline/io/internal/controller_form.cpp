@@ -26,13 +26,13 @@ std::string ros2_proof(const Trajectory& samples, bool resampled) {
       polynomials(samples) + " between these points";
   if (resampled) {
     return "the samples; " + plays +
-           ", which differ from the trajectory's: `beeline check` of a .json export proves them";
+           ", which differ from the trajectory's; `beeline check` of a .json export proves them";
   }
   if (!in_whole_nanoseconds(samples)) {
-    return "all but the rounding of times to nanoseconds; " + plays +
-           ": `beeline check` of a .json export proves them";
+    return "all except the rounding of times to nanoseconds; " + plays +
+           "; `beeline check` of a .json export proves them";
   }
-  return "all; " + plays + ", as the trajectory means them";
+  return "all; " + plays + ", the same motion as the trajectory";
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool r
       return "the setpoints; the controller interpolates and filters them (lookahead_time, gain), "
              "and follows with a delay";
     case ControllerForm::rapid:
-      return "nothing but the positions of the samples; the controller plans the motion between "
+      return "only the positions of the samples; the controller plans the motion between "
              "them again and rounds those at which it does not stop (zone z1)";
     case ControllerForm::krl:
-      return "nothing but the positions of the samples; the controller plans the motion between "
+      return "only the positions of the samples; the controller plans the motion between "
              "them again, at 10 % speed, and rounds those with C_PTP";
     case ControllerForm::csv:
       return "the setpoints; the motion between them is the controller's";

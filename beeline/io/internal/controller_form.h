@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-/// What is the same for all trajectories in one form.
+/// Properties of a form that do not depend on the trajectory.
 struct FormDescription {
   ControllerForm form;
   const char* name;

@@ -23,7 +23,7 @@ struct ControllerMove {
   double dwell = 0;                    ///< seconds
 };
 
-/// What programs of moves are written from.
+/// The content of a program of moves.
 struct MoveSource {
   Configuration start;  ///< where the first move begins
   std::vector<ControllerMove> moves;
@@ -32,8 +32,8 @@ struct MoveSource {
   ProgramFrames frames;
 };
 
-/// The moves of a planned program, their poses in the frame at `world_T_frame`. Where its motion
-/// begins at the first waypoint, the first of them stays there.
+/// The moves of a planned program, their poses in the frame at `world_T_frame`. If its motion
+/// begins at the first waypoint, the first move stays there.
 std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& program,
                                              const ProgramMotion& motion,
                                              const Pose& world_T_frame);

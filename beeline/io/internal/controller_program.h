@@ -9,7 +9,7 @@
 
 namespace beeline::internal {
 
-/// What the programs for controllers of one maker are written from.
+/// The content of a program for controllers of one maker.
 struct ProgramSource {
   const Trajectory& samples;                 ///< of six revolute joints, from time 0
   const std::vector<std::string>& comments;  ///< lines of ASCII
@@ -38,8 +38,8 @@ void check_krl_name(const std::string& name);
 std::string rapid_axes(const Configuration& q);
 std::string krl_axes(const Configuration& q);
 
-/// Statements of URScript that move the arm to `first`, after a question if it is far away, and
-/// halt where it is not there.
+/// Returns statements of URScript that move the arm to `first`, after a question if it is far away,
+/// and halt the program if the arm does not arrive.
 std::string urscript_approach(const Configuration& first);
 
 /// A program of URScript: the arm moves to the first sample, asks first when it is far from it, and

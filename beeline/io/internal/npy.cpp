@@ -193,7 +193,7 @@ void NpyReader::read_header() {
   refuse_lfs_pointer(file_.peek(lfs_pointer_size), file_.path());
   std::string start(8, '\0');
   if (file_.read(start.data(), 8) < 8 || !start.starts_with(magic)) {
-    throw Error("is not an .npy file: its first bytes are not those of the format");
+    throw Error("is not an .npy file: it does not begin with the bytes \\x93NUMPY");
   }
   const int version = static_cast<unsigned char>(start[6]);
   if (version < 1 || version > 3) {

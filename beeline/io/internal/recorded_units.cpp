@@ -18,7 +18,7 @@ bool has_unit(const JointMap& joint_map, int k) {
 
 bool slides(const Arm& arm, int k) { return kind(arm.joint_of(k)) == JointKind::prismatic; }
 
-/// How far the value is beyond the joint's limits, or beyond `without` where it has none; at most 0
+/// The excess of the value over the joint's limits, or over `without` if it has none; at most 0
 /// within them.
 double excess(const Limits& limits, double value, double without) {
   const double upper = limits.upper < Limits::none ? limits.upper : without;

@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-/// How many of the unit are a second.
+/// The number of the units in a second.
 double per_second(const Unit& unit) { return std::round(1 / unit.si); }
 
 }  // namespace

@@ -33,7 +33,7 @@ Trajectory from_time_zero(Trajectory trajectory) {
   const double begin = trajectory.times.front();
   for (double& time : trajectory.times) {
     const double elapsed = time - begin, rounded = round_to_nanoseconds(elapsed);
-    // Differences of whole nanoseconds are whole nanoseconds, but for rounding.
+    // Differences of whole nanoseconds are whole nanoseconds up to rounding.
     const double error = std::max(std::abs(time), std::abs(begin)) * 1e-15;
     time = begin != 0 && std::abs(rounded - elapsed) <= error ? rounded : elapsed;
   }

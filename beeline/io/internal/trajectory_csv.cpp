@@ -35,8 +35,8 @@ void append_values(const std::vector<double>& row, const Indices& columns,
 struct Layout {
   std::optional<TimeColumns> times;
   Indices positions = {}, velocities = {}, accelerations = {};
-  /// What the values of each column are multiplied by: of rates that have another unit than their
-  /// joint. Empty: 1.
+  /// Factors of the values of each column, for rates that have another unit than their joint.
+  /// Empty: 1.
   std::vector<double> factors = {};
 };
 
@@ -66,7 +66,8 @@ void check_names(const std::vector<std::string>& joints) {
   }
 }
 
-/// Returns the columns of positions: all except those named by another column and a suffix.
+/// Returns the columns of positions: all columns except the ones named by another column and a
+/// suffix.
 Indices position_columns(const std::vector<std::string>& all, const Columns& columns) {
   Indices joints;
   std::unordered_set<std::string> names;
@@ -105,8 +106,8 @@ std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
   return times;
 }
 
-/// The indices of the columns of quantities: all but those of times and of texts, which the rows
-/// ignore.
+/// Returns the indices of the columns of quantities. Columns of times are not among them, nor
+/// columns of texts, which the rows ignore.
 Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
                          const std::optional<TimeColumns>& times) {
   Columns columns;

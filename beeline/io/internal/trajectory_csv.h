@@ -12,12 +12,13 @@
 
 namespace beeline::internal {
 
-/// What is known of a table besides its text.
+/// Properties of a table besides its text.
 struct TableOptions {
-  /// Of the arm, also in a table without a header. Empty: no arm, whose table needs a header and
-  /// has files of this library's names: no units, and rates NAME_vel, NAME_acc only.
+  /// Names of the arm's joints, also for a table without a header. Empty: there is no arm; the
+  /// table needs a header with the names of this library's files, without units and with rates
+  /// NAME_vel and NAME_acc only.
   std::vector<std::string> joint_names = {};
-  /// Whether the names in a comment are a header; null: all are that name a time.
+  /// Whether the names in a comment are a header; null: all names with a column of times are.
   std::function<bool(const std::vector<std::string>&)> is_header = {};
   std::optional<TimeUnit> time_unit = std::nullopt;
   bool time_unit_is_optional = false;
@@ -35,12 +36,12 @@ struct TableRecording {
 /// of names and frames, texts, are skipped. With an arm, names have units as columns_in_units()
 /// says, rates that have another unit than their joint are converted to it, NAME_velocity,
 /// velocity_NAME and the like are rates of a column NAME if all columns have them, and efforts are
-/// skipped. The unit of times is that of the options, else that in the column's name, else, unless
-/// the column is `t`, unit_of_times(); in a smaller unit than seconds, or with nanoseconds beside,
-/// times since 1970 count from the first. Times must increase. Names of columns and endings are in
-/// upper or lower case. Without a header there is a row of t and the joints' positions or, three
-/// times as long, their velocities and accelerations too. The memory is that of the numbers and of
-/// one row. Throws FileError that names the line and the column.
+/// skipped. The unit of times is given by the options, else by the column's name, else, unless the
+/// column is `t`, by unit_of_times(). Times since 1970 count from the first if they have a smaller
+/// unit than seconds or nanoseconds in another column. Times must increase. Names of columns and
+/// endings are in upper or lower case. Without a header a row has t and the joints' positions or,
+/// three times as long, their velocities and accelerations too. Holds the numbers and one row in
+/// memory. Throws FileError that names the line and the column.
 TableRecording recording_from_csv(std::string_view text, const std::string& path,
                                   const TableOptions& options = {});
 TableRecording recording_from_csv(InputFile& file, const TableOptions& options = {});

@@ -33,7 +33,7 @@ class PointReader {
 /// nsecs.
 std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, const Json& json);
 
-/// Hands the points of a message to the reader, which must outlive the result.
+/// Returns a function that passes the points of a message to the reader, which must outlive it.
 JsonItemSink sink_of(PointReader& reader);
 
 /// Parses a trajectory in the form of ROS trajectory_msgs/JointTrajectory:
@@ -42,8 +42,8 @@ JsonItemSink sink_of(PointReader& reader);
 ///                  "time_from_start": {"sec": 1, "nanosec": 500000000}}, ...]}
 /// ROS 1 has secs and nsecs. Files of version 0.1 have a member `time` of each point, in seconds,
 /// which takes precedence. Empty velocities and accelerations mean none, as in ROS; `header` and
-/// `effort` are ignored. The memory is that of the numbers and of one point. Throws FileError that
-/// names the line and the value.
+/// `effort` are ignored. Holds the numbers and one point in memory. Throws FileError that names the
+/// line and the value.
 Trajectory trajectory_from_json(std::string_view text, const std::string& path);
 Trajectory trajectory_from_json(InputFile& file);
 

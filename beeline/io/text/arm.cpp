@@ -76,7 +76,7 @@ std::string built_in_name(const std::string& text) {
   return known && (lower == text || !is_joint_string(text)) ? lower : "";
 }
 
-/// Refuses capitals most of which are joint types: a joint string with a letter that is none.
+/// Refuses capitals that are mostly joint types: a joint string with an unknown letter.
 void refuse_unknown_letters(const std::string& text) {
   constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
   if (text.find_first_not_of(capitals) != std::string::npos) return;

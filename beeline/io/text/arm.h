@@ -18,7 +18,7 @@ struct ChainEnds {
   std::string tip = {};   ///< name of a link; empty: the one that read_urdf() selects
 };
 
-/// What a reader selected, or left out because of a fault beside the chain.
+/// The kind of a warning: a choice of the reader, or a fault beside the chain.
 enum class ReadWarningKind {
   tip_among_frames,    ///< the chain ends at `link`; `others` are frames fixed to the same body
   tip_among_branches,  ///< the chain ends at `link`; `others` are ends of other branches
@@ -47,7 +47,7 @@ enum class ReadWarningKind {
 };
 std::string name(ReadWarningKind kind);
 
-/// Why an element of an XML file, or a name or number in it, cannot be read.
+/// The reason why an element of an XML file, or a name or number in it, cannot be read.
 enum class ElementFault {
   none,
   missing_attribute,  ///< it needs `attribute`
@@ -68,18 +68,18 @@ enum class ElementFault {
 };
 std::string name(ElementFault fault);
 
-/// A warning of a reader: data, from which sentence() makes the text. Names, elements and values of
-/// a file are UTF-8: a byte that is not is written `\xfc`.
+/// A warning of a reader as data; sentence() returns its text. Names, elements and values of a file
+/// are UTF-8; an invalid byte is written `\xfc`.
 struct ReadWarning {
   ReadWarningKind kind = ReadWarningKind::malformed;
-  std::string path = {};                            ///< of the file
-  int line = 0;                                     ///< of a fault
+  std::string path = {};                            ///< path of the file
+  int line = 0;                                     ///< line of the fault
   std::string joint = {}, link = {};                ///< names
   std::vector<std::string> others = {};             ///< names
   std::string element = {};                         ///< its tag, such as <xacro:include>
-  ElementFault element_fault = ElementFault::none;  ///< of a malformed element
-  std::string attribute = {}, value = {};           ///< of a malformed element
-  std::vector<double> numbers = {};                 ///< of the joint
+  ElementFault element_fault = ElementFault::none;  ///< fault of a malformed element
+  std::string attribute = {}, value = {};  ///< attribute of a malformed element, and its text
+  std::vector<double> numbers = {};        ///< axis, limits or value of the joint
   std::size_t count = 0;
   bool lists_known = true;  ///< false: a warning before this one has listed the known names
 };
@@ -97,9 +97,9 @@ std::string sentence(const ReadWarning& warning, OptionStyle style = OptionStyle
 /// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
 /// link lengths
 /// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is
-/// for URDF files only. Appends to `warnings`, unless null, what was selected among several or left
-/// out.
-/// Throws Error for a text that is none of these (it suggests the most similar built-in name), and
+/// for URDF files only. Appends a warning to `warnings`, unless null, for each choice among several
+/// and each fault.
+/// Throws Error for any other text (the message suggests the most similar built-in name), and
 /// FileError for a file that cannot be read.
 Arm read_arm(const std::string& text, const ChainEnds& ends = {},
              std::vector<ReadWarning>* warnings = nullptr);
@@ -159,8 +159,9 @@ void check_names(const Arm& arm);
 
 /// The limits that a file has for the joints of an arm.
 struct JointLimits {
-  std::map<std::string, LimitOverrides> joints;  ///< by joint name, for with_limits()
-  /// What the file says that is not applied: one sentence each, with the file's name.
+  /// Limits by joint name, as with_limits() takes them.
+  std::map<std::string, LimitOverrides> joints;
+  /// Notes on settings of the file that are not applied: one sentence each, with the file's name.
   std::vector<std::string> notes;
 };
 
@@ -171,8 +172,8 @@ struct JointLimits {
 ///     with the tag !degrees are in degrees, as in the files of Universal Robots. A limit
 ///     bounds both directions, so it is the lower of max_velocity and |min_velocity|, and of
 ///     max_acceleration, |min_acceleration| and |max_deceleration|. A joint NAME of the file that
-///     the arm does not have is its NAME_joint; where the file has all joints of the arm with one
-///     prefix, such as `panda_`, it is left out. The files of Franka's robots are read too:
+///     the arm does not have is its NAME_joint; if the file has all joints of the arm with one
+///     prefix, such as `panda_`, the prefix is ignored. The files of Franka's robots are read too:
 ///     `joint1: limit: {lower, upper, velocity}`. Notes name the file's other joints and its
 ///     default scaling factors, which are not applied.
 ///   - JSON: {"joint1": {"lower", "upper", "velocity", "acceleration", "jerk"}, ...}; all optional.

@@ -39,10 +39,11 @@ const std::vector<std::string>& pose_columns(PoseForm form);
 
 /// The units and the form of poses in a text.
 struct PoseFormat {
-  /// Of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in degrees.
+  /// Unit of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in
+  /// degrees.
   AngleUnit unit = AngleUnit::radians;
   Triple triple = Triple::planar;  ///< the meaning of three numbers without names
-  /// The form of numbers without names. Default: the one of as many numbers, of six rpy.
+  /// The form of numbers without names. Default: the form with this number of numbers; rpy for six.
   std::optional<PoseForm> pose_form = std::nullopt;
   bool millimetres = false;  ///< positions are in millimetres instead of metres
 };
@@ -68,20 +69,20 @@ struct PoseList {
   /// magnitude, rad; 0 in the other forms.
   double max_angle = 0;
   bool oriented = true;                   ///< false: positions, given as x,y,z or x,y
-  std::vector<std::string> columns = {};  ///< of the form
+  std::vector<std::string> columns = {};  ///< names of the columns of the form
   bool has_header = true;                 ///< false: the form follows from the number of columns
   std::optional<PoseForm> form = std::nullopt;  ///< std::nullopt: planar or positions
 };
 
-/// The columns by which a file gives a pose, in the order in which numbers without names are.
+/// The columns by which a file gives a pose, in the order of numbers without names.
 struct PoseColumns {
   std::vector<std::string> names;
-  std::optional<PoseForm> form = std::nullopt;  ///< of the orientation in space
+  std::optional<PoseForm> form = std::nullopt;  ///< form of the orientation in space
   bool planar = false;
   bool oriented = true;
 };
 
-/// All of them: x,y,theta first, those of each PoseForm, x,y,z and x,y last.
+/// Returns all forms of columns: x,y,theta first, then one for each PoseForm, then x,y,z and x,y.
 const std::vector<PoseColumns>& all_pose_columns();
 
 /// The name of the unit in which written_pose() takes the numbers of a column; empty for none.
@@ -106,14 +107,14 @@ Pose pose_of(std::span<const double> numbers, const PoseFormat& format = {});
 std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {});
 
 /// Reads a CSV file whose header names the columns of one form, in any order; upper and lower case
-/// are alike. Without a header, the columns are those of the form with as many, in its order, see
-/// PoseFormat, or those that a comment before the first row names. The separator is a comma, a
-/// semicolon, a tab or blanks; unless it is a comma, numbers may have decimal commas. Empty lines
-/// and lines that begin with # are skipped. Numbers are in the units of `format`, except where a
-/// name of a column (x_mm, roll [deg]), a row of units below the header (mm,mm,deg) or a comment
-/// before it (# units: mm, deg) gives another one. Throws FileError for a column that is missing or
-/// unknown, as pose_of(), for a pose farther away than 1e100 m, and for a comment that contradicts
-/// degrees or millimetres of `format`.
+/// are alike. Without a header, a comment before the first row names the columns, or their number
+/// selects the form, see PoseFormat. The separator is a comma, a semicolon, a tab or blanks; unless
+/// it is a comma, numbers may have decimal commas. Empty lines and lines that begin with # are
+/// skipped. Numbers are in the units of `format`, except where a name of a column (x_mm, roll
+/// [deg]), a row of units below the header (mm,mm,deg) or a comment before it (# units: mm, deg)
+/// gives another one. Throws FileError for a column that is missing or unknown, as pose_of(), for a
+/// pose farther away than 1e100 m, and for a comment that contradicts degrees or millimetres of
+/// `format`.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
@@ -122,17 +123,17 @@ PoseList poses_from_csv(std::string_view text, const std::string& path,
 /// Parses a pose from numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 
-/// A row of a program file: a move to a waypoint. What it means is in planning/program.h; an empty
+/// A row of a program file: a move to a waypoint. planning/program.h defines its meaning; an empty
 /// text or option is an empty item.
 struct ProgramRow {
-  std::string motion;               ///< joint, line, screw, arc, spline, via; empty: line
-  std::string relative;             ///< previous, next; empty: the pose is in the work frame
-  std::optional<WrittenPose> pose;  ///< none where all items of the pose are empty
+  std::string motion;    ///< kind of the motion: joint, line, screw, arc, spline, via; empty: line
+  std::string relative;  ///< previous, next; empty: the pose is in the work frame
+  std::optional<WrittenPose> pose;  ///< pose of the row; none if all items of the pose are empty
   std::string q;                    ///< joint values, or the name of a state
-  std::optional<double> speed;      ///< metres per second
-  std::optional<double> blend;      ///< metres
-  std::optional<double> dwell;      ///< seconds
-  int line = 0;                     ///< of the file
+  std::optional<double> speed;      ///< tool speed, m/s
+  std::optional<double> blend;      ///< deviation of the blend, m
+  std::optional<double> dwell;      ///< time at rest, s
+  int line = 0;                     ///< line of the file
 };
 
 struct ProgramRows {
@@ -140,7 +141,7 @@ struct ProgramRows {
   std::vector<ProgramRow> rows;  ///< at least one
 };
 
-/// The columns that a program file may have besides those of a pose, in any order:
+/// Returns the columns that a program file may have besides the columns of a pose, in any order:
 ///     motion,relative,q,speed,blend,dwell
 const std::vector<std::string>& program_columns();
 

@@ -40,9 +40,9 @@ namespace beeline {
 ///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
 ///     connected, names given twice, elements of xacro, and joints with an unknown type, an axis
 ///     without direction, a lower limit that exceeds the upper one, a velocity limit that is too
-///     small, or a leader that the file does not have. Without `ends.tip`, a
-///     joint that moves and is not connected is refused if the chain may have lost it: the name of
-///     its parent resembles that of a link, or as many joints move below it as on the chain.
+///     small, or a leader that the file does not have. Without `ends.tip`, a joint that moves and
+///     is not connected is refused if it may belong to the chain: the name of its parent resembles
+///     the name of a link, or as many joints move below it as on the chain.
 /// Throws FileError for text that is not URDF; several roots or tips without a choice by `ends`; a
 /// tip that is unknown, not connected to the base, or not moved by any joint; on the chain a fault,
 /// an axis of zero length, a lower limit that exceeds the upper one, or a mimic joint whose leader
@@ -53,8 +53,8 @@ Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
 
-/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. Names
-/// of joints and links are compared with an arm where they are used.
+/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. The
+/// functions that use names of joints and links compare them with an arm.
 struct Srdf {
   struct Group {
     std::string name;
@@ -81,11 +81,12 @@ Srdf read_srdf(const std::string& path);
 /// The same from a text; `path` names it in messages.
 Srdf srdf_from_text(std::string_view text, const std::string& path);
 
-/// Returns the base and the tip of a group in a URDF file: those of its `<chain>`; or, if it lists
-/// joints, links (which stand for the joints above them) or groups, the link above its first joint
-/// and the link below its last one.
-/// Throws FileError for an unknown group, joint or link (it lists the known ones), and for a group
-/// whose joints are not all those of one chain. Mimic joints need not be listed.
+/// Returns the base and the tip of a group in a URDF file. A group with a `<chain>` has the ends of
+/// the chain. For a group that lists joints, links (each means the joint above it) or groups, they
+/// are the link above its first joint and the link below its last one. Mimic joints need not be
+/// listed.
+/// Throws FileError for an unknown group, joint or link (the message lists the known ones), and for
+/// a group whose joints do not form one complete chain.
 ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path);
 
 /// Returns the configuration of a named state with a value for each coordinate of the arm, of this

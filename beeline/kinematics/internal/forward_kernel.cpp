@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "beeline/kinematics/internal/forward_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include <beeline/kinematics/halves-inl.h>
+#include <beeline/kinematics/half_products-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
@@ -49,7 +49,7 @@ HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t fi
   const std::size_t count = std::min(block, links.size() - first), half = (count + 1) / 2;
   double sine[block], cosine[block], z[block / 2][lane_count], p[block / 2][lane_count];
   sines(arm, q, first, sine, cosine);
-  Halves halves = Halves::starting_with(frame);
+  HalfProducts halves = HalfProducts::starting_with(frame);
   for (std::size_t i = 0; i < half; ++i) {
     const std::size_t j = half + i;
     const internal::Chain::Link& a = links[first + i];
@@ -63,8 +63,8 @@ HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t fi
   }
   const Columns middle = halves.first();
   for (std::size_t i = 0; keep && i < half; ++i) {
-    Four::load(z[i]).store(axes + 8 * i);
-    Four::load(p[i]).store(axes + 8 * i + 4);
+    PaddedVector3::load(z[i]).store(axes + 8 * i);
+    PaddedVector3::load(p[i]).store(axes + 8 * i + 4);
   }
   for (std::size_t i = half; keep && i < count; ++i) {
     rotated(middle, z[i - half] + 4).store(axes + 8 * i);
@@ -85,10 +85,10 @@ void forward(const Arm& arm, const double* q, double* world_T_tool) {
 /// p. This is joint_velocity() for one configuration in registers of four; chain-inl.h and batch/
 /// have it for one configuration in each lane, which is another layout of the same numbers.
 HWY_INLINE void write_columns(const internal::Chain::Link* links, std::size_t count,
-                              const double* axes, const Four& tool, double* columns) {
+                              const double* axes, const PaddedVector3& tool, double* columns) {
   for (std::size_t i = 0; i < count; ++i, axes += 8, columns += 6) {
-    const Four z = Four::load(axes), angular = z.times(links[i].theta_per_q);
-    const Four arm = tool.plus(-1, Four::load(axes + 4));
+    const PaddedVector3 z = PaddedVector3::load(axes), angular = z.times(links[i].theta_per_q);
+    const PaddedVector3 arm = tool.plus(-1, PaddedVector3::load(axes + 4));
     cross(angular, arm).plus(links[i].d_per_q, z).store(columns);
     if (i + 1 < count) {
       angular.store(columns + 3);  // the next column overwrites the fourth number
@@ -113,7 +113,7 @@ void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* col
   for (std::size_t first = 0; first < count; first += block) {
     frame = through_links<true>(arm, q, first, frame, axes);
     write_columns(&links[first], std::min(block, count - first), axes,
-                  Four::load(world_T_tool + 12), columns + 6 * first);
+                  PaddedVector3::load(world_T_tool + 12), columns + 6 * first);
   }
 }
 

@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-/// Replaces the columns of the base frame by those of another frame.
+/// Transforms the columns of a Jacobian from the base frame to another frame.
 void set_frame(Frame frame, const Pose& world_T_tool, Eigen::Ref<Jacobian> columns);
 
 }  // namespace beeline::internal

@@ -22,10 +22,9 @@ TaylorBound operator+(TaylorBound a, const TaylorBound& b);
 TaylorBound operator*(double k, TaylorBound a);
 TaylorBound operator*(const TaylorBound& a, const TaylorBound& b);
 
-/// The bounds of a rotation exp([r]x), in the operator norm, from those of the rotation vector r.
-/// r.c[0] does not count: with r = r0 + d, the Dyson series about exp([r0]x) has terms of norm
-/// |d|^m / m! at most. Also those of a product of rotations, from the sum of the rotation vectors'
-/// bounds.
+/// Bounds a rotation exp([r]x), in the operator norm, given bounds of the rotation vector r. r.c[0]
+/// has no influence: with r = r0 + d, the Dyson series about exp([r0]x) has terms of norm |d|^m /
+/// m! at most. Also bounds a product of rotations, given the sum of the rotation vectors' bounds.
 TaylorBound exponential(const TaylorBound& r);
 
 /// The bounds of f(s(t)), where `f` bounds f over the range of s, and `s` bounds s(t).

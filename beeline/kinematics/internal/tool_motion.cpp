@@ -9,13 +9,13 @@ PoseMotion tool_motion(const Arm& arm, const ConfigurationRef& q, const Configur
   PoseMotion tool{.pose = world_T_link.back() * arm.tool()};
   Vector3 before = Vector3::Zero();  // angular velocity of the link before the joint
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Arm::Drive& drive = arm.drives()[i];
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
     const Twist column =
         joint_velocity(arm.joints()[i], world_T_link[i + 1], tool.pose.translation());
-    const Twist velocity = drive.ratio * dq[drive.coordinate] * column;
+    const Twist velocity = coupling.ratio * dq[coupling.coordinate] * column;
     const Vector3 linear = velocity.head<3>(), angular = velocity.tail<3>();
     tool.velocity += velocity;
-    tool.acceleration += drive.ratio * ddq[drive.coordinate] * column;
+    tool.acceleration += coupling.ratio * ddq[coupling.coordinate] * column;
     // The column is w x r, with r from the joint's axis to the tool: w' = before x w, and of r' the
     // joints before contribute before x r, this one w x r, and those after it twice to `linear`.
     tool.acceleration.head<3>() += (2 * before + angular).cross(linear);

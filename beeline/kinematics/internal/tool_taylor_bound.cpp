@@ -33,9 +33,9 @@ ToolTaylorBound tool_taylor_bound(const Arm& arm, std::span<const Polynomial> co
   const Vector3 tool = (world_T_link.back() * arm.tool()).translation();
   TaylorBound position, rotation;
   for (std::size_t i = arm.joints().size(); i-- > 0;) {
-    const Arm::Drive& drive = arm.drives()[i];
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
     const TaylorBound joint =
-        std::abs(drive.ratio) * motion[static_cast<std::size_t>(drive.coordinate)];
+        std::abs(coupling.ratio) * motion[static_cast<std::size_t>(coupling.coordinate)];
     const Twist velocity = joint_velocity(arm.joints()[i], world_T_link[i + 1], tool);
     const Vector3 linear = velocity.head<3>(), axis = velocity.tail<3>();
     const bool rotates = axis.squaredNorm() > 0.5;  // 0 or 1

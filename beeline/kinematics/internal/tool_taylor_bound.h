@@ -21,8 +21,9 @@ struct ToolTaylorBound {
 
 /// Let r_j be the vector from the axis of joint j to the tool's origin in the frame before the
 /// joint, so r_j = exp([z_j]x q_j) (c_j + r_(j+1)) with a constant c_j. By Leibniz's rule and
-/// exponential() its derivatives follow from those of r_(j+1), of q_j, and from the tool's distance
-/// from the axis: that at u = 1/2, and half of the bound on |r_(j+1)'|.
+/// exponential() its derivatives are bounded by the derivatives of r_(j+1) and q_j and by the
+/// tool's distance from the axis, which is at most its value at u = 1/2 plus half of the bound on
+/// |r_(j+1)'|.
 ToolTaylorBound tool_taylor_bound(const Arm& arm, std::span<const Polynomial> coordinates);
 
 }  // namespace beeline::internal

@@ -48,7 +48,8 @@ Chain make_chain(const Arm& arm) {
   std::vector<Pose> world_T_link(n + 1);
   world_T_link[0] = arm.base();
   for (std::size_t i = 0; i < n; ++i) {
-    world_T_link[i + 1] = world_T_link[i] * joint_transform(arm.joints()[i], arm.drives()[i].shift);
+    world_T_link[i + 1] =
+        world_T_link[i] * joint_transform(arm.joints()[i], arm.couplings()[i].shift);
   }
   std::vector<JointAxis> axes;
   Vector3 origin = world_T_link[1].translation();
@@ -65,10 +66,10 @@ Chain make_chain(const Arm& arm) {
   Chain chain = chain_along(axes, world_T_link[n] * arm.tool());
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = arm.joints()[i];
-    const Arm::Drive& drive = arm.drives()[i];
-    chain.links[i].theta_per_q = slides(joint) ? 0 : drive.ratio;
-    chain.links[i].d_per_q = slides(joint) ? drive.ratio : pitch(joint) * drive.ratio;
-    chain.links[i].coordinate = drive.coordinate;
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
+    chain.links[i].theta_per_q = slides(joint) ? 0 : coupling.ratio;
+    chain.links[i].d_per_q = slides(joint) ? coupling.ratio : pitch(joint) * coupling.ratio;
+    chain.links[i].coordinate = coupling.coordinate;
   }
   return chain;
 }

@@ -31,7 +31,7 @@ struct Chain {
 /// Trans(translation) Rot_x(alpha), the part of L_i that does not depend on q.
 Pose constant_transform(const Chain::Link& link);
 
-/// Rot_z(theta) Trans_z(d), the part of L_i that does, at the coordinate's value q.
+/// Rot_z(theta) Trans_z(d), the part of L_i that depends on q, at the coordinate's value q.
 Pose joint_motion(const Chain::Link& link, double q);
 
 /// L_i(q), the product of the two.
@@ -46,7 +46,7 @@ struct ChainAngles {
 };
 ChainAngles angles_of(const Chain& chain);
 
-/// What an arm holds for the kernels.
+/// The data of an arm for the kernels.
 struct ArmChain {
   Chain chain;
   ChainAngles angles;

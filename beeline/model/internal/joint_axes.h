@@ -18,7 +18,7 @@ Chain chain_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool);
 
 /// Returns a chain with the same motion whose link frames have their origins at the given points
 /// and their z axes along the given directions. Each point lies on its joint's axis, and each
-/// direction is that of the axis or its opposite.
+/// direction is parallel or antiparallel to the axis.
 Chain chain_through(const Chain& chain, const std::vector<JointAxis>& axes);
 
 }  // namespace beeline::internal

@@ -9,9 +9,9 @@ bool is_periodic(const Arm& arm, int k) {
     return kind(arm.joints()[static_cast<std::size_t>(k)]) == JointKind::revolute;
   }
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Arm::Drive& drive = arm.drives()[i];
-    if (drive.coordinate != k || drive.ratio == 0) continue;
-    const bool whole = drive.ratio == std::round(drive.ratio);
+    const Arm::JointCoupling& coupling = arm.couplings()[i];
+    if (coupling.coordinate != k || coupling.ratio == 0) continue;
+    const bool whole = coupling.ratio == std::round(coupling.ratio);
     if (!whole || kind(arm.joints()[i]) != JointKind::revolute) return false;
   }
   return true;

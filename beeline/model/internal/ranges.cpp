@@ -68,10 +68,10 @@ void check_joint(Joint& joint, std::size_t index) {
   check_limits(joint.limits, what);
 }
 
-void check_drive(const Arm::Drive& drive, const std::string& joint) {
-  if (std::abs(drive.ratio) <= max_mimic && std::abs(drive.shift) <= max_mimic) return;
-  throw Error("joint " + joint + ": its mimic multiplier " + number(drive.ratio) + " or offset " +
-              number(drive.shift) + " is outside " + plus_minus(max_mimic, "") +
+void check_coupling(const Arm::JointCoupling& coupling, const std::string& joint) {
+  if (std::abs(coupling.ratio) <= max_mimic && std::abs(coupling.shift) <= max_mimic) return;
+  throw Error("joint " + joint + ": its mimic multiplier " + number(coupling.ratio) +
+              " or offset " + number(coupling.shift) + " is outside " + plus_minus(max_mimic, "") +
               "(multiplied along its leaders)");
 }
 

@@ -21,7 +21,7 @@ constexpr double max_mimic = 1e6;
 void check_count(std::size_t joints, const std::string& arm);
 void check_limits(const Limits& limits, const std::string& what);
 void check_joint(Joint& joint, std::size_t index);  ///< makes its offset a rigid motion
-void check_drive(const Arm::Drive& drive, const std::string& joint);
+void check_coupling(const Arm::JointCoupling& coupling, const std::string& joint);
 Pose checked_placement(const Pose& pose, const std::string& what);
 
 }  // namespace beeline::internal

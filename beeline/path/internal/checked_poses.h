@@ -8,16 +8,16 @@
 
 namespace beeline::internal {
 
-/// Returns the poses with their rotations made orthogonal where they are so to 1e-6, as after
-/// rounding in text. Throws Error, naming the pose by `noun` and number, where one is not a rigid
-/// motion, not finite or farther away than 1e100 m, and where there are more than max_poses.
+/// Returns the poses with orthogonal rotations; the given ones must be orthogonal to 1e-6, as after
+/// rounding in text. Throws Error for a pose that is not a rigid motion, not finite or farther away
+/// than 1e100 m, naming it by `noun` and number, and for more than max_poses poses.
 std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& noun = "pose");
 
-/// The same for waypoints of lines: throws Error where there are none.
+/// The same for waypoints of lines. Throws Error if there are none.
 std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
 
-/// The same for a path: throws Error for fewer than two poses and where one repeats the one before
-/// it.
+/// The same for a path. Throws Error for fewer than two poses and for a pose that repeats the one
+/// before it.
 std::vector<Pose> checked_path(std::span<const Pose> poses);
 
 }  // namespace beeline::internal

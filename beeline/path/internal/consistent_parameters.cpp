@@ -56,7 +56,7 @@ class Assignment {
       const Candidate candidate = reached(k, s, motion);
       if (candidate.cost < std::numeric_limits<double>::infinity()) all.push_back(candidate);
     }
-    // Never before those of sample k - 1, and within the tolerance.
+    // last_[k] is within the tolerance and not less than any candidate of sample k - 1.
     if (all.empty()) all.push_back(reached(k, last_[k], motion));
     return all;
   }

@@ -9,17 +9,17 @@
 
 namespace beeline::internal {
 
-/// Assigns path parameters to the poses of samples: they do not decrease from one sample to the
-/// next, and each pose is within the tolerance there. `first_within` are those by
-/// PathTracker::first_within(), one after the other, the least that are possible; the first and the
-/// last one are kept. Going back from the last, last_within() gives the largest that are possible.
-/// Between the two the parameters are local minima of the distance, or as near after them as those
-/// of earlier samples allow. Where there are several for a pose, because the path approaches
-/// itself, they minimise, over all samples together,
+/// Assigns path parameters to the poses of samples. They do not decrease from one sample to the
+/// next, and each pose is within the tolerance at its parameter. `first_within` has the least
+/// possible parameters, computed by PathTracker::first_within() for one sample after the other; the
+/// first and the last one are kept. Backwards from the last sample, last_within() gives the largest
+/// possible parameters. Between the two the parameters are local minima of the distance, or as near
+/// after them as the parameters of earlier samples allow. If there are several for a pose, because
+/// the path approaches itself, they minimise, over all samples together,
 ///     sum d_k^2 + sum (l_k - m_k)^2,
-/// d the distance from the path, l the length of the path between two samples, and m that of the
-/// tool's motion, `moved(k)` from sample k to the next. Takes time in proportion to the number of
-/// samples; where the budget ends it, returns `first_within`.
+/// with the distance d from the path, the length l of the path between two samples, and the length
+/// m of the tool's motion, `moved(k)` from sample k to the next. Takes time in proportion to the
+/// number of samples. Returns `first_within` if the budget ends the computation.
 std::vector<double> consistent_parameters(const PathTracker& tracker, std::span<const Pose> poses,
                                           const std::vector<double>& first_within,
                                           const std::function<double(std::size_t)>& moved,

@@ -6,7 +6,7 @@
 namespace beeline::internal {
 namespace {
 
-/// The components in which the parameter of a segment is determined, rotations in metres.
+/// The components that determine the parameter of a segment, with rotations in metres.
 Twist weighted(const Segment& segment, const Task& task, const Rotation& world_R_tool,
                Twist twist) {
   twist = masked(task, in_task_axes(task, world_R_tool, twist));

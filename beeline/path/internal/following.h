@@ -5,7 +5,7 @@
 
 namespace beeline::internal {
 
-/// The twist, given in world axes, in the axes of the task's frame.
+/// Transforms a twist from world axes to the axes of the task's frame.
 Twist in_task_axes(const Task& task, const Rotation& world_R_tool, Twist twist);
 
 /// First and second derivative of a segment parameter.
@@ -15,15 +15,15 @@ struct ParameterRates {
 
 /// Returns the rates with which the segment's pose at s best follows the tool's motion: least
 /// squares of the difference of the velocities, then of the accelerations, in the rows of the task,
-/// rotations weighted by metres_per_radian. On a line by position or by rotation alone
-/// (nearest_on_line.h). Zero where the segment is at rest in these rows.
+/// rotations weighted by metres_per_radian. For a line only the position or only the rotation is
+/// used (nearest_on_line.h). The rates are zero if the segment is at rest in these rows.
 ParameterRates following(const Segment& segment, double s, const Task& task,
                          const PoseMotion& tool);
 
-/// The difference of the tool's motion from that of the path, whose rows of a task are the first
-/// and second derivative of the rows of the tool's error; in world axes. Rows in tool axes rotate
-/// with the tool: they hold the point of the tool at the path's origin, and motion in free rows has
-/// Coriolis terms.
+/// The difference between the tool's motion and the path's motion, in world axes. Its rows of a
+/// task are the first and second derivatives of the rows of the tool's error. Rows in tool axes
+/// rotate with the tool: they refer to the point of the tool at the path's origin, and motion in
+/// free rows has Coriolis terms.
 struct ErrorRates {
   Twist first, second;
 };

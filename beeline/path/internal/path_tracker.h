@@ -10,26 +10,27 @@
 namespace beeline::internal {
 
 /// Finds the path parameters that belong to poses of the tool, in the part of a path from one path
-/// parameter to another. The distance is that in the rows that the task constrains, rotations
-/// weighted by metres_per_radian.
+/// parameter to another. The distance is measured in the rows that the task constrains, with
+/// rotations weighted by metres_per_radian.
 ///
 /// The part is divided into cells, in each of which the path turns by less than a right angle or is
 /// shorter than a twentieth of the tolerance: the distance from a pose within the tolerance has one
-/// minimum there, or several that differ by less than that. On a single line the minimum is its
-/// nearest point (nearest_on_line.h).
+/// minimum there, or several that differ by less than a twentieth of the tolerance. On a single
+/// line the minimum is its nearest point (nearest_on_line.h).
 class PathTracker {
  public:
-  /// Keeps a reference to the path. Where the budget ends it, the tracker cannot be used.
+  /// Keeps a reference to the path. If the budget ends the construction, the tracker cannot be
+  /// used.
   PathTracker(const ToolPath& path, const Task& task, double from, double to,
               const Deviation& tolerance, BudgetMeter& budget = unlimited());
 
-  /// The first local minimum of the distance, from `from` on; `from` itself where the distance
+  /// Returns the first local minimum of the distance from `from` on; `from` itself if the distance
   /// increases there.
   double nearest(const Pose& pose, double from) const;
 
   /// The first local minimum from `from` on, at most two segments further, at which the pose is
-  /// within the tolerance. Position and orientation may be nearest at different parameters: then
-  /// one near the minimum counts.
+  /// within the tolerance. Position and orientation may be nearest at different parameters; a
+  /// parameter near the minimum is then accepted.
   std::optional<double> first_fit(const Pose& pose, double from) const;
 
   /// The first parameter from `from` on, at most two segments further, at which the pose is within

@@ -17,20 +17,20 @@ struct TimedBranch {
 /// and samples of each.
 class BranchTiming {
  public:
-  /// The joint path passes through `samples` of each of the branch's segments, at most, and those
-  /// that the tolerance needs. Keeps references to the request and the budget.
+  /// The joint path passes through at most `samples` of each of the branch's segments, and through
+  /// the samples that the tolerance needs. Keeps references to the request and the budget.
   BranchTiming(const MotionRequest& request, const Branch& branch, std::size_t samples,
                BudgetMeter& budget);
 
   MotionStatus status = MotionStatus::reached;
   Reason reason = {};  ///< unless reached
 
-  /// Returns the samples at a rate, see RetimeOptions, of the sections before the budget ended;
-  /// where there are none at the rate, sets status and reason.
+  /// Returns the samples at a rate (RetimeOptions::rate) of all sections before the budget ended.
+  /// Sets status and reason if no samples at the rate are within limits.
   TimedBranch sample(double rate);
 
-  /// From now on there are `times` as many samples between sample k and the next, if `times[k]` is
-  /// above 1. For samples without a rate.
+  /// Multiplies the number of samples between sample k and the next by `times[k]` if this is above
+  /// 1. For samples without a rate.
   void divide(const std::vector<int>& times);
 
  private:

@@ -80,7 +80,7 @@ std::vector<double> layer_parameters(const ToolPath& path, const Task& task, dou
 
 namespace {
 
-/// The bounds moved inwards by a margin, or by that of q if it is smaller.
+/// Returns the bounds moved inwards by a margin, or by the margin of q if it is smaller.
 Bounds inner(Bounds bounds, double margin, const Configuration& q) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     margin = std::min(margin, limit_margin(q[k], bounds.lower[k], bounds.upper[k]));

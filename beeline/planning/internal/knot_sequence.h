@@ -44,7 +44,7 @@ struct KnotCosts {
   double edge(const ConfigurationRef& step) const;  ///< of a step q - p
 };
 
-/// The configuration nearest to `guess` with the tool at `pose`, by damped least squares.
+/// Returns the configuration nearest to `guess` with the tool at `pose`, by damped least squares.
 std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
                                          const Bounds& bounds, const Configuration& guess);
 
@@ -52,10 +52,10 @@ std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const
 /// metres_per_radian; metres.
 double weighted_length(const Segment& segment);
 
-/// The path parameters of a graph's layers after the first, at 0: at most `spacing` apart (metres,
-/// rotations included, by metres_per_radian) and at least four for each segment, but not nearer to
-/// each other than an eighth of the spacing where segments are short and their joints no corners.
-/// Segments that stand still for the task have none.
+/// Returns the path parameters of a graph's layers after the first layer, which is at 0. They are
+/// at most `spacing` apart (metres, rotations weighted by metres_per_radian), with at least four
+/// for each segment. Short segments without a corner between them have fewer: their layers are at
+/// least an eighth of the spacing apart. Segments that are at rest in the task's rows have none.
 std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing);
 
 /// Smooths the knots, except a given start, in the null space: moves each towards the line between

@@ -17,7 +17,8 @@ namespace beeline::internal {
 /// with the costs of KnotCosts. An edge joins nodes that are near each other and have a solution
 /// near their midpoint, so that a continuous motion between them is likely. The knots are then
 /// smoothed in the null space, at constant tool pose. This does not prove that the arm can move
-/// from knot to knot: see track_segment(). Where the budget ends it, the knots are those so far.
+/// from knot to knot: see track_segment(). If the budget ends the search, the result has the knots
+/// found so far.
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const GraphOptions& options);
 

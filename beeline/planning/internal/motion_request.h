@@ -7,12 +7,12 @@
 namespace beeline::internal {
 
 /// A motion along a route, with the options of each of its stages. Each stage takes its own options
-/// and a meter in the place of their budgets.
+/// and a meter that replaces their budgets.
 struct MotionRequest {
   const Arm& arm;
   std::optional<Configuration> start;  ///< default: the best configuration at the path's beginning
   const Route& route;
-  BranchOptions branch;  ///< of the plan without times, whose budget is that of the plan
+  BranchOptions branch;  ///< options and budget of the plan without times
   RetimeOptions timing;
   VerifyOptions proof;
 
@@ -24,8 +24,8 @@ struct MotionRequest {
   }
 };
 
-/// The options of the stages, from those of a motion; `tolerated`: the fraction of the tolerance
-/// that a branch may use.
+/// Return the options of the stages of a motion. `tolerated` is the fraction of the tolerance that
+/// a branch may use.
 BranchOptions branch_options(const Arm& arm, const PathMotionOptions& options, double tolerated);
 RetimeOptions timing_options(const PathMotionOptions& options);
 VerifyOptions proof_options(const PathMotionOptions& options);

@@ -12,8 +12,8 @@
 namespace beeline::internal {
 namespace {
 
-// Samples of each segment of the plan that the joint path passes through: with few it is smooth,
-// with many it stays near the plan, as next to limits.
+// Samples of each segment of the plan that the joint path passes through: with few samples it is
+// smooth, with many it remains near the plan, which is needed next to limits.
 constexpr std::size_t few_samples = 32, many_samples = 128;
 
 /// The larger part of a deviation, as a multiple of the tolerance.
@@ -23,8 +23,8 @@ double tolerances_of(const Deviation& bound, const MotionRequest& request) {
 }
 
 /// Proves the finished motion by verify(), as a check of its file does; refuses one that is not
-/// proved. Its deviation is then the one along the whole path, whatever verify() found first;
-/// returns the interval between samples in which it found the fault.
+/// proved. Its deviation then becomes the deviation along the whole path, even if verify() ended
+/// earlier. Returns the interval between samples where it found the fault.
 std::size_t prove(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion) {
   motion.path = request.route.path;
   motion.arrivals = arrivals(motion.path_parameters);
@@ -45,9 +45,10 @@ std::size_t prove(const MotionRequest& request, BudgetMeter& budget, PathMotion&
   return std::min(proof.sample, motion.trajectory.size() - 2);
 }
 
-/// How often each interval between samples is to be divided for its deviation to be proved: the
-/// bound falls with the second power of the number for linear joints, with the sixth or the fourth
-/// for others. The interval `faulty` is halved at least. Empty if that would exceed max_samples.
+/// Returns the number of parts into which each interval between samples must be divided so that its
+/// deviation is proved. The bound falls with the second power of this number for linear joints,
+/// with the sixth or the fourth for others. The interval `faulty` is halved at least. Empty if that
+/// would exceed max_samples.
 std::vector<int> divisions(const PathDeviation& deviation, std::size_t faulty,
                            const MotionRequest& request) {
   constexpr double most = 8;  // at once
@@ -101,7 +102,8 @@ bool is_proved(const MotionRequest& request, double rate, BudgetMeter& budget,
   return tried && budget.complete();
 }
 
-/// The lowest of the usual rates above the one asked for at which the motion is proved; 0: none.
+/// Returns the lowest of the usual rates above the requested one for which the motion is proved; 0
+/// if there is none.
 double proved_rate(const MotionRequest& request, BudgetMeter& budget, BranchTiming& timing) {
   for (const double rate : {50, 100, 125, 250, 500, 1000, 2000, 4000, 8000}) {
     if (!(rate > request.timing.rate)) continue;
@@ -111,7 +113,8 @@ double proved_rate(const MotionRequest& request, BudgetMeter& budget, BranchTimi
   return 0;
 }
 
-/// The largest of some speed scales with which the motion is proved at the rate asked for; 0: none.
+/// Returns the largest of some speed scales for which the motion is proved at the requested rate; 0
+/// if there is none.
 double proved_speed(const MotionRequest& request, const Branch& branch, std::size_t samples,
                     BudgetMeter& budget) {
   for (const double scale : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
@@ -124,7 +127,7 @@ double proved_speed(const MotionRequest& request, const Branch& branch, std::siz
   return 0;
 }
 
-/// Times and proves a motion. Without a rate, takes samples closer together where it is not proved.
+/// Times and proves a motion. Without a rate, adds samples where it is not proved.
 void time_and_prove(const MotionRequest& request, BudgetMeter& budget, BranchTiming& timing,
                     PathMotion& motion) {
   constexpr int max_rounds = 12;
@@ -176,7 +179,8 @@ PathMotion timed(const MotionRequest& request, const Branch& branch, std::size_t
   return motion;
 }
 
-/// The arm with limits moved inwards by `inset`, except those that `start` would then violate.
+/// Returns the arm with limits moved inwards by `inset`, except limits that `start` would then
+/// violate.
 Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start, double inset) {
   std::vector<Joint> joints = arm.joints();
   for (int k = 0; k < arm.dof(); ++k) {

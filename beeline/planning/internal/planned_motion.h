@@ -8,8 +8,8 @@ namespace beeline::internal {
 inline constexpr double planning_share = 0.5;  ///< of the progress of a motion
 
 /// Plans, times and proves a motion, or returns the reason why there is none. Ignores the duration.
-/// Where the best branch is not proved, and neither a start nor a rate is given, tries other
-/// complete ones.
+/// If the best branch is not proved, and neither a start nor a rate is given, tries other complete
+/// branches.
 PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget);
 
 /// Slows a planned motion down to the request's duration, and proves it again.

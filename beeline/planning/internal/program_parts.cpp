@@ -86,7 +86,8 @@ ProgramSection section_through(const Program& program, std::size_t i, std::vecto
   return section;
 }
 
-/// Refuses waypoints that repeat where a path needs different ones. A line alone may stand still.
+/// Refuses repeated waypoints of a path that needs different ones. Only a single line may have
+/// length 0.
 void check_distinct(const Program& program, std::size_t i, const std::vector<Pose>& poses) {
   constexpr double identical = 1e-12;  // metres, radians
   const Move& move = program.moves[i];
@@ -97,7 +98,7 @@ void check_distinct(const Program& program, std::size_t i, const std::vector<Pos
   }
   for (const Pose& end : poses) {
     if (!move.via || (end.translation() - *move.via).norm() > identical) continue;
-    throw MoveError(program, i, "the via position is the same as that of a waypoint");
+    throw MoveError(program, i, "the via position is also the position of a waypoint");
   }
 }
 

@@ -14,11 +14,11 @@ struct ProgramPart {
   std::vector<std::size_t> moves = {};   ///< of each segment of the route
   std::vector<double> blend_radii = {};  ///< of each move from `first` on
 
-  /// The last segment of a move, or of those before it if a blend replaces all of its line.
+  /// Returns the last segment of a move, or of an earlier move if a blend replaces all of its line.
   std::size_t last_segment(std::size_t move) const;
 };
 
-/// Throws Error, without move_name(), for what move_program() refuses in moves[i] itself.
+/// Throws Error, without move_name(), if move_program() refuses moves[i] itself.
 void check_move(const Arm& arm, const Program& program, std::size_t i);
 
 /// Does the same, with move_name(), for all moves, and for a program without moves.

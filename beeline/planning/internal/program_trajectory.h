@@ -17,16 +17,16 @@ class ProgramTrajectory {
   const std::vector<Configuration>& positions() const { return trajectory_.positions; }
   std::size_t last() const { return trajectory_.size() - 1; }
 
-  /// The motion is at rest at the last sample. Linear joints without a rate then rest, before the
-  /// next motion, for at least its first interval and the last one before, so that their velocity
-  /// does not change within a shorter interval than each motion was planned for.
+  /// Marks the last sample as a rest. With linear joints and no rate, the joints then rest before
+  /// the next motion for at least its first interval and the last interval before. Their velocity
+  /// thus does not change within a shorter interval than each motion was planned for.
   void stop() { stopped_ = true; }
 
-  /// Appends sample k of a motion that continues this one, in the time from its sample before.
+  /// Appends sample k of a motion that continues this one, at its time difference to sample k - 1.
   void append(const Trajectory& motion, std::size_t k);
 
-  /// Appends a motion to `to` along a straight line in joint space; returns the reason where there
-  /// is none, otherwise an empty text.
+  /// Appends a motion to `to` along a straight line in joint space. Returns the reason if there is
+  /// none, otherwise an empty text.
   Reason joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
 
   /// Appends the last sample after a pause of this many seconds; with a rate after each period, up

@@ -136,13 +136,14 @@ class ProgramVerifier {
         {ReasonCode::tool_too_fast, {{ReasonField::speed, speed}, {ReasonField::limit, *limit}}});
   }
 
-  /// The sample before those from `from` to `at` that are within tolerance of the pose.
+  /// Returns the sample before the samples from `from` to `at` that are within tolerance of the
+  /// pose.
   std::size_t before_near(const Pose& pose, std::size_t from, std::size_t at) const {
     while (at > from && rests_.offset(pose, at - 1) <= 1) --at;
     return at > from ? at - 1 : at;
   }
 
-  /// The sample after those from `at` to `to` that are within tolerance of the pose.
+  /// Returns the sample after the samples from `at` to `to` that are within tolerance of the pose.
   std::size_t after_near(const Pose& pose, std::size_t at, std::size_t to) const {
     while (at < to && rests_.offset(pose, at + 1) <= 1) ++at;
     return at < to ? at + 1 : at;
@@ -173,7 +174,7 @@ class ProgramVerifier {
     return true;
   }
 
-  /// What a further candidate for the end of a move begins with.
+  /// The state from which a further candidate for the end of a move is verified.
   struct Checkpoint {
     Verification result;
     std::size_t part = 0, begin = 0;
@@ -295,7 +296,7 @@ class ProgramVerifier {
 
   bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
     const Route route = section_of(part, first, last);
-    // Lines of which blends leave nothing have no segment.
+    // Lines that blends replace completely have no segment.
     const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
     const std::vector<std::size_t> rests = path_rests(route);
     if (rests.empty()) return fail_to_reach(move);

@@ -115,7 +115,7 @@ bool SectionJointPath::add_samples(const Deviation& tolerance, BudgetMeter& budg
   return added;
 }
 
-/// The path parameter s on the segment on which `end` is.
+/// Returns the point of path parameter s on the segment that contains `end`.
 SectionJointPath::SegmentPoint SectionJointPath::at(double s, double end) const {
   const std::size_t i = segment_at(path_, end);
   return {i, std::clamp(s - static_cast<double>(i), 0.0, 1.0)};
@@ -177,8 +177,8 @@ double SectionJointPath::parameter_at(double path_parameter) const {
 }
 
 /// Changes the derivatives at sample k as little as possible, so that the tool has the path's
-/// tangent and curvature in the task's rows. Near a singularity, where that is much, they stay
-/// those of the spline.
+/// tangent and curvature in the task's rows. Near a singularity, where the change is large, they
+/// remain the derivatives of the spline.
 void SectionJointPath::follow(std::size_t k, const SegmentPoint& place) {
   const Configuration& q = joint_path_.q[k];
   Configuration &dq = joint_path_.dq[k], &ddq = joint_path_.ddq[k];

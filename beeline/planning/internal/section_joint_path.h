@@ -19,8 +19,9 @@ struct BranchSection {
 };
 
 /// The joint path of a section, which makes the tool follow the tool path: quintics between samples
-/// of the branch, at which the tool has the path's position, tangent and curvature. Samples are
-/// added where the tool leaves the path by more than a hundredth of the tolerance between them.
+/// of the branch, at which the tool has the path's position, tangent and curvature. If the tool
+/// deviates from the path by more than a hundredth of the tolerance between two samples, samples
+/// are added there.
 class SectionJointPath {
  public:
   /// Keeps references to the request's arm, path and task.
@@ -34,8 +35,8 @@ class SectionJointPath {
   /// The parameter of the joint path at the first sample from this path parameter on.
   double parameter_at(double path_parameter) const;
 
-  /// The path parameter of the tool at a configuration of the joint path, at its parameter s; that
-  /// of the nearest sample if it is at most `rounding` away.
+  /// Returns the path parameter of the tool at a configuration of the joint path with parameter s,
+  /// or the path parameter of the nearest sample if it is at most `rounding` away.
   double path_parameter(const Configuration& q, double s, double rounding) const;
 
  private:

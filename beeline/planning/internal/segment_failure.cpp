@@ -94,7 +94,7 @@ Probe solve_ahead(const TrackedEnd& end, bool singular) {
   return *found;
 }
 
-/// The reason of inverse kinematics, with the pose to which it belongs.
+/// Returns the reason of inverse kinematics with its pose.
 Reason reason_at(const Segment& segment, const Probe& probe) {
   Reason reason = probe.answer.reason;
   reason.set(ReasonField::fraction, probe.s);
@@ -102,9 +102,10 @@ Reason reason_at(const Segment& segment, const Probe& probe) {
   return reason;
 }
 
-/// Why the pose ahead cannot be reached. If the segment's end cannot be reached for the same
-/// reason, the amount is that at the end, as it does not depend on how far ahead the search looked;
-/// if for the other one, each amount stands with its pose.
+/// Returns the reason why the pose ahead cannot be reached. If the segment's end cannot be reached
+/// for the same reason, the reason has the amount at the end, which does not depend on the distance
+/// of the pose ahead. If the end cannot be reached for the other reason, each amount has its own
+/// pose.
 Reason unreachable_ahead(const Segment& segment, const Probe& ahead, const Probe& end) {
   const bool by_position = ahead.answer.status == InverseStatus::unreachable;
   const bool same_at_end = end.answer.status == ahead.answer.status;
@@ -142,8 +143,8 @@ double nearest_distance(const TrackedEnd& end, double s) {
 }
 
 /// Whether a configuration continues q without a jump. Its distance from q then vanishes with the
-/// distance along the segment, as the square root of it where two branches meet, such as those of
-/// the stretched elbow. Behind a jump the distance hardly changes.
+/// distance along the segment, as its square root if two branches meet, as at a stretched elbow.
+/// Behind a jump the distance hardly changes.
 bool continues(const TrackedEnd& end) {
   constexpr double shortest = 1e-7, longer = 1e-5;  // the square roots have the ratio 0.1
   constexpr double vanishing = 0.3;

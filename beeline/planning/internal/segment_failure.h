@@ -14,16 +14,16 @@ struct SegmentFailure {
   Reason reason;  ///< without its segment
 };
 
-/// Sets where a reason stops on its segment: at the fraction s.
+/// Sets the place of a reason on its segment to the fraction s.
 void set_stop(const Segment& segment, double s, Reason& reason);
 
 /// A coordinate that would have to pass one of its limits.
 Reason passed_limit(const Arm& arm, int coordinate, bool lower);
 
 /// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
-/// inverse kinematics for the poses just ahead, with and without limits. An amount in the reason
-/// stands with the pose to which it belongs: the segment's end if that cannot be reached for the
-/// same reason, else the pose ahead.
+/// inverse kinematics for the poses just ahead, with and without limits. If the reason has an
+/// amount, it also has the pose of this amount: the segment's end if it cannot be reached for the
+/// same reason, otherwise the pose just ahead.
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget = {});
 

@@ -77,8 +77,8 @@ class SelfMotion {
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const RedundantConfiguration& q, double tolerance);
 
-/// The curves through configurations at the pose, each once. Where the budget ends, some of the
-/// first configurations have places.
+/// The curves through configurations at the pose, each once. If the budget ends the computation,
+/// only some of the first configurations have places.
 struct SelfMotionCurves {
   std::vector<SelfMotionCurve> curves;
   struct Place {

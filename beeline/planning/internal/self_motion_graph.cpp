@@ -13,12 +13,13 @@ using Node = RedundantConfiguration;
 using Place = SelfMotionLayer::Place;
 
 constexpr std::size_t nowhere = SelfMotionLayer::nowhere;
-constexpr double sweep_share = 0.8;  // of the progress; the rest is that of smooth_knots()
+constexpr double sweep_share = 0.8;  // of the progress; smooth_knots() has the remainder
 // Largest change of one joint over an edge, radians or metres.
 constexpr double largest_change = 1.2;
 
-/// Which coordinates the graph takes for angles without limits: those that have none and, without a
-/// start, those whose range of two revolutions or more suits almost any motion after a shift.
+/// Returns which coordinates the graph treats as angles without limits: coordinates without limits
+/// and, without a start, coordinates with a range of two revolutions or more, in which almost any
+/// motion fits after a shift.
 std::vector<bool> cyclic_coordinates(const Arm& arm, bool any_range) {
   std::vector<bool> cyclic;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -190,7 +191,7 @@ std::vector<Knot> knots_through(const std::vector<Node>& nodes, const SelfMotion
   return knots;
 }
 
-/// What the configurations of each layer may lack of the margin: near a start that is given.
+/// Returns the allowed deficit of the margin in each layer, which is positive near a given start.
 std::vector<double> allowances(const std::vector<SelfMotionLayer>& layers, const ToolPath& path,
                                bool given_start) {
   constexpr double largest = 0.25, distance = 0.3;  // metres
@@ -203,7 +204,7 @@ std::vector<double> allowances(const std::vector<SelfMotionLayer>& layers, const
 }
 
 /// search_self_motion_graph() with these coordinates as angles without limits; nothing if the
-/// motion does not fit into those that have limits.
+/// motion does not fit into the limits.
 std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
                                    const GraphOptions& options, const std::vector<bool>& cyclic,
                                    BudgetMeter& budget) {

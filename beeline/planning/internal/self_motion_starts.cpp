@@ -37,7 +37,7 @@ std::vector<Configuration> random_solutions(const Arm& arm, const Task& task, co
   return solutions;
 }
 
-/// Solutions without limits: those of a grid and random ones.
+/// Returns solutions without limits, on a grid and at random.
 std::vector<Configuration> unlimited_solutions(const Arm& arm, const Task& task, const Pose& pose,
                                                BudgetMeter& budget) {
   constexpr int grid = 64;

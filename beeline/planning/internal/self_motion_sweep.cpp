@@ -55,7 +55,7 @@ bool SelfMotionSweep::run() {
   if (layers_.empty()) return false;
   const std::vector<double> wanted = layer_parameters(path_, options_.task, options_.spacing);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    // Of a segment, all at once: where a step is halved, those behind it move.
+    // Continues all layers of a segment at once. If a step is halved, the layers behind it move.
     const double regular = wanted[k] - layers_.back().s;
     const auto follows = [&](double s) {
       return segment_at(path_, s) == segment_at(path_, wanted[k]) &&
@@ -120,7 +120,7 @@ void SelfMotionSweep::continue_curve(const Pose& pose, std::size_t c, Continued&
   const SelfMotionLayer& last = layers_.back();
   const std::vector<Node>& nodes = last.curves[c].nodes;
   const std::size_t before = continued.q.size();
-  std::optional<Node> nearest;  // to the limits, of those outside
+  std::optional<Node> nearest;  // the node outside the limits that is nearest to them
   std::size_t nearest_node = 0;
   double largest = -Limits::none;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

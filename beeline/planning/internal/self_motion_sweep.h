@@ -33,7 +33,7 @@ struct SelfMotionLayer {
 ///
 /// - The first layer has the start, or all curves at the path's beginning (self_motion_starts()).
 /// - Newton's method continues the nodes of a layer to the next path parameter; the next layer has
-///   the curves through those within limits.
+///   the curves through the continuations within limits.
 /// - Where none is within limits, the margin is maximised along the curve. Where no curve
 /// continues,
 ///   or Newton's method loses one, the step is halved. So the last layer is where the last curve

@@ -116,7 +116,8 @@ const std::vector<TrackedSegment>& SingularWaypoints::departures(std::size_t seg
   return found;
 }
 
-/// Those that begin at q, which is known to the accuracy of a configuration at a singularity.
+/// Returns the departures that begin at q, which is known to the accuracy of a configuration at a
+/// singularity.
 std::vector<TrackedSegment> SingularWaypoints::departures_from(std::size_t segment,
                                                                const Configuration& q) {
   constexpr double same = 1e-3;  // radians or metres

@@ -15,20 +15,22 @@ Bounds bounds_without_turns(const Arm& arm);
 
 /// The continuation of branches at waypoints where the arm is singular.
 ///
-/// There, the Jacobian does not determine how a branch continues: several branches meet, or a
-/// self-motion connects infinitely many configurations, few of which a path leaves. At a pose
-/// inside the next segment the arm is regular in general, and inverse kinematics gives all
-/// branches. Those that can be tracked back to the waypoint are its departures.
+/// At such a waypoint the Jacobian does not determine how a branch continues: several branches
+/// meet, or a self-motion connects infinitely many configurations, of which only a few continue
+/// along the path. At a pose inside the next segment the arm is regular in general, and inverse
+/// kinematics gives all branches. The branches that can be tracked back to the waypoint are its
+/// departures.
 class SingularWaypoints {
  public:
-  /// Keeps references to what the search refers to.
+  /// Keeps references to the members of the search.
   explicit SingularWaypoints(const BranchSearch& search) : search_(search) {}
 
   using Accept = std::function<bool(const Branch&)>;
 
   /// Tracks a branch again from its singular waypoints, by depth-first search over their
-  /// departures, from that of segment `first` on. Returns whether a complete branch that `accept`
-  /// accepts was found. `branch` is then that one, else the one that reaches farthest.
+  /// departures, beginning with the waypoint of segment `first`. Returns whether it found a
+  /// complete branch that `accept` accepts. `branch` becomes this branch, otherwise the one that
+  /// reaches farthest.
   bool complete(Branch& branch, std::size_t first, const Accept& accept);
 
   /// Tracks the path along each departure from its beginning.

@@ -32,7 +32,8 @@ Range range_of(const Branch& branch, int k) {
   return range;
 }
 
-/// The path parameter at which coordinate k first leaves [lower, upper]; the branch's end if never.
+/// Returns the path parameter where coordinate k first leaves [lower, upper]; the branch's end if
+/// it does not.
 double leaves_at(const Branch& branch, int k, double lower, double upper) {
   for (std::size_t w = 0; w < branch.segments.size(); ++w) {
     const TrackedSegment& segment = branch.segments[w];
@@ -171,7 +172,7 @@ void pass_singular_waypoints(const BranchSearch& search, const std::vector<Confi
   }
 }
 
-/// Computes all branches, unsorted, without reasons for those that end inside the limits.
+/// Computes all branches, unsorted. Branches that end inside the limits have no reason.
 std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
                                        const BranchOptions& options, BudgetMeter& budget) {
   const InverseResult starts = inverse_kinematics(

@@ -10,9 +10,9 @@ namespace beeline::internal {
 ///
 /// Coordinates of joints with a range above 2 pi are tracked without limits. Each then gets the
 /// multiple of 2 pi for which the branch stays within the limits longest, and with the largest
-/// margin. If no branch is complete, those that are singular at a waypoint are continued from there
-/// as SingularWaypoints finds them, the path's beginning included. Returns nothing if no branch
-/// begins there. Throws Error as plan_path() does.
+/// margin. If no branch is complete, SingularWaypoints continues the branches that are singular at
+/// a waypoint, including the path's beginning. Returns nothing if no branch begins there. Throws
+/// Error as plan_path() does.
 std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
                                    const BranchOptions& options);
 
@@ -23,7 +23,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
 /// Sets the status and reason of a branch that is incomplete and has no reason yet.
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
 
-/// Sets limit_margin and inverse_condition from the branch's samples; to 0 where the budget has
+/// Sets limit_margin and inverse_condition from the branch's samples, or to 0 if the budget has
 /// ended.
 void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& branch);
 

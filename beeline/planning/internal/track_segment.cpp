@@ -21,18 +21,19 @@ constexpr double start_tolerance = 1e-8;
 
 // Lengths of a step as fractions of the segment. The first is a guess, corrected after one step; in
 // a short segment it is longer, up to first_span of the arm's reach.
-// The longest ensures samples inside the segment, except where it is shorter than longest_span of
-// the arm's size: there rounding would count. If the shortest fails, the arm would have to
+// The longest ensures samples inside the segment, unless the segment is shorter than longest_span
+// of the arm's size, where rounding errors would dominate. If the shortest fails, the arm would
+// have to
 // jump: the bound is proportional to the square of the step, so a continuous motion allows 1e-5 and
-// more. In a segment longer than the arm's size it is that fraction of the size. At its beginning
-// the arm may be stretched: the joints move as the square root of the step there, the bound is
-// proportional to the step, and only shorter ones keep the smallest tolerances.
+// more. In a segment longer than the arm's size the shortest step is this fraction of the size. At
+// its beginning the arm may be stretched: the joints move as the square root of the step there, the
+// bound is proportional to the step, and only shorter ones keep the smallest tolerances.
 constexpr double first_step = 1.0 / 32, first_span = 0.01;
 constexpr double longest_step = 1.0 / 4, longest_span = 0.001;
 constexpr double shortest_step = 1e-7, shortest_step_of_beginning = 1e-9;
 constexpr double beginning = 1e-5;  // of the segment
 
-// A first step as short as this does not follow the guide where it cannot.
+// A first step of this length does not follow the guide if it cannot.
 constexpr double last_guided_step = 1e-4;
 
 constexpr double max_joint_rotation = 0.5;  // of one joint in one step, radians
@@ -57,7 +58,7 @@ struct SegmentTracker {
   Deviation ends;    ///< largest deviation of a sample
   double usage = 0;  ///< bound / tolerance of the last step tried; 0 where it had no configuration
 
-  /// The guide's configuration at the fraction `s`; empty where it has none.
+  /// Returns the guide's configuration at the fraction `s`; empty if it has none.
   Configuration guided(double s) const {
     return options.guide ? options.guide(s) : Configuration();
   }

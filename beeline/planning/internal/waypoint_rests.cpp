@@ -93,7 +93,8 @@ std::vector<std::size_t> WaypointRests::rests(const Move& move, std::size_t firs
     double least = offset(move, nearest);
     for (++k; k != resting_.end() && rests_between(*(k - 1), *k); ++k) {
       const double here = offset(move, *k);
-      // Of those at the waypoint the first: the nearest by rounding errors may be any.
+      // Several samples are at the waypoint. The first one is taken, because rounding errors decide
+      // which is nearest.
       if (least > at_waypoint && here < least) nearest = *k, least = here;
     }
     if (least <= 1) (least <= at_waypoint ? exact : others).push_back(nearest);

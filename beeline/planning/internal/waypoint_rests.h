@@ -8,10 +8,10 @@
 
 namespace beeline::internal {
 
-/// Where the arm of a trajectory is at rest, and at which waypoints.
+/// Finds the rests of a trajectory and the waypoints at which they are.
 class WaypointRests {
  public:
-  /// All arguments but the task must outlive the object.
+  /// All arguments except the task must outlive the object.
   WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
                 const Deviation& tolerance);
 
@@ -28,14 +28,14 @@ class WaypointRests {
   /// sample `at`.
   bool rests_after(std::size_t k, const Move& move, std::size_t at) const;
 
-  /// The samples from `first` on at which the arm is at rest within tolerance of a move's waypoint,
-  /// of those between which it rests the nearest. Those at the waypoint to a thousandth of the
-  /// tolerance come first, as the arm may rest at other waypoints within tolerance before; then the
-  /// others, each in the order of time.
+  /// Returns the samples from `first` on at which the arm is at rest within tolerance of a move's
+  /// waypoint; of consecutive samples of one rest it returns the nearest. Samples at the waypoint
+  /// to a thousandth of the tolerance come first, because the arm may rest before at other
+  /// waypoints within the tolerance. The others follow. Both groups are in the order of time.
   std::vector<std::size_t> rests(const Move& move, std::size_t first) const;
 
-  /// The nearest of the first consecutive samples from `first` on within tolerance of a move's
-  /// waypoint, at rest or not.
+  /// Returns the sample nearest to a move's waypoint, of the first consecutive samples from `first`
+  /// on that are within tolerance of it, at rest or not.
   std::optional<std::size_t> passes(const Move& move, std::size_t first) const;
 
  private:

@@ -16,7 +16,8 @@ class BranchSolver {
 
   /// Adds a cell with the solutions of a pose.
   void solve(const Pose& world_T_tool);
-  /// Adds those of the positions from `first` to `last` (exclusive), counted without azimuths.
+  /// Adds the branches of the positions from `first` to `last` (exclusive), counted without
+  /// azimuths.
   void solve(const ReachGrid& grid, Eigen::Index first, Eigen::Index last);
   /// Returns the cells that were added since the last call.
   ReachBranches take();

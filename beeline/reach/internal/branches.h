@@ -9,10 +9,10 @@
 
 namespace beeline::internal {
 
-/// The joints of an arm that are free while the poses of a grid are solved: the solutions of one
-/// azimuth and one roll give those of all others, as the values of these joints move by the angle.
-/// With their limits, azimuths and rolls are interval tests (as in RM4D, Rudorfer 2024, which
-/// assumes full turns).
+/// The joints of an arm that are free while the poses of a grid are solved. The solutions of one
+/// azimuth and one roll give the solutions of all others: the values of these joints change by the
+/// angle. Azimuths and rolls are then interval tests against the joint limits (as in RM4D, Rudorfer
+/// 2024, which assumes full turns).
 struct FreeJoints {
   std::optional<TurningJoint> base = std::nullopt;  ///< of cylindrical grids
   std::optional<TurningJoint> roll =

@@ -12,8 +12,8 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// The joints that stay free where each azimuth and roll is solved: the last one if any roll will
-/// do.
+/// Returns the joints that remain free when each azimuth and roll is solved: the last joint if any
+/// roll is accepted.
 FreeJoints any_angle(const FreeJoints& free) {
   return {.roll = free.any_roll ? free.roll : std::nullopt, .any_roll = free.any_roll};
 }
@@ -52,7 +52,7 @@ CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJo
 
 bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) const {
   if (!free_.base && (!free_.roll || free_.any_roll)) return false;
-  // Infinitely many solutions, of which a file stores the first ones.
+  // There are infinitely many solutions; a file stores the first ones.
   if (branches.counts[cell] > branches.ends[cell] - branches.begin(cell)) return true;
   const auto begin = static_cast<std::ptrdiff_t>(branches.begin(cell));
   const auto end = static_cast<std::ptrdiff_t>(branches.ends[cell]);
@@ -82,8 +82,8 @@ ReachBranches CellExpansion::solve_once(Eigen::Index cell) {
 void CellExpansion::solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells) {
   const ReachBranches found = solve_once(cell);
   cells.branches[target] = found.counts[0];
-  for (const float value : found.manipulability) raise(cells.manipulability[target], value);
-  for (const float value : found.margin) raise(cells.margin[target], value);
+  for (const float value : found.manipulability) keep_max(cells.manipulability[target], value);
+  for (const float value : found.margin) keep_max(cells.margin[target], value);
 }
 
 void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
@@ -124,8 +124,8 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
         const float margin = std::min({branches.margin[b], azimuth_margins_[a], roll_margins_[r]});
         if (margin < 0) return;
         if (cells.branches[target] < most) ++cells.branches[target];
-        raise(cells.manipulability[target], branches.manipulability[b]);
-        raise(cells.margin[target], margin);
+        keep_max(cells.manipulability[target], branches.manipulability[b]);
+        keep_max(cells.margin[target], margin);
       });
     }
     // At several values of a redundant joint, not all solutions are branches.

@@ -16,14 +16,14 @@ class CellExpansion {
                 int redundant_values);
 
   /// Computes the cells of the positions from `first` to `last` into `cells`, whose first cell is
-  /// the first one of position `origin`. The first cell of `branches` is that of position `solved`,
+  /// the first one of position `origin`. The first cell of `branches` belongs to position `solved`,
   /// counted without azimuths.
   void expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
               Eigen::Index last, Eigen::Index origin, ReachCells& cells);
 
   /// Adds to `counts` the number of reached cells of each position, azimuths the fastest, without
-  /// computing the cells. Positions counted without azimuths: `branches` begins at `solved`; those
-  /// from solved + first to solved + last (exclusive) are counted.
+  /// computing the cells. Position numbers do not include azimuths: `branches` begins at position
+  /// `solved`, and the positions from solved + first to solved + last (exclusive) are counted.
   void count_reached(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
                      Eigen::Index last, std::vector<Eigen::Index>& counts);
 

@@ -22,7 +22,7 @@ std::unique_lock<std::recursive_mutex> turn() {
   return std::unique_lock(mutex);
 }
 
-/// The reason of the library's last error: the system's where there is one.
+/// Returns the reason of the library's last error, or the system's reason if there is one.
 std::string last_reason() {
   std::string reason;
   const auto collect = [](unsigned, const H5E_error2_t* error, void* data) -> herr_t {

@@ -67,7 +67,7 @@ class Hdf5Dataset {
 };
 
 /// An HDF5 file: attributes of its root, and datasets. Functions throw FileError for errors of the
-/// library and for what a file does not contain as asked for. Threads may read one
+/// library and if a file does not contain the requested object. Threads may read one
 /// file, and write one each: calls of HDF5, which is not thread-safe, take turns.
 class Hdf5File {
  public:
@@ -89,7 +89,8 @@ class Hdf5File {
   Hdf5Dataset open(const char* name, Hdf5Type type, const Hdf5Shape& shape,
                    const Hdf5Shape& chunk = {}) const;
 
-  /// Ends writing. Throws FileError if not all could be written. Datasets must be gone before.
+  /// Ends writing. Throws FileError if not all could be written. All datasets must be destroyed
+  /// before.
   void close();
 
  private:

@@ -7,15 +7,16 @@
 
 namespace beeline {
 
-/// Where a map has its cells, which `read` returns: of the positions from `first` to `last`
+/// The source of a map's cells. `read` returns the cells of the positions from `first` to `last`
 /// (exclusive) of one slab.
 struct ReachMap::Data {
   std::string path;
   ReachMapHeader header;
   internal::Slabs slabs;
-  std::vector<bool> there;
+  std::vector<bool> is_filled;
   std::function<ReachCells(Eigen::Index first, Eigen::Index last)> read;
-  /// The number of reached cells of each position of a slab; empty: as `read` returns them.
+  /// Returns the number of reached cells of each position of a slab; empty: counted from the cells
+  /// of `read`.
   std::function<std::vector<Eigen::Index>(Eigen::Index slab)> reached = {};
 };
 

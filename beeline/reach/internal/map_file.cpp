@@ -70,9 +70,9 @@ void MapWriter::copy_slabs(const std::string& path) {
   const Hdf5File file(path, Hdf5File::Mode::read);
   check_same_map(path, read_header(file, path), header_);
   const MapDatasets from = open_datasets(file, format_);
-  const std::vector<bool> there = read_slabs(file, header_.grid);
-  for (std::size_t slab = 0; slab < there.size(); ++slab) {
-    if (!there[slab] || written_[slab]) continue;
+  const std::vector<bool> is_filled = read_slabs(file, header_.grid);
+  for (std::size_t slab = 0; slab < is_filled.size(); ++slab) {
+    if (!is_filled[slab] || written_[slab]) continue;
     for (std::size_t k = 0; k < from.size(); ++k) {
       const Hdf5Shape begin =
           format_.box(format_.datasets()[k], static_cast<Eigen::Index>(slab)).begin;

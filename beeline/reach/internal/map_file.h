@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-/// Reads which slabs are in the file.
+/// Returns which slabs are in the file.
 std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid);
 
 /// Writes a new file of a map, slab by slab, beside its path; commit() renames it.

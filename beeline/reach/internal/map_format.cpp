@@ -28,7 +28,7 @@ std::size_t numbers_in(const Hdf5Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
-/// The branches of each cell in max_branches places, NaN where there are fewer.
+/// Returns the values of the branches, padded with NaN to max_branches for each cell.
 template <class Value>
 std::vector<Value> padded(const ReachBranches& branches, const std::vector<Value>& values) {
   constexpr auto most = static_cast<std::size_t>(MapFormat::max_branches);

@@ -10,9 +10,9 @@
 namespace beeline::internal {
 
 /// How a file stores the cells of a map: one chunk for each slab in each of its datasets. Their
-/// axes are x, y, z and, where the grid has several, directions and rolls. A cylindrical grid has,
-/// in the place of cells, the branches of azimuth 0 (ReachBranches): the axes are radius, height,
-/// directions and, where they are solved, rolls; and the branches, of which the first max_branches
+/// axes are x, y, z and, where the grid has several, directions and rolls. A file of a cylindrical
+/// grid has the branches of azimuth 0 (ReachBranches) instead of cells. Its axes are radius,
+/// height, directions, rolls if they are solved, and the branches, of which the first max_branches
 /// are stored.
 class MapFormat {
  public:
@@ -40,7 +40,7 @@ class MapFormat {
   Box box(const Dataset& dataset, Eigen::Index slab) const;
 
  private:
-  /// The axes of a dataset after those of the positions.
+  /// Returns the shape of a dataset over positions with these counts; its other axes follow.
   Hdf5Shape of_positions(std::array<Eigen::Index, 3> counts, const Dataset& dataset) const;
 
   ReachGrid grid_;

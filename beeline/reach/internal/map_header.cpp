@@ -17,7 +17,7 @@ constexpr double version = 1;
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
 
-/// What the values of a map are of, for those who read the file.
+/// Describes the values of a map for readers of the file.
 std::string answers_of(const ReachMapHeader& header) {
   if (header.samples > 0) {
     return "by sampling: some of the sampled configurations has the tool in the cell";
@@ -60,8 +60,8 @@ std::vector<double> centres_of(const ReachAxis& axis) {
   return values(axis.cells, [&](Eigen::Index i) { return axis.centre(i); });
 }
 
-/// Those of the positions, then of directions and their fractions, headings and rolls where the
-/// grid has them.
+/// Returns the coordinates of the positions, then of the directions and their fractions, the
+/// headings and the rolls, as far as the grid has them.
 std::vector<Coordinates> coordinates_of(const ReachGrid& grid) {
   const auto& axes = grid.axes();
   const bool round = grid.cylindrical();

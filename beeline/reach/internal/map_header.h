@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-/// Writes what a map is of, as attributes of the root, and the coordinates of its cells.
+/// Writes the header of a map as attributes of the root, and the coordinates of its cells.
 void write_header(Hdf5File& file, const ReachMapHeader& header);
 
 /// Reads it. Throws FileError for a file that is no reach map.

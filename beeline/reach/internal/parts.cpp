@@ -41,7 +41,7 @@ Parts::Parts(const std::string& map_path, const ReachMapHeader& header)
   std::error_code error;
   std::filesystem::create_directory(folder_, error);
   if (error) throw FileError(folder_, 0, "cannot be made: " + error.message());
-  // A file of the map without slabs says what the folder is of.
+  // A file of the map without slabs identifies the map of the folder.
   const std::string path = folder_ + "/" + header_file;
   if (!std::filesystem::exists(path)) {
     MapWriter(path, header).commit();

@@ -15,8 +15,9 @@ struct SlabRange {
   Eigen::Index first = 0, last = 0;  ///< exclusive
 };
 
-/// The units in which a map is computed, on one machine or several: each slab; by sampling, whose
-/// samples are computed anew for each unit, as many slabs as have 2^24 cells.
+/// Returns the units in which a map is computed, on one machine or several. A unit is one slab. By
+/// sampling it is a group of slabs with 2^24 cells, because all samples are computed again for each
+/// unit.
 std::vector<SlabRange> units_of(const ReachMapHeader& header);
 
 /// The folder of the slabs of a map that are computed, a file each. Several processes, on several
@@ -29,11 +30,11 @@ class Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Whether the folder has those slabs, whole.
+  /// Whether the folder has these slabs completely.
   bool has(const SlabRange& unit) const;
-  /// Computes slabs and writes their files. With one thread the files are there when it returns;
-  /// with several they are written while the next call computes, which throws what that writing
-  /// threw, or finish() does.
+  /// Computes slabs and writes their files. With one thread the files are complete when it returns.
+  /// With several threads they are written during the next call; this call or finish() rethrows an
+  /// error of the writing.
   Ending compute(const SlabRange& unit, const ReachOptions& options);
   /// Waits until the files of all computed slabs are written.
   void finish();

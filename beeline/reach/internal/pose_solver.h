@@ -14,9 +14,9 @@ class PoseSolver {
   /// `redundant_values`: see ReachOptions.
   PoseSolver(const Arm& arm, int redundant_values);
 
-  /// Finds the solutions within limits. Those of an arm without a redundant joint are complete; of
-  /// one with a redundant joint, they are those at each of its values, and there is one where they
-  /// exist only between these.
+  /// Finds the solutions within limits. They are complete for an arm without a redundant joint. For
+  /// an arm with a redundant joint they are the solutions at each of its values; if solutions exist
+  /// only between these values, one is found.
   void solve(const Pose& world_T_tool);
 
   /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the
@@ -32,7 +32,7 @@ class PoseSolver {
 
   Arm arm_;
   InverseSolver any_;                 ///< one solution
-  std::optional<InverseSolver> all_;  ///< all of them, where the arm has a closed form;
+  std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
   std::optional<int> redundant_;      ///< then with this coordinate locked
   std::vector<double> values_;        ///< at each of these
   /// The closed form of three axes that meet, which takes the value of the redundant joint.

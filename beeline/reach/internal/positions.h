@@ -11,7 +11,7 @@ namespace beeline::internal {
 /// Throws Error unless the grid has the positions from `first` to `last`, exclusive.
 void check_positions(const ReachGrid& grid, Eigen::Index first, Eigen::Index last);
 
-/// The positions that are looked at together: of about a million cells.
+/// Returns the number of positions that are processed together: about a million cells.
 inline Eigen::Index positions_at_once(const ReachGrid& grid) {
   constexpr Eigen::Index cells = Eigen::Index{1} << 20;
   return std::max<Eigen::Index>(1, cells / (grid.directions() * grid.rolls()));
@@ -20,7 +20,7 @@ inline Eigen::Index positions_at_once(const ReachGrid& grid) {
 /// The cells from `first` to `last`, exclusive.
 ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index last);
 
-/// Throws FileError unless all cells of the map are here.
+/// Throws FileError unless the map has all its cells.
 void check_complete(const ReachMap& map);
 
 /// Calls `use` for consecutive blocks of the centres of cells along x, y and z

@@ -43,12 +43,12 @@ class Samples {
   }
 
  private:
-  /// The range of a coordinate; of a revolute joint that no other one follows, at most a revolution
-  /// around its middle.
+  /// Returns the range of a coordinate. For a revolute joint that no other joint follows, it is at
+  /// most a revolution around the middle of the limits.
   static std::pair<double, double> range_of(const Arm& arm, int k) {
     const Limits& limits = arm.limits(k);
     const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
-    // Of a joint that others follow, a revolution more is another configuration.
+    // If other joints follow the joint, a further revolution is another configuration.
     const bool alone = turns_alone(arm, k);
     if (!bounded && !alone) {
       throw Error("joint " + arm.joint_of(k).name + " of " + arm.name() +
@@ -70,8 +70,8 @@ class Samples {
 void add(ReachCells& cells, Eigen::Index cell, float manipulability, float margin) {
   constexpr auto most = std::numeric_limits<std::uint8_t>::max();
   if (cells.branches[cell] < most) ++cells.branches[cell];
-  raise(cells.manipulability[cell], manipulability);
-  raise(cells.margin[cell], margin);
+  keep_max(cells.manipulability[cell], manipulability);
+  keep_max(cells.margin[cell], margin);
 }
 
 void check_grid(const Arm& arm, const ReachGrid& grid) {
@@ -99,7 +99,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   std::fill(cells.manipulability.begin(), cells.manipulability.end(),
             std::numeric_limits<float>::quiet_NaN());
   cells.margin = cells.manipulability;
-  // Where any roll will do, the margin is that of the other joints.
+  // If any roll is accepted, the margin is the smallest margin of the other joints.
   const bool any_roll = grid.orientations() == ReachOrientations::directions && roll_joint(arm);
   const int joints = arm.dof() - (any_roll ? 1 : 0);
   BudgetMeter budget(options.budget);

@@ -19,7 +19,7 @@ Slabs::Slabs(const ReachGrid& grid) {
                                           grid.cylindrical() ? largest_of_branches : largest);
   Eigen::Index left = std::max<Eigen::Index>(1, in_slab / at_position);
   if (grid.cylindrical()) left *= grid.azimuths();
-  // Whole columns along z, then whole rows of them along y, then those along x.
+  // Whole columns along z come first, then whole rows of columns along y, then layers along x.
   for (int k = 2; k >= 0; --k) {
     edges_[k] = std::min(left, cells_[k]);
     left = edges_[k] < cells_[k] ? 1 : std::max<Eigen::Index>(1, left / cells_[k]);

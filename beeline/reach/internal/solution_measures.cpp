@@ -7,7 +7,7 @@
 namespace beeline::internal {
 namespace {
 
-/// The rows of which the manipulability is measured.
+/// The rows of the Jacobian for the manipulability.
 Task measured_rows(const Arm& arm) {
   const Task task = default_task(arm);
   if (arm.dof() >= task.size()) return task;

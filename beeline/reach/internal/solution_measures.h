@@ -12,7 +12,7 @@ namespace beeline::internal {
 double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end);
 
 /// Raises the largest value so far, NaN before the first. Ignores a value that is NaN.
-inline void raise(float& largest, float value) {
+inline void keep_max(float& largest, float value) {
   if (value > largest || std::isnan(largest)) largest = value;
 }
 

@@ -21,9 +21,11 @@ bool along_z(const Twist& screw) { return screw.segment<2>(3).norm() <= toleranc
 }  // namespace
 
 bool turns_alone(const Arm& arm, int coordinate) {
-  const auto follows = [&](const Arm::Drive& drive) { return drive.coordinate == coordinate; };
+  const auto follows = [&](const Arm::JointCoupling& coupling) {
+    return coupling.coordinate == coordinate;
+  };
   return kind(arm.joint_of(coordinate)) == JointKind::revolute &&
-         std::count_if(arm.drives().begin(), arm.drives().end(), follows) == 1;
+         std::count_if(arm.couplings().begin(), arm.couplings().end(), follows) == 1;
 }
 
 std::optional<double> TurningJoint::turned(const Limits& limits, double q, double angle) const {

@@ -13,9 +13,9 @@ struct ParameterState {
   double s = 0, speed = 0, acceleration = 0;
 };
 
-/// The moving average of a time scaling from rest to rest over `width` seconds: it lasts so much
-/// longer, and where d2s/dt2 of the given one jumps, its own is a ramp of this width, at both ends
-/// too. A width of zero leaves the time scaling as it is.
+/// The moving average of a time scaling from rest to rest over `width` seconds. Its duration is
+/// longer by `width`, and each jump of d2s/dt2 of the given scaling, at both ends too, becomes a
+/// ramp of this width. A width of zero does not change the time scaling.
 class AveragedScaling {
  public:
   /// Keeps a reference to the time scaling.
@@ -23,15 +23,15 @@ class AveragedScaling {
 
   double duration() const { return scaling_.duration() + width_; }
 
-  /// At times from 0 to the duration.
+  /// Returns the state at a time from 0 to the duration.
   ParameterState at(double t) const;
 
-  /// The time at which s is reached, by bisection; coarse where the budget ends it.
+  /// Returns the time at which s is reached, by bisection; inaccurate if the budget ends it.
   double time_of(double s, BudgetMeter& budget = unlimited()) const;
 
-  /// The times, in order and inside the duration, at which the highest derivative of the given
-  /// scaling that is not smooth jumps by more than `fraction` of its largest magnitude, and `width`
-  /// later: d2s/dt2, or d3s/dt3 where TimeScaling::smooth.
+  /// Returns the times, in order and inside the duration, at which d2s/dt2 of the given scaling, or
+  /// d3s/dt3 if TimeScaling::smooth, jumps by more than `fraction` of its largest magnitude, and
+  /// the times `width` later.
   std::vector<double> kinks(double fraction) const;
 
  private:

@@ -92,7 +92,7 @@ SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots,
   return spline;
 }
 
-/// The factor by which the motion must be slowed down at tau to keep the limits.
+/// Returns the factor by which the motion must be slowed down at tau to keep the limits.
 double slowdown_at(QuinticMotion& motion, double tau, const SquaredRate& rate) {
   const PathLimits& limits = motion.limits();
   const MotionSample& sample = motion.at(tau);

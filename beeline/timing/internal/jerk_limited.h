@@ -22,9 +22,9 @@ namespace beeline::internal {
 /// never slower than the quintic. The limits hold at the checked times. The quintic between two
 /// points of the result (see TimeScaling::smooth) exceeds the jerk limit where the jerk of the
 /// optimum jumps between them: by less than 10 % on 900 random paths. retime() measures its samples
-/// and slows down for that. Where the budget ends it, returns the best so far, which keeps the
-/// limits, or none, with the reason, before there is one. Throws Error for what check_path() and
-/// check_limits() refuse, and without any jerk limit.
+/// and slows down for that. If the budget ends the search, returns the best time scaling so far,
+/// which keeps the limits, or none, with the reason, if there is none yet. Throws Error for
+/// arguments that check_path() or check_limits() refuses, and without any jerk limit.
 TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits,
                          BudgetMeter& budget = unlimited());
 

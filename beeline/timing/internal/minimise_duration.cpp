@@ -9,7 +9,7 @@ namespace {
 // The gap of a limit is its slack times its multiplier, in units of the duration of one step of the
 // spline.
 constexpr double first_gap = 1;
-constexpr double last_gap = 1e-4;       // the error of a smaller one is below that of the knots
+constexpr double last_gap = 1e-4;       // a smaller gap changes less than the knots' error
 constexpr double step_fraction = 0.95;  // of the step to the first bound (fraction to the boundary)
 constexpr int max_steps = 50;           // a bound; the gap usually ends the iteration
 constexpr int max_backtracks = 20;      // of factor 0.7: to 1e-3 of the step

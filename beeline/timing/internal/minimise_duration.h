@@ -6,11 +6,11 @@
 namespace beeline::internal {
 
 /// Minimises the duration over the spline coefficients of the squared path speed, to a relative gap
-/// of 1e-3, from coefficients that satisfy all limits strictly; otherwise the coefficients are
-/// unchanged. A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*,
-/// section 11.7; Nocedal and Wright, *Numerical Optimization*, section 19.3). The limits of jerk
-/// are not convex, so the result is a local optimum. Where the budget ends it, the coefficients are
-/// those of the last step, which satisfy the limits.
+/// of 1e-3, starting from coefficients that satisfy all limits strictly. Other coefficients are not
+/// changed. A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*,
+/// section 11.7; Nocedal and Wright, *Numerical Optimization*, section 19.3). The jerk limits are
+/// not convex, so the result is a local optimum. If the budget ends the iteration, the coefficients
+/// of the last step remain; they satisfy the limits.
 void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem,
                        BudgetMeter& budget = unlimited());
 

@@ -5,8 +5,8 @@
 namespace beeline::internal {
 
 /// Newton's equations of the interior-point method of minimise_duration.h, reduced to the
-/// coefficients: the slack of each limit times its multiplier is to become `gap`. Arrays of
-/// coefficients have `problem.coefficients()` numbers, those of multipliers
+/// coefficients: the slack of each limit times its multiplier shall equal `gap`. Arrays of
+/// coefficients have `problem.coefficients()` numbers, arrays of multipliers
 /// `problem.multipliers()`.
 struct NewtonEquations {
   explicit NewtonEquations(const DurationProblem& problem);

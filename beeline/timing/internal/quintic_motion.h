@@ -24,12 +24,12 @@ class QuinticMotion {
   JointState along(double tau) const;
 
   /// The joints' motion at tau, divided by the fraction of the limits of acceleration and jerk that
-  /// may be used there. The reference is valid until the next call. Fast where consecutive
-  /// times are near each other.
+  /// may be used there. The reference is valid until the next call. Consecutive calls are fast if
+  /// their times are near each other.
   const MotionSample& at(double tau);
 
-  /// The jump of d3q/ds3 at each grid point of the path, as the jump of jerk at the speed of the
-  /// middle of the motion: the largest over the joints, as a fraction of its limit.
+  /// The jump of d3q/ds3 at each grid point of the path: the jump of jerk at the speed in the
+  /// middle of the motion, as a fraction of the jerk limit, the largest of all joints.
   std::vector<double> jerk_jumps() const;
 
  private:

@@ -38,8 +38,8 @@ class Refinement {
   Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options)
       : motion_(motion), limits_(limits), options_(options) {}
 
-  /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs; some
-  /// where the budget ends it.
+  /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs.
+  /// Appends only some if the budget ends.
   void append(std::vector<Sample>& samples, const Sample& a, const Sample& b) const {
     if (options_.budget.ended(0)) return;
     const double h = b.t - a.t;
@@ -93,7 +93,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
                                   const SectionOptions& options) {
   const AveragedScaling& scaling = motion.scaling();
   const double duration = scaling.duration();
-  // Exactly at rest at both ends, whatever the rounding of the time scaling.
+  // The motion is exactly at rest at both ends, despite rounding in the time scaling.
   std::vector<std::pair<double, ParameterState>> points{{0, {scaling.at(0).s, 0, 0}},
                                                         {duration, {scaling.at(duration).s, 0, 0}}};
   const auto add = [&](double t) { points.emplace_back(t, scaling.at(t)); };
@@ -150,8 +150,8 @@ void slow_down_in_nanoseconds(SampledSection& section, double slower) {
   }
 }
 
-/// The samples before they are slowed down, with ramps of this width. Empty where the budget ends
-/// it.
+/// Returns the samples with ramps of this width before they are slowed down. Empty if the budget
+/// ends the computation.
 SampledSection refined_samples(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options, double width) {
   const AveragedScaling scaling(section.scaling, width);

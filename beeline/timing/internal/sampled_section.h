@@ -13,7 +13,7 @@ namespace beeline::internal {
 struct SampledSection {
   Trajectory trajectory = {};
   std::vector<ParameterState> progress = {};  ///< along the joint path
-  Reason reason = {};                         ///< why there are none at the rate
+  Reason reason = {};                         ///< reason why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
   /// Whether there are none because there would be more than SectionOptions::samples_left.
@@ -24,13 +24,13 @@ struct SampledSection {
 /// Returns the samples of a section, slowed down until the motion that they mean is within the
 /// arm's limits times the speed scale, and the tool's speed within its own.
 ///
-/// A quintic or cubic motion cannot carry an acceleration that jumps: where that of the time
-/// scaling jumps, at both ends too, AveragedScaling makes it a ramp. Without a rate there are as
-/// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
-/// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
-/// last one included: the section lasts a whole number of periods. Where the budget ends the
-/// search, the motion may take longer than necessary, or there are no samples. Returns none, with
-/// the reason and a rate that works, where there would be too many or none are found within limits.
+/// The acceleration of a quintic or cubic motion cannot jump. AveragedScaling replaces each jump of
+/// the time scaling's acceleration, at both ends too, by a ramp. Without a rate there are as many
+/// samples as the interpolation needs to agree with the motion along the path, at all kinks of the
+/// acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the last
+/// one included: the section lasts a whole number of periods. If the budget ends the search, the
+/// motion may take longer than necessary, or there are no samples. Returns no samples, with the
+/// reason and a rate that works, if there would be too many or none are found within limits.
 SampledSection sample_section(const Arm& arm, const TimedSection& section,
                               const SectionOptions& options);
 

@@ -105,8 +105,8 @@ class LimitFractions {
   double velocity_ = 0, acceleration_ = 0, jerk_ = 0;
 };
 
-/// The derivatives and limits of the path at equidistant path parameters, on which shapes are
-/// compared.
+/// The derivatives and limits of the path at equidistant path parameters. Shapes are compared at
+/// these.
 struct DerivativeGrid {
   std::size_t joints;
   std::vector<double> rates;

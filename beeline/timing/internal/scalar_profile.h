@@ -19,8 +19,8 @@ enum class ScalarForm {
 /// Minimises the duration over the shape parameters of the form subject to the limits of velocity,
 /// acceleration and, except for the trapezoid, jerk. One or two scans with golden sections, which
 /// may end in a local optimum on a path with many curves. Returns no time scaling, with the reason,
-/// where the budget ends the computation. Throws Error for what check_path() and
-/// check_limits() refuse.
+/// if the budget ends the computation. Throws Error for arguments that check_path() or
+/// check_limits() refuses.
 TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits,
                            BudgetMeter& budget = unlimited());
 

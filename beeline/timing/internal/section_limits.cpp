@@ -93,8 +93,8 @@ bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOp
   std::vector<double> slower(s.size(), 1), gentler(s.size(), 1);
   bool lowered = false;
   for (std::size_t k = 0; k < velocity.size(); ++k) {
-    // Where d2s/dt2 jumps, accelerations are at their limits nearly everywhere, and only less speed
-    // lowers them.
+    // If d2s/dt2 jumps, accelerations are at their limits nearly everywhere, and only a lower speed
+    // reduces them.
     const bool smooth = section.scaling.smooth;
     const double speed = smooth ? velocity[k] : std::max(velocity[k], std::sqrt(acceleration[k]));
     const double force = smooth ? std::max(acceleration[k], jerk[k]) : 1;

@@ -4,9 +4,9 @@
 
 namespace beeline::internal {
 
-/// The factors by which the samples of a section must be slowed down to keep the limits that
-/// SectionOptions ask for: known ones, and assumed ones, except the jerk of a profile that does
-/// not keep it. Infinite where the budget of the options has ended.
+/// The factors by which the samples of a section must be slowed down to keep all limits, known and
+/// assumed, except the jerk limits of a profile that does not keep them. Infinite if the budget of
+/// the options has ended.
 struct NeededSlowdown {
   double speed = 0;  ///< for velocities, accelerations and the tool's speed
   double jerk = 0;
@@ -21,9 +21,9 @@ NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
 NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
                                const SectionOptions& options);
 
-/// Lowers the path's limits where samples of its time scaling, not slowed down, exceed the arm's:
-/// and the tool's along the path: of its speed, or the fraction of acceleration and jerk if the
-/// scaling is smooth. Returns whether there are such places.
+/// Lowers the path's limits at each place where samples of its time scaling, not slowed down,
+/// exceed the limits of the arm or of the tool's speed: the speed limit, or the fraction of
+/// acceleration and jerk if the scaling is smooth. Returns whether there are such places.
 bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
                   TimedSection& section);
 

@@ -45,7 +45,8 @@ std::size_t steps_above_rounding(const JointPath& path) {
   return static_cast<std::size_t>(std::clamp(steps, fewest, usual));
 }
 
-/// The limits of the path's speed ds/dt at its grid points with which the tool's speed is kept.
+/// Returns the limits of the path's speed ds/dt at its grid points that keep the limits of the
+/// tool's speed.
 std::vector<double> path_speeds(const Arm& arm, const JointPath& path, const ToolSpeeds& tool_speed,
                                 BudgetMeter& budget) {
   std::vector<double> speeds;

@@ -25,7 +25,7 @@ struct ToolSpeeds {
   double lowest() const { return lowest(-Limits::none, Limits::none); }
 };
 
-/// The options of one section: those of the timing, and what the section asks for besides.
+/// The options of one section: the timing options and the requirements of the section.
 struct SectionOptions {
   RetimeOptions timing = {};
   ToolSpeeds tool_speeds = {};        ///< along the section, in place of timing.tool_speed
@@ -50,8 +50,8 @@ struct TimedSection {
 void slow_down(TimeScaling& scaling, double k);
 
 /// Returns a joint path between two stops, with more grid points, and its time scaling within the
-/// arm's limits times the speed scale and those of the tool's speed. The scaling has a reason, and
-/// no points, where there is none.
+/// arm's limits times the speed scale and within the limits of the tool's speed. If there is no
+/// scaling, it has a reason and no points.
 TimedSection timed_section(const Arm& arm, const JointPath& path, const SectionOptions& options);
 
 /// Throws Error for a tool speed, rate, duration or number of samples out of range, and for a

@@ -48,7 +48,7 @@ TimeScaling in_whole_periods(const TimeScaling& given, double periods, double pe
   return uniform;
 }
 
-/// No samples where the budget ends it.
+/// Returns no samples if the budget ends the computation.
 SampledSection in_periods(const Arm& arm, const TimedSection& section,
                           const SectionOptions& options, const Periods& periods) {
   const double period = 1 / options.timing.rate;
@@ -89,7 +89,8 @@ Periods fewest_periods(const TimedSection& section, const SectionOptions& option
           linear ? 0.0 : 1.0};
 }
 
-/// The fewest periods within limits; no samples where there would be too many or none are found.
+/// Returns the samples with the fewest periods within limits; no samples if there would be too many
+/// or none are found.
 SampledSection within_limits(const Arm& arm, const TimedSection& section,
                              const SectionOptions& options) {
   Periods periods = fewest_periods(section, options);
@@ -111,8 +112,8 @@ SampledSection within_limits(const Arm& arm, const TimedSection& section,
       const double excess = std::min(factor - 1, 1e3);
       return std::max(periods.scaling + 1, std::floor(periods.scaling * (1 + at_once * excess)));
     };
-    // Where d2s/dt2 jumps, a wider average lowers its jerk in proportion, often for less time than
-    // a slowdown. One that saved less time than it takes is taken back.
+    // At jumps of d2s/dt2 a wider average lowers its jerk in proportion, often for less time than a
+    // slowdown. One that saved less time than it takes is taken back.
     if (average_before > 0) {
       if (!(periods.scaling * (jerk_before - needed.jerk) > periods.average - average_before)) {
         widen = false;

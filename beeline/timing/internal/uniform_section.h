@@ -8,10 +8,10 @@ namespace beeline::internal {
 
 /// sample_section() with a rate.
 ///
-/// The time scaling is replaced by one whose d2s/dt2 is constant between samples, slowed down to
-/// whole periods, and that by its moving average over a whole number of periods: s(t) then is a
-/// cubic between two samples, with d2s/dt2 continuous. The joints' polynomials agree with q(s(t))
-/// at the samples, and needed_slowdown() checks them between these.
+/// Slows the time scaling down to whole periods with d2s/dt2 constant between samples, then takes
+/// its moving average over a whole number of periods. s(t) is then a cubic between two samples,
+/// with d2s/dt2 continuous. The joints' polynomials agree with q(s(t)) at the samples, and
+/// needed_slowdown() checks them between these.
 SampledSection uniform_section(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options);
 
@@ -19,8 +19,8 @@ SampledSection uniform_section(const Arm& arm, const TimedSection& section,
 SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
                                         const SectionOptions& options);
 
-/// The time scaling from rest at s = 0 to rest at `length` in so many periods, with the speed
-/// linear between them: that of `speed` at k times the period, scaled such that s ends there.
+/// Returns the time scaling from rest at s = 0 to rest at `length` in this number of periods. The
+/// speed is linear between the values `speed(k period)`, scaled so that s ends at `length`.
 TimeScaling uniform_scaling(double periods, double period, double length,
                             const std::function<double(double)>& speed);
 

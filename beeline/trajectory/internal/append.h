@@ -10,11 +10,11 @@ double round_to_nanoseconds(double t);
 /// Appends sample k of a trajectory with the same columns, at time t.
 void append_sample(Trajectory& trajectory, const Trajectory& from, std::size_t k, double t);
 
-/// Appends a trajectory with the same columns. Its first sample is that at which `trajectory` ends,
-/// and is left out, unless `trajectory` has none yet; times are shifted accordingly.
+/// Appends a trajectory with the same columns. Its first sample equals the last sample of
+/// `trajectory` and is omitted, unless `trajectory` is empty. Times are shifted accordingly.
 void append(Trajectory& trajectory, const Trajectory& next);
 
-/// Rounds all times to whole nanoseconds: sums of those that are whole may be off by rounding.
+/// Rounds all times to whole nanoseconds. Sums of whole nanoseconds may have rounding errors.
 void round_times(Trajectory& trajectory);
 
 }  // namespace beeline::internal

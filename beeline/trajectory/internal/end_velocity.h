@@ -23,7 +23,8 @@ double rest_velocity(const Trajectory& trajectory, const Limits& limits, double 
 bool counts_as_rest(const Trajectory& trajectory, const std::vector<Limits>& limits,
                     const Configuration& velocity, double h);
 
-/// `limits` are those of the coordinate, as motion_limits() returns them. At rest for one sample.
+/// Returns the velocity of a coordinate at an end. `limits` are the limits of the coordinate, as
+/// motion_limits() returns them. A trajectory of one sample is at rest.
 EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,
                          TrajectoryEnd end);
 

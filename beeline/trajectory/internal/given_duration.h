@@ -13,11 +13,13 @@ void check_duration(const std::optional<double>& duration);
 /// Throws Error for a duration together with a rate, at which sections last whole periods.
 void refuse_duration_with_rate(const std::optional<double>& duration, double rate);
 
-/// Why a duration cannot be kept: the shortest within the limits is longer.
+/// Returns the reason why a duration cannot be kept: the shortest duration within the limits is
+/// longer.
 Reason too_short(double duration, double shortest);
 
 /// Slows a trajectory that starts at time 0 down to a duration, its times rounded to nanoseconds.
-/// Returns the reason where that is shorter than the trajectory's, which then stays as it is.
+/// If the duration is shorter than the trajectory's, returns the reason and does not change the
+/// trajectory.
 Reason set_duration(Trajectory& trajectory, double duration);
 
 }  // namespace beeline::internal

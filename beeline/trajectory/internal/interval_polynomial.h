@@ -36,8 +36,7 @@ inline void keep_columns(Trajectory& trajectory, Interpolation interpolation) {
   if (interpolation == Interpolation::linear) trajectory.velocities.clear();
 }
 
-/// The highest order of derivative that has no jumps in the position, velocity or acceleration
-/// before it, and so is bounded: 1, 2 or 3.
+/// The highest order of a bounded derivative, 1, 2 or 3: all lower derivatives are continuous.
 constexpr int bounded_order(Interpolation interpolation) {
   return 1 + static_cast<int>(interpolation);
 }

@@ -20,7 +20,7 @@ constexpr std::string_view quantity_words[][3] = {{"position", "velocity", "acce
                                                   {"positions", "velocities", "accelerations"},
                                                   {"pos", "vel", "acc"}};
 
-/// What may stand behind the name of a joint in that of a column of positions.
+/// Endings that a column of positions may have after the name of the joint.
 constexpr const char* position_endings[] = {"", "/position", ".position", "_position", "_pos"};
 
 /// The texts before and behind each name of a naming that make the names of columns.
@@ -70,7 +70,7 @@ std::vector<Eigen::Index> rates_beside(const Names& positions, int quantity, con
   return {};
 }
 
-/// Adds the columns of rates that stand beside those of the positions.
+/// Adds the columns of rates that belong to the columns of positions.
 void add_rates(const Names& names, const Index& index, JointColumns& columns) {
   Names positions;
   for (const Eigen::Index i : columns.positions) {
@@ -92,7 +92,7 @@ std::optional<std::vector<Eigen::Index>> columns_of(const Index& index, const Na
   return columns;
 }
 
-/// All ways to find the names of a naming, with a text in front, in those of the columns.
+/// Finds all affixes with which the names of a naming are names of columns.
 void find_affixes(const Names& names, const Index& index, const Names& naming,
                   std::vector<Affixes>& found) {
   for (std::size_t e = 0; e < std::size(position_endings); ++e) {

@@ -11,7 +11,8 @@ double limit_of(const Limits& limits, int order) {
   return order == 1 ? limits.velocity : order == 2 ? limits.acceleration : limits.jerk;
 }
 
-/// Of the derivative's polynomial from sample k to the next: exact, or 0 if it is at most `known`.
+/// Returns the exact fraction of the limit that the derivative's polynomial uses from sample k to
+/// the next, or 0 if it is at most `known`.
 double exact_fraction(const Trajectory& trajectory, std::size_t k, int coordinate, int order,
                       double limit, double known) {
   const double h = trajectory.times[k + 1] - trajectory.times[k];

@@ -11,7 +11,8 @@ namespace beeline::internal {
 /// The limits of a motion of the arm, of each coordinate: see motion_limits().
 std::vector<Limits> motion_limits_of(const Arm& arm);
 
-/// The largest fraction of the limits of one kind that a trajectory uses, and where.
+/// The largest fraction of the limits of one kind that a trajectory uses, with its coordinate and
+/// sample.
 struct CoordinateFraction {
   double fraction = 0;
   int coordinate = 0;
@@ -19,14 +20,14 @@ struct CoordinateFraction {
   bool exact = true;       ///< see LimitFraction
 };
 
-/// Computes it for the derivative of an order from 1 (velocity) to 3 (jerk). `limits`: of each
-/// column of the trajectory; infinite ones count as not used. The largest so far where the budget
-/// ends it.
+/// Computes the largest fraction for the derivative of an order from 1 (velocity) to 3 (jerk).
+/// `limits` has the limits of each column of the trajectory; infinite limits have the fraction 0.
+/// If the budget ends the computation, returns the largest fraction so far.
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
                                   int order, BudgetMeter& budget = unlimited());
 
-/// The largest fraction of the limits of that order between each two samples; 0 for an order that
-/// the interpolation does not bound, and where the budget ends it.
+/// Computes the largest fraction of the limits of that order between each two samples; 0 for an
+/// order that the interpolation does not bound, and if the budget ends the computation.
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
                                     int order, BudgetMeter& budget = unlimited());
 

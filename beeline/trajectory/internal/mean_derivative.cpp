@@ -9,8 +9,8 @@
 namespace beeline::internal {
 
 double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
-  // Relative rounding error of a position, including that of the file that it was read from, with a
-  // margin.
+  // Relative rounding error of a position, including the rounding in the file that it was read
+  // from, with a margin.
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   if (order < 1 || order > 3) {
     throw Error("the order of a derivative must be 1, 2 or 3, not " + std::to_string(order));

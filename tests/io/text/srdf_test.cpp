@@ -136,8 +136,9 @@ TEST(Srdf, StatesOfOneNameAreToldApartByTheirGroup) {
   EXPECT_EQ(named_state(srdf, arm, "home", "h")[0], 3);
   EXPECT_EQ(named_state(srdf, arm, "home", "g")[0], 1);
   EXPECT_EQ(named_state(srdf, arm, "same")[1], 2);
-  EXPECT_REFUSED(named_state(srdf, arm, "home"),
-                 "a.srdf:3: state home of group h and that of group g have different values");
+  EXPECT_REFUSED(
+      named_state(srdf, arm, "home"),
+      "a.srdf:3: state home of group h has other values than in group g; name the group");
 }
 
 TEST(Srdf, MistakesAreNamedWithTheirLine) {

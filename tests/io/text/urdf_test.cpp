@@ -185,12 +185,12 @@ TEST(Urdf, FollowersFollowWithinTheChainAndThroughLeadersBesideIt) {
   const Arm inside = parse_urdf(text, {.base = "", .tip = "c"});
   EXPECT_EQ(inside.dof(), 1);
   ASSERT_TRUE(inside.joints()[1].mimic.has_value());
-  EXPECT_EQ(inside.drives()[1].ratio, -2);
-  EXPECT_EQ(inside.drives()[1].shift, 0.5);
+  EXPECT_EQ(inside.couplings()[1].ratio, -2);
+  EXPECT_EQ(inside.couplings()[1].shift, 0.5);
   const Arm through = parse_urdf(text, {.base = "", .tip = "d"});
   EXPECT_EQ(through.dof(), 1);
-  EXPECT_EQ(through.drives()[1].ratio, -2);
-  EXPECT_EQ(through.drives()[1].shift, 0.5);
+  EXPECT_EQ(through.couplings()[1].ratio, -2);
+  EXPECT_EQ(through.couplings()[1].shift, 0.5);
   EXPECT_EQ(parse_urdf(text, {.base = "b", .tip = "c"}).dof(), 1);
   EXPECT_EQ(parse_urdf(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
 }
@@ -221,7 +221,7 @@ TEST(Urdf, FollowersOfOneLeaderBesideTheChainAreOneCoordinate) {
       const double q = multiplier[0] * leader + offset[0];
       EXPECT_TRUE(within_position_limits(arm.limits(0), q, 1e-5));
       for (int k = 0; k < followers; ++k) {
-        EXPECT_NEAR(arm.drives()[k].ratio * q + arm.drives()[k].shift,
+        EXPECT_NEAR(arm.couplings()[k].ratio * q + arm.couplings()[k].shift,
                     multiplier[k] * leader + offset[k], 1e-4);
       }
     }
@@ -240,8 +240,8 @@ TEST(Urdf, AFollowerThatDoesNotMoveIsNoCoordinate) {
             joint("moves", "revolute", "b", "c", follower("multiplier=\"2\"")));
   const Arm arm = parse_urdf(text, {.tip = "c"});
   EXPECT_EQ(arm.joint_names(), std::vector<std::string>{"moves"});
-  EXPECT_EQ(arm.drives()[0].ratio, 0);
-  EXPECT_EQ(arm.drives()[0].shift, 0.4);
+  EXPECT_EQ(arm.couplings()[0].ratio, 0);
+  EXPECT_EQ(arm.couplings()[0].shift, 0.4);
 }
 
 TEST(Urdf, LeadersBesideTheChainThatFormACycleAreRefused) {

@@ -47,9 +47,9 @@ struct ColumnsInUnits {
 /// `joint1/deg`, `joint1[mm]`, `joint1_deg_vel`. Rates may have the unit of one, `joint1_vel
 /// (deg/s)`; a name with such a unit that does not say its quantity, `joint1 (deg/s)`, becomes
 /// `joint1_vel` or `joint1_acc`. A unit of angles elsewhere, `deg_joint1` or
-/// `states_deg/joint1/position`, counts too and stays in the name. A name that one of `known` has
-/// is not split. Names that would be equal without their units keep them. Throws Error for a name
-/// with two units, as a header and the row of units below it may give.
+/// `states_deg/joint1/position`, is accepted too and remains in the name. A name that one of
+/// `known` has is not split. Names that would be equal without their units keep them. Throws Error
+/// for a name with two units, as a header and the row of units below it may give.
 ColumnsInUnits columns_in_units(const std::vector<std::string>& names,
                                 const std::vector<std::string>& known);
 
@@ -65,15 +65,15 @@ struct StatedUnits {
 };
 
 /// Returns the units in comments such as `units: degrees`, `unit = mm, deg`, `angles in deg`, or a
-/// unit alone. Other words between the quantity and `in deg` count only where they do not tell of
-/// rates, limits or conversions.
+/// single unit. Other words may stand between the quantity and `in deg` unless they mean rates,
+/// limits or conversions.
 /// Throws Error for two units of one quantity.
 StatedUnits stated_units(const std::vector<std::string>& comments);
 
-/// Returns what the numbers of each column are multiplied by to be in the unit `wanted`, empty for
-/// one without a unit. Names give units, else comments do. Throws Error for a unit of another
-/// quantity, and for a comment that contradicts a wanted unit other than radians and metres: an
-/// option has asked for it.
+/// Returns the factor that converts the numbers of each column to the unit `wanted`, which is empty
+/// for a column without a unit. Names give units, else comments do. Throws Error for a unit of
+/// another quantity, and for a comment that contradicts a wanted unit other than radians and
+/// metres: an option has asked for it.
 std::vector<double> factors_to(const std::vector<std::string>& wanted,
                                const ColumnsInUnits& columns, const StatedUnits& stated);
 

@@ -8,9 +8,9 @@
 namespace beeline::internal {
 
 /// Returns the separator of a text from its first line, by the characters outside of quotes: a
-/// comma; a semicolon if there are no commas, or only those of decimal numbers; a tab if there is
-/// neither; a blank, which stands for any number of them, if there are no other separators. A
-/// single item has a comma.
+/// comma; a semicolon if there are no commas except decimal ones; a tab if there is neither; a
+/// blank, which stands for any number of them, if there are no other separators. A single item has
+/// a comma.
 char csv_separator(std::string_view line);
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }

@@ -46,7 +46,7 @@ Names parse_header(std::string_view line, char separator) {
   return columns;
 }
 
-/// What the items of a first line are: a row has only numbers, names have none.
+/// The kind of a first line: a row has only numbers, a header has none.
 struct FirstLine {
   std::size_t count = 0;
   bool all_numbers = true;  ///< or what may be meant as one, or nothing
@@ -364,7 +364,7 @@ void CsvRows::count_from_first(const std::vector<std::size_t>& columns) {
   for (const std::size_t column : columns) counted_.push_back({.column = column});
 }
 
-/// Throws Error for dates beside numbers, and with a zone beside those without.
+/// Throws Error for dates beside numbers, and for dates with a zone beside dates without one.
 void CsvRows::count_all() {
   const std::string column = "column " + printable(columns_[counted_.front().column]);
   if (!counted_.front().first) has_dates_ = date_.has_value();

@@ -14,7 +14,7 @@
 
 namespace beeline::internal {
 
-/// What is known of a table's columns besides its text.
+/// Properties of a table's columns besides its text.
 struct CsvForms {
   using Names = std::vector<std::string>;
 
@@ -29,30 +29,30 @@ struct CsvForms {
 
 /// The reader of all CSV texts: a table of rows below a header of names, row by row.
 ///
-/// The items are separated as csv_separator() says of the first line. Unless commas separate them,
-/// numbers may have decimal commas, if all have. Items may be in double quotes. Blanks around
-/// items, CRLF, a byte order mark, empty lines, and lines that begin with # or % are skipped.
-/// Unless CsvForms::accepts the first line, the comment before it is the header if it has as many
-/// names and CsvForms::accepts_comment them, as files of numpy.savetxt() have it. A row of units
-/// below the header, or a comment of as many, is appended to the names: with_units(). The memory is
-/// that of one line.
+/// csv_separator() of the first line separates the items. Unless this is a comma, numbers may have
+/// decimal commas, if all have them. Items may be in double quotes. Blanks around items, CRLF, a
+/// byte order mark, empty lines, and lines that begin with # or % are skipped. Unless
+/// CsvForms::accepts the first line, the comment before it is the header if it has as many names
+/// and CsvForms::accepts_comment them; numpy.savetxt() writes such files. A row of units below the
+/// header, or a comment with as many units, is appended to the names: with_units(). Holds one line
+/// in memory.
 class CsvRows {
  public:
   using Names = CsvForms::Names;
 
   /// Reads the header. `path` is for messages. `lines` and `path` must outlive this object. Throws
-  /// FileError for an empty text, a repeated or empty name, a header that is not UTF-8, numbers
-  /// in the place of a header that no form has, and comments that give two units of a quantity.
+  /// FileError for an empty text, a repeated or empty name, a header that is not UTF-8, a first row
+  /// of numbers that fits no form, and comments that give two units of a quantity.
   CsvRows(CsvLines& lines, const std::string& path, const CsvForms& forms = {});
 
   const Names& columns() const { return columns_; }
   bool has_header() const { return has_header_; }
   /// The units in the comments before the header.
   const StatedUnits& stated() const { return stated_; }
-  /// From now on, from_first(i) is the number of the i-th of these columns less that of the first
-  /// row, exactly if both are whole numbers below 2^63: times since 1970 in nanoseconds exceed the
-  /// digits of a double. The first column may have dates, parse_date(), instead of numbers: then
-  /// rows have 0 and from_first(0) is in seconds.
+  /// After this call, from_first(i) is the number in the i-th of these columns minus the number in
+  /// the first row, exactly if both are whole numbers below 2^63: times since 1970 in nanoseconds
+  /// exceed the digits of a double. The first column may have dates, parse_date(), instead of
+  /// numbers: then rows have 0 and from_first(0) is in seconds.
   void count_from_first(const std::vector<std::size_t>& columns);
   double from_first(std::size_t i) const { return counted_[i].from_first; }
   bool has_dates() const { return has_dates_; }  ///< known once a row has been read

@@ -12,8 +12,8 @@
 namespace beeline::internal {
 namespace {
 
-/// A kind of limit of MoveIt's file: `has` states whether the joint has it, `max` is its value, and
-/// `min` that of the other direction, which is negative or has no sign.
+/// The keys of a kind of limit in MoveIt's file: `has` states whether the joint has it, `max` is
+/// its value, and `min` its value in the other direction, which is negative or has no sign.
 struct RateKeys {
   const char* has;
   const char* max;
@@ -26,8 +26,8 @@ constexpr RateKeys jerk_keys{"has_jerk_limits", "max_jerk", "min_jerk"};
 constexpr const char* has_deceleration = "has_deceleration_limits";
 constexpr const char* max_deceleration = "max_deceleration";
 
-/// The keys of a joint: those that are read, then those of ros2_control that do not concern the
-/// kinematics.
+/// The keys of a joint: first the keys that are read, then keys of ros2_control that do not concern
+/// the kinematics.
 const std::vector<std::string> joint_keys{
     "has_position_limits", "min_position",     "max_position",        velocity_keys.has,
     velocity_keys.max,     velocity_keys.min,  acceleration_keys.has, acceleration_keys.max,
@@ -36,7 +36,8 @@ const std::vector<std::string> joint_keys{
     "has_soft_limits",     "soft_lower_limit", "soft_upper_limit",    "k_position",
     "k_velocity",          "angle_wraparound"};
 
-/// The keys of a joint below `limit`, in the files of Franka's robots; they are those of URDF.
+/// The keys of a joint below `limit`, in the files of Franka's robots. URDF has the same
+/// attributes.
 const std::vector<std::string> urdf_limit_keys{"lower", "upper", "velocity", "effort"};
 
 /// One joint of the file, with checked access. Messages name the file, the line and the key.
@@ -113,7 +114,8 @@ class YamlJoint {
     return Limits::none;
   }
 
-  /// A limit that bounds both directions; where only the other one is given, `known` bounds this.
+  /// Returns a limit that bounds both directions. If only the other direction is given, `known`
+  /// bounds this one.
   static std::optional<double> least(std::optional<double> limit, std::optional<double> other,
                                      double known) {
     return other ? std::min(limit.value_or(known), *other) : limit;
@@ -169,7 +171,8 @@ class YamlJoint {
     refuse(find(key)->line, key, "must not be " + number(*value));
   }
 
-  /// Whether the key is true; none where the key is missing. The values are those of YAML 1.1.
+  /// Whether the key is true; std::nullopt if the key is missing. Takes the truth values of YAML
+  /// 1.1.
   std::optional<bool> truth_at(const char* key) const {
     const YamlMember* member = find(key);
     if (member == nullptr) return std::nullopt;

@@ -62,7 +62,8 @@ class LimitsReader {
     }
   }
 
-  /// The members of `joint_limits`; those of the file, if one of them has urdf_limits().
+  /// Returns the members of `joint_limits`, or else the members of the file if one of them has
+  /// urdf_limits().
   const Yaml::Members* find_joints() const {
     if (limits_ != nullptr) {
       const auto* joints = std::get_if<Yaml::Members>(&limits_->value.value);

@@ -33,8 +33,8 @@ constexpr std::size_t max_number_length = 24;
 /// characters; any NaN is `nan`. Returns the end of the text.
 char* write_double(char* first, double value);
 
-/// Returns the text of exact() with a decimal point, `1.0e-07`: readers of YAML 1.1, as those of
-/// ROS, take `1e-07` for text.
+/// Returns the text of exact() with a decimal point, `1.0e-07`. Readers of YAML 1.1, which ROS
+/// uses, take `1e-07` for text.
 std::string with_point(double value);
 
 /// Returns `value` with this many digits after the decimal point.

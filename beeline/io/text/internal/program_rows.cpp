@@ -58,8 +58,8 @@ ProgramColumns program_columns_of(const Columns& header) {
   return columns;
 }
 
-/// Throws Error for units in comments that are not those of the format, or that speeds and blends,
-/// which are in metres, do not have.
+/// Throws Error for units in comments that differ from the units of the format, or for lengths
+/// other than metres if there are speeds or blends, which are in metres.
 void check_stated(const internal::StatedUnits& stated, const PoseFormat& format,
                   const ProgramColumns& columns) {
   const std::tuple<const internal::Unit*, std::string, const char*> units[] = {
@@ -77,7 +77,7 @@ void check_stated(const internal::StatedUnits& stated, const PoseFormat& format,
               "other columns");
 }
 
-/// Whether the names are those of a pose or of a program.
+/// Whether each name is a column of a pose or of a program.
 bool are_known(const Columns& names) {
   try {
     program_columns_of(internal::known_columns(names).names);
@@ -99,7 +99,8 @@ std::size_t position_size(const PoseColumns& form) {
   return form.planar ? 2 : 3;
 }
 
-/// Of a row whose orientation does not count, it may be empty: that of the frame.
+/// Returns the pose of a row. If its orientation does not count, its items may be empty; the
+/// orientation is then the frame's.
 std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<std::string>& items,
                                    const ProgramColumns& columns, const Columns& header,
                                    const PoseFormat& format, bool orientation_counts) {

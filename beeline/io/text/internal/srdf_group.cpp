@@ -15,7 +15,7 @@ using internal::UrdfFile;
 
 constexpr std::size_t max_chains = 100;  // each takes the time of a walk through the whole tree
 
-/// Collects what a group and the groups in it consist of.
+/// Collects the members of a group and of the groups in it.
 class GroupMembers {
  public:
   GroupMembers(const Srdf& srdf, const UrdfFile& urdf) : srdf_(srdf), urdf_(urdf) {

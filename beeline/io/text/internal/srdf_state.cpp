@@ -67,8 +67,8 @@ Configuration named_state(const Srdf& srdf, const Arm& arm, const std::string& n
       selected = state;
     } else if (configuration_of(srdf, *state, arm) != configuration_of(srdf, *selected, arm)) {
       refuse_state(srdf, *state,
-                   "and that of group " + internal::printable(selected->group) +
-                       " have different values; name the group");
+                   "has other values than in group " + internal::printable(selected->group) +
+                       "; name the group");
     }
   }
   if (selected == nullptr) {

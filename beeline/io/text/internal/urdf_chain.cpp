@@ -10,8 +10,8 @@ namespace {
 
 using Chain = std::vector<ChainJoint>;
 
-/// Removes the joints of a gripper from the end of the chain, and those behind them. A chain of
-/// nothing else is a finger that its user wants.
+/// Removes the joints of a gripper, and all joints behind them, from the end of the chain. A chain
+/// of nothing else is a finger that its user wants.
 void end_before_gripper(const UrdfFile& file, Chain& chain, std::vector<ReadWarning>& warnings) {
   std::size_t length = chain.size();
   bool moves = false;  // a joint before the gripper

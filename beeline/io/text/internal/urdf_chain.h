@@ -8,11 +8,11 @@
 
 namespace beeline::internal {
 
-/// Returns the joints from the base to the tip, in this order, without those of a gripper behind
-/// them and without floating and planar joints before them, as read_urdf() documents. Appends to
-/// `warnings`, unless null, what was selected and the faults beside the chain.
-/// Throws FileError for a fault on the chain; without `ends.tip` also for one that the chain may be
-/// meant to have; and when several chains match `ends`.
+/// Returns the joints from the base to the tip, in this order, without the joints of a gripper
+/// behind them and without floating and planar joints before them, as read_urdf() documents.
+/// Appends to `warnings`, unless null, what was selected and the faults beside the chain.
+/// Throws FileError for a fault on the chain, for several chains that match `ends`, and, without
+/// `ends.tip`, for a fault on joints that may be meant to be on the chain.
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
                                   std::vector<ReadWarning>* warnings = nullptr);
 /// The same of the file's tree.

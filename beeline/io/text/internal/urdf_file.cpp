@@ -213,7 +213,7 @@ class Reader {
     file_.joints.push_back(std::move(joint));
   }
 
-  /// What a joint has besides its place in the tree.
+  /// Reads the properties of a joint besides its place in the tree.
   void read_remainder(const XMLElement& element, UrdfFile::Joint& joint, std::size_t index) {
     for (const XMLElement* at = element.FirstChildElement(); at; at = at->NextSiblingElement()) {
       if (!is_xacro(*at)) continue;

@@ -34,7 +34,7 @@ std::vector<std::size_t> leaders_of(const UrdfFile& file) {
   return leaders;
 }
 
-/// What moves below a link.
+/// The joints below a link.
 struct MovingBelow {
   std::size_t joints = 0;
   std::size_t any = 0;     ///< one of them

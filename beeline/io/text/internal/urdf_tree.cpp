@@ -115,7 +115,7 @@ void UrdfTree::find_moving_faults() {
   }
 }
 
-/// Whether a name may be meant to be that of a link. In a very large file it may.
+/// Whether a name resembles the name of a link. True in a very large file.
 bool UrdfTree::misspelt(const std::string& name) const {
   constexpr std::size_t most_compared = 1000;
   if (file_.links.size() > most_compared) return true;
@@ -204,7 +204,8 @@ bool UrdfTree::parts_tree(const UrdfFault& fault) const {
   return (unplaced && fault.moves) || kind == ReadWarningKind::two_parents;
 }
 
-/// Returns the fault that is likely why two links are not connected; null where there is none.
+/// Returns the fault that is the likely reason why two links are not connected; null if there is
+/// none.
 const UrdfFault* UrdfTree::cause_of_gap(std::size_t base, std::size_t tip) const {
   const UrdfFault* unconnected = nullptr;
   for (const std::size_t end : {tip, base}) {

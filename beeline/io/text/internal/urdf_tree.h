@@ -37,7 +37,7 @@ class UrdfTree {
   /// name, and for several roots.
   std::size_t base(const std::string& name) const;
 
-  /// The selected tip, and which kind of warning tells so; none where there was no choice.
+  /// The selected tip and the kind of the warning about this choice; none if there was no choice.
   struct Tip {
     std::size_t link = 0;
     std::optional<ReadWarningKind> choice = {};

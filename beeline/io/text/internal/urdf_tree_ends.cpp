@@ -10,8 +10,8 @@
 
 namespace beeline::internal {
 
-/// Names the link that all fingers among these ends belong to, with the option that ends the chain
-/// there; empty where there is none, or where no joint moves it relative to the base.
+/// Names the link that carries all fingers among these ends, with the option that ends the chain
+/// there. Returns an empty text if there is none, or if no joint moves it relative to the base.
 std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t base) const {
   std::unordered_map<std::size_t, std::size_t> known;
   Indices child_link;
@@ -36,9 +36,9 @@ std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t b
   return moves ? "; --tip " + shell_word(name_of(palm)) + " ends before the gripper" : "";
 }
 
-/// Returns the link above the uppermost of the joints of fingers over a link, fixed joints aside;
-/// no_link where the next joint is another one. `fingers` are those by structure. `known` keeps the
-/// results of the links passed.
+/// Returns the link above the uppermost of the finger joints over a link, ignoring fixed joints;
+/// no_link if the next joint does not move a finger. `fingers` has the finger joints recognised by
+/// structure. `known` keeps the results for the links visited.
 std::size_t UrdfTree::palm_above(std::size_t link, const std::vector<bool>& fingers,
                                  std::unordered_map<std::size_t, std::size_t>& known) const {
   Indices passed;

@@ -27,18 +27,18 @@ struct YamlMember {
   Yaml value;
 };
 
-/// What a YAML text may hold at most.
+/// Bounds of the content of a YAML text.
 struct YamlBounds {
   std::size_t bytes = std::size_t{1} << 20;
   std::size_t values = 100'000;  ///< copies of aliases included
 };
 
 /// Parses a YAML text of one document; `path` names it in messages, `first_line` is its first line
-/// in the file. An alias becomes a copy of what
-/// it names, and a merge key (<<) the members that its map has and this one lacks. Throws FileError
-/// for text that is not YAML, a second document, a repeated key, a key that is not a scalar, an
-/// alias inside its own anchor, a text beyond the bounds and nesting deeper than 64 levels. These
-/// bounds keep memory, time and stack bounded for any text.
+/// in the file. An alias becomes a copy of the named value. A merge key (<<) adds the members of
+/// its map that this map lacks. Throws FileError for text that is not YAML, a second document, a
+/// repeated key, a key that is not a scalar, an alias inside its own anchor, a text beyond the
+/// bounds and nesting deeper than 64 levels. These bounds keep memory, time and stack bounded for
+/// any text.
 Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds = {},
                 int first_line = 1);
 

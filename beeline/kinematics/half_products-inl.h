@@ -1,9 +1,9 @@
 // Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
-#if defined(BEELINE_KINEMATICS_HALVES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef BEELINE_KINEMATICS_HALVES_INL_H
-#undef BEELINE_KINEMATICS_HALVES_INL_H
+#if defined(BEELINE_KINEMATICS_HALF_PRODUCTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_KINEMATICS_HALF_PRODUCTS_INL_H
+#undef BEELINE_KINEMATICS_HALF_PRODUCTS_INL_H
 #else
-#define BEELINE_KINEMATICS_HALVES_INL_H
+#define BEELINE_KINEMATICS_HALF_PRODUCTS_INL_H
 #endif
 
 #include <beeline/kinematics/chain_one-inl.h>
@@ -12,12 +12,12 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
 /// Maps a vector from the frame to the world, by its rotation.
-HWY_INLINE Four rotated(const Columns& frame, const double* v) {
+HWY_INLINE PaddedVector3 rotated(const Columns& frame, const double* v) {
   return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
 }
 
 /// Maps a point from the frame to the world.
-HWY_INLINE Four transformed(const Columns& frame, const double* v) {
+HWY_INLINE PaddedVector3 transformed(const Columns& frame, const double* v) {
   return frame.p.plus(1, rotated(frame, v));
 }
 
@@ -29,7 +29,7 @@ HWY_INLINE Columns times(const Columns& frame, const double* pose, int stride = 
 
 /// The products of the link transforms of two halves of a chain, computed together: every column
 /// has four numbers of the first half, then four of the second.
-struct Halves {
+struct HalfProducts {
   Lanes x, y, z, p;
 
   /// `first` in the four lanes of the first half, `second` in the others.
@@ -46,7 +46,7 @@ struct Halves {
     return r;
   }
 
-  static HWY_INLINE Lanes both(const Four& first, const Four& second) {
+  static HWY_INLINE Lanes both(const PaddedVector3& first, const PaddedVector3& second) {
     Lanes r;
 #if HWY_MAX_BYTES >= 64
     r.part[0] = hn::Combine(RegisterTag(), second.part[0], first.part[0]);
@@ -58,13 +58,16 @@ struct Halves {
   }
 
   /// The first half starts at the frame, the second at the identity.
-  static HWY_INLINE Halves starting_with(const Columns& frame) {
+  static HWY_INLINE HalfProducts starting_with(const Columns& frame) {
     alignas(64) static constexpr double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    return {both(frame.x, Four::load(identity)), both(frame.y, Four::load(identity + 4)),
-            both(frame.z, Four::load(identity + 8)), both(frame.p, Four::load(identity + 12))};
+    return {both(frame.x, PaddedVector3::load(identity)),
+            both(frame.y, PaddedVector3::load(identity + 4)),
+            both(frame.z, PaddedVector3::load(identity + 8)),
+            both(frame.p, PaddedVector3::load(identity + 12))};
   }
 
-  /// Multiplies the first half by the transform of link a, the second by that of b.
+  /// Multiplies the first half by the transform of link a and the second by the transform of link
+  /// b.
   HWY_INLINE void append(const internal::Chain::Link& a, double sine_a, double cosine_a, double d_a,
                          const internal::Chain::Link& b, double sine_b, double cosine_b,
                          double d_b) {
@@ -94,8 +97,8 @@ struct Halves {
   }
 
  private:
-  static HWY_INLINE Four first_of(const Lanes& both) {
-    Four r;
+  static HWY_INLINE PaddedVector3 first_of(const Lanes& both) {
+    PaddedVector3 r;
 #if HWY_MAX_BYTES >= 64
     r.part[0] = hn::LowerHalf(both.part[0]);
 #else
