@@ -148,13 +148,11 @@ std::ostream& operator<<(std::ostream& out, const Verification& verification);
 /// samples as the columns mean (see Interpolation).
 ///
 /// - Deviation: assigns a path parameter to each sample. The parameters do not decrease, and fit
-/// all
-///   samples between two stops together if the path approaches itself. path_deviation() bounds the
-///   deviation between samples.
+///   all samples between two stops together if the path approaches itself. path_deviation() bounds
+///   the deviation between samples.
 /// - Direction: at all times the tool is within the tolerance of the path's pose at a parameter
-/// s(t).
-///   On a line this is the pose at the projection x(t) of the tool's origin on it. Neither s(t) nor
-///   x(t) falls behind an earlier value on the same segment by more than the tolerance:
+///   s(t). On a line this is the pose at the projection x(t) of the tool's origin on it. Neither
+///   s(t) nor x(t) falls behind an earlier value on the same segment by more than the tolerance:
 ///     x(a) - x(b) <= tolerance for all a < b.
 ///   The motion on a line is bounded by x itself, not by s(t), which may be ahead of it or behind.
 /// - Limits of position and velocity hold at all times, by the extremes of the polynomials. So do
