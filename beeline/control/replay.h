@@ -59,19 +59,15 @@ struct Replay {
 /// these columns mean (see Interpolation) at the given speed.
 ///
 /// - Without a rate and `speed_at` the replay consists of the recorded samples. At a speed other
-/// than
-///   1 their times are whole nanoseconds.
+///   than 1 their times are whole nanoseconds.
 /// - With a rate, samples are at k / rate from the first to the last, including the lead-in. The
 ///   lead-in and each section of the recording from stop to stop last whole periods.
 /// - Stops of the recording remain: each is a sample at rest, with the recorded position. A dwell,
-/// in
-///   which the joints stay within 1e-5 rad or m, is never shorter than in the recording, not even
-/// at
-///   a speed above 1.
+///   in which the joints stay within 1e-5 rad or m, is never shorter than in the recording, not
+///   even at a speed above 1.
 /// - With `speed_at` the speed changes at the rate of the ramp. It changes less if a joint's
 ///   acceleration would exceed its limit, but at least at a twentieth of that rate. A recording
-/// that
-///   starts at rest starts at its first speed, any other recording at zero.
+///   that starts at rest starts at its first speed, any other recording at zero.
 ///
 /// Polynomials through samples of a motion at its limits may exceed the limits. The replay keeps
 /// the limits of position, velocity, acceleration and jerk, known or assumed (motion_limits()), at

@@ -74,8 +74,7 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step);
 /// - otherwise all joints lag together, and a command at rest is reached without overshoot; if it
 ///   stops at once, the joints pass it by v²/2a;
 /// - the solution is the one continued from the start. It does not jump to another one, even if
-/// only
-///   another one reaches the command;
+///   only another one reaches the command;
 /// - near a singularity the tool deviates from the command and continues. A redundant arm that was
 ///   stretched out towards commands beyond its reach may bend to the other side afterwards, and
 ///   stay there if a limit prevents its return; other arms return on the same side in most cases;
