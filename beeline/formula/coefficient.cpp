@@ -83,8 +83,8 @@ Coefficient Coefficient::plain(double value) {
   return result;
 }
 
-Coefficient Coefficient::cosine(int fifteenths) {
-  const int folded = std::abs(fifteenths) % 24;
+Coefficient Coefficient::cosine_of_multiple_of_15_degrees(int k) {
+  const int folded = std::abs(k) % 24;
   const int m = folded > 12 ? 24 - folded : folded;  // cosine is even
   const std::int64_t sign = m > 6 ? -1 : 1;
   switch (m > 6 ? 12 - m : m) {
@@ -105,7 +105,9 @@ Coefficient Coefficient::cosine(int fifteenths) {
   }
 }
 
-Coefficient Coefficient::sine(int fifteenths) { return cosine(fifteenths % 24 - 6); }
+Coefficient Coefficient::sine_of_multiple_of_15_degrees(int k) {
+  return cosine_of_multiple_of_15_degrees(k % 24 - 6);
+}
 
 double Coefficient::value() const { return exact_ ? value_of(parts_, denominator_) : value_; }
 

@@ -24,9 +24,9 @@ class Coefficient {
   /// (a + b sqrt(2) + c sqrt(3) + d sqrt(6)) / denominator, which is positive.
   static Coefficient exactly(const std::array<std::int64_t, 4>& parts,
                              std::int64_t denominator = 1);
-  static Coefficient plain(double value);     ///< a number that is not exact
-  static Coefficient cosine(int fifteenths);  ///< cos(fifteenths * 15 degrees)
-  static Coefficient sine(int fifteenths);
+  static Coefficient plain(double value);                      ///< a number that is not exact
+  static Coefficient cosine_of_multiple_of_15_degrees(int k);  ///< cos(k * 15 degrees)
+  static Coefficient sine_of_multiple_of_15_degrees(int k);    ///< sin(k * 15 degrees)
 
   bool exact() const { return exact_; }
   bool is_zero() const { return exact_ ? parts_ == std::array<std::int64_t, 4>{} : value_ == 0; }

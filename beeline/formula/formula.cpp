@@ -28,10 +28,11 @@ ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size
   return matrix;
 }
 
-/// cos(sign * angle + fifteenths * 15 degrees), or the sine.
-Expression turned(const Angle& angle, int sign, int fifteenths, bool sine) {
+/// cos(sign * angle + multiple_of_15_degrees * 15 degrees), or the sine.
+Expression turned(const Angle& angle, int sign, int k, bool sine) {
   const Expression c = Expression::cosine(angle), s = Expression(sign) * Expression::sine(angle);
-  const Expression c0 = Coefficient::cosine(fifteenths), s0 = Coefficient::sine(fifteenths);
+  const Expression c0 = Coefficient::cosine_of_multiple_of_15_degrees(k),
+                   s0 = Coefficient::sine_of_multiple_of_15_degrees(k);
   return sine ? s * c0 + c * s0 : c * c0 - s * s0;
 }
 

@@ -19,9 +19,9 @@ namespace beeline {
 /// 2007).
 struct ElementaryTransform {
   bool rotation = true;
-  int axis = 2;        ///< 0, 1, 2: x, y, z
-  int fifteenths = 0;  ///< a rotation by this multiple of 15 degrees, or
-  int symbol = -1;     ///< by multiple * symbol, if this is not -1
+  int axis = 2;                    ///< 0, 1, 2: x, y, z
+  int multiple_of_15_degrees = 0;  ///< a rotation by this multiple of 15 degrees, or
+  int symbol = -1;                 ///< by multiple * symbol, if this is not -1
   int multiple = 1;
   Expression distance = {};  ///< a translation by this, metres
 };
@@ -108,7 +108,7 @@ ExpressionMatrix tool_formula(const SymbolicArm& arm);         ///< of the tool 
 /// degrees. None for other arms, and where fixed rotations out of the plane hide the sum.
 struct PlanarAngle {
   Angle angle;
-  int fifteenths = 0;
+  int multiple_of_15_degrees = 0;
 };
 std::optional<PlanarAngle> planar_angle(const SymbolicArm& arm);
 

@@ -86,9 +86,10 @@ int ArmNamer::mimic_symbol(std::size_t i) {
 
 void ArmNamer::rotate(int axis, double angle, const std::string& letter,
                       const std::string& subscript, const std::string& meaning) {
-  if (const std::optional<int> exact = fifteenths(angle, named_.options.angle_tolerance)) {
+  if (const std::optional<int> exact =
+          multiple_of_15_degrees(angle, named_.options.angle_tolerance)) {
     named_.rounding = std::max(named_.rounding, std::abs(angle - *exact * std::numbers::pi / 12));
-    if (*exact % 24 != 0) add({.axis = axis, .fifteenths = *exact % 24});
+    if (*exact % 24 != 0) add({.axis = axis, .multiple_of_15_degrees = *exact % 24});
     return;
   }
   add({.axis = axis,
@@ -180,7 +181,7 @@ void ArmNamer::move_about_screw(std::size_t i) {
     move(i, 2);
     for (std::size_t k = end; k-- > begin;) {  // the inverse of the two
       ElementaryTransform inverse = named_.transforms.back()[k];
-      inverse.fifteenths *= -1;
+      inverse.multiple_of_15_degrees *= -1;
       inverse.multiple *= -1;
       add(inverse);
     }

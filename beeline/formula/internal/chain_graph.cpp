@@ -155,7 +155,8 @@ void ChainGraph::move_end() {
 
 void ChainGraph::append_rotation(const ElementaryTransform& transform) {
   if (transform.symbol < 0) {
-    const ExpressionRotation exact = exact_rotation(transform.axis, transform.fifteenths);
+    const ExpressionRotation exact =
+        exact_rotation(transform.axis, transform.multiple_of_15_degrees);
     constant_ = constant_ * exact;
     return;
   }

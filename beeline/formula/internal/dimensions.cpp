@@ -23,7 +23,7 @@ std::vector<AxisRotation> euler_rotations(const Rotation& r, int first, int midd
 std::vector<AxisRotation> snapped(const std::vector<AxisRotation>& rotations, double tolerance) {
   std::vector<AxisRotation> result;
   for (AxisRotation rotation : rotations) {
-    const std::optional<int> exact = fifteenths(rotation.angle, tolerance);
+    const std::optional<int> exact = multiple_of_15_degrees(rotation.angle, tolerance);
     if (exact) rotation.angle = *exact * std::numbers::pi / 12;
     if (!exact || *exact % 24 != 0) result.push_back(rotation);
   }
@@ -33,7 +33,7 @@ std::vector<AxisRotation> snapped(const std::vector<AxisRotation>& rotations, do
 int cost(const std::vector<AxisRotation>& rotations, int before, int after, double tolerance) {
   int sum = 0;
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    const bool exact = fifteenths(rotations[i].angle, tolerance).has_value();
+    const bool exact = multiple_of_15_degrees(rotations[i].angle, tolerance).has_value();
     const bool joins_neighbour = (i == 0 && rotations[i].axis == before) ||
                                  (i + 1 == rotations.size() && rotations[i].axis == after);
     sum += exact ? 1 : joins_neighbour ? 10 : 100;
@@ -51,7 +51,7 @@ Rotation product(const std::vector<AxisRotation>& rotations) {
   return result;
 }
 
-std::optional<int> fifteenths(double angle, double tolerance) {
+std::optional<int> multiple_of_15_degrees(double angle, double tolerance) {
   const double step = std::numbers::pi / 12;
   const double multiple = std::round(angle / step);
   if (!(std::abs(angle - multiple * step) <= tolerance)) return std::nullopt;

@@ -30,6 +30,6 @@ std::vector<AxisRotation> axis_rotations(const Rotation& rotation, int before, i
 Rotation product(const std::vector<AxisRotation>& rotations);
 
 /// The multiple of 15 degrees within `tolerance` of an angle, or nothing.
-std::optional<int> fifteenths(double angle, double tolerance);
+std::optional<int> multiple_of_15_degrees(double angle, double tolerance);
 
 }  // namespace beeline::internal

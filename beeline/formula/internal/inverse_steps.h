@@ -14,10 +14,10 @@ struct PlanarLink {
   bool revolute = true;
   int symbol = -1;  ///< the coordinate
   Expression length = {};
-  Angle bend = {};     ///< named part of the bend
-  int fifteenths = 0;  ///< exact part
+  Angle bend = {};                 ///< named part of the bend
+  int multiple_of_15_degrees = 0;  ///< exact part
 
-  bool bends() const { return fifteenths != 0 || !bend.is_zero(); }
+  bool bends() const { return multiple_of_15_degrees != 0 || !bend.is_zero(); }
   Expression bend_cosine() const;
   Expression bend_sine() const;
 };

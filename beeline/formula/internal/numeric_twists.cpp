@@ -16,7 +16,7 @@ Pose numeric(const ElementaryTransform& transform, std::span<const double> symbo
   }
   const double angle =
       transform.symbol < 0
-          ? transform.fifteenths * std::numbers::pi / 12
+          ? transform.multiple_of_15_degrees * std::numbers::pi / 12
           : transform.multiple * symbols[static_cast<std::size_t>(transform.symbol)];
   pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   return pose;

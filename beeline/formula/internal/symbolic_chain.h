@@ -39,7 +39,7 @@ class SymbolicPose {
 SymbolicPose pose_between(const SymbolicArm& arm, std::size_t from, std::size_t to);
 
 /// The rotation about an axis by a multiple of 15 degrees.
-ExpressionRotation exact_rotation(int axis, int fifteenths);
+ExpressionRotation exact_rotation(int axis, int k);
 
 /// 1 or -1 if v is that multiple of the unit vector along the axis, else 0.
 int sign_along(const ExpressionVector& v, int axis);

@@ -32,13 +32,14 @@ TEST(AxisRotations, FindMultiplesOf15Degrees) {
     for (AxisRotation& rotation : rotations) rotation.angle += random.uniform(-1e-11, 1e-11);
     const std::vector<AxisRotation> found = axis_rotations(product(rotations), 2, 2, 1e-9);
     for (const AxisRotation& rotation : found) {
-      EXPECT_TRUE(fifteenths(rotation.angle, 1e-15)) << rotation.angle;
+      EXPECT_TRUE(multiple_of_15_degrees(rotation.angle, 1e-15)) << rotation.angle;
     }
     EXPECT_LT((product(found) - exact).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
 
-/// The determinants of the blocks multiply to the determinant of the matrix, for random patterns of zeros.
+/// The determinants of the blocks multiply to the determinant of the matrix, for random patterns of
+/// zeros.
 TEST(BlockForm, HasTheDeterminantOfTheMatrix) {
   testing::Random random;
   int split = 0;
