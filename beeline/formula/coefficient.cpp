@@ -10,7 +10,7 @@ namespace {
 
 using Parts = std::array<std::int64_t, 4>;
 
-/// Integer arithmetic that remembers whether a result left 64 bits.
+/// Integer arithmetic that records whether a result exceeded 64 bits.
 struct Checked {
   bool overflow = false;
 
@@ -26,7 +26,7 @@ struct Checked {
   }
 };
 
-/// std::gcd() is not defined for the smallest number, whose absolute value does not exist.
+/// std::gcd() is not defined for the smallest integer, whose absolute value exceeds 64 bits.
 bool has_absolute_value(std::int64_t n) { return n != std::numeric_limits<std::int64_t>::min(); }
 
 /// The products of the basis 1, sqrt(2), sqrt(3), sqrt(6): factor and index of the result.

@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Yaw, pitch and roll where the pitch is 90 degrees up to rounding: then roll is 0.
+/// Returns yaw, pitch and roll for a pitch of 90 degrees up to rounding; roll is then 0.
 std::vector<AxisRotation> gimbal_locked(const Rotation& r) {
   const double yaw = std::atan2(-r(0, 1), r(1, 1));
   return {{2, yaw}, {1, std::copysign(std::numbers::pi / 2, -r(2, 0))}};
@@ -19,7 +19,7 @@ std::vector<AxisRotation> euler_rotations(const Rotation& r, int first, int midd
   return {{first, angles[0]}, {middle, angles[1]}, {last, angles[2]}};
 }
 
-/// Angles that are exact become so, zeros are left out.
+/// Replaces angles near exact ones by them, and omits zeros.
 std::vector<AxisRotation> snapped(const std::vector<AxisRotation>& rotations, double tolerance) {
   std::vector<AxisRotation> result;
   for (AxisRotation rotation : rotations) {

@@ -21,7 +21,7 @@ void collect(const Tree& tree, std::set<int>& symbols, std::set<Trig>& trigs) {
 
 }  // namespace
 
-/// The expression as it is written, with the constants as numbers if they are wanted so.
+/// Returns the expression as a tree, with the constants as numbers if the style requests it.
 Tree DocumentWriter::tree(const Expression& expression) {
   return factored(style_.numbers ? with_numbers(expression, arm_) : expression);
 }

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Adds one elementary transform to a link; false if a planar link has no such transform.
+/// Adds one elementary transform to a link; returns false if a planar link has no such transform.
 bool add_to(PlanarLink& link, const SymbolicArm& arm, const ElementaryTransform& transform) {
   const auto coordinate = [&](int symbol) {
     return arm.symbols[static_cast<std::size_t>(symbol)].coordinate;
@@ -177,7 +177,7 @@ Expression InverseSteps::define(const std::string& letter, const std::string& su
   return Expression::symbol(symbol);
 }
 
-/// The bend of a link, times a sign, in rad.
+/// Returns the bend of a link, times a sign, in rad.
 Tree InverseSteps::bend_of(const PlanarLink& link, int sign) const {
   std::vector<Tree> parts;
   for (const auto& [symbol, multiple] : link.bend.multiples) {
@@ -231,8 +231,8 @@ void InverseSteps::define_last_angle(const std::vector<PlanarLink>& links, std::
 
 namespace {
 
-/// The values with lengths near 1 m: the steps hold for any lengths, but rounding is large where
-/// they differ by orders of magnitude.
+/// Returns the values with lengths near 1 m. The steps hold for any lengths, but rounding is large
+/// if they differ by orders of magnitude.
 std::vector<double> with_plain_lengths(const SymbolicArm& arm, std::vector<double> values) {
   for (std::size_t i = 0; i < arm.symbols.size(); ++i) {
     if (arm.symbols[i].kind != SymbolKind::length) continue;

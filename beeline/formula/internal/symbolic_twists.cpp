@@ -6,7 +6,8 @@
 namespace beeline::internal {
 namespace {
 
-/// Ad(transform) or, if `inverse`, its inverse; translations are left out unless `moves_origin`.
+/// Returns Ad(transform) or, if `inverse`, its inverse; translations are omitted unless
+/// `moves_origin`.
 void carry(SymbolicTwist& twist, const SymbolicArm& arm, const ElementaryTransform& transform,
            bool inverse, bool moves_origin) {
   if (!transform.rotation) {
