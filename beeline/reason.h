@@ -209,7 +209,7 @@ using ReasonValue = std::variant<bool, std::size_t, double, std::string, Eigen::
 struct Reason {
   ReasonCode code = ReasonCode::none;
   std::vector<std::pair<ReasonField, ReasonValue>> fields = {};
-  /// Other reasons on which this one is based: inverse kinematics at poses of a path, further
+  /// Other reasons that explain this one: inverse kinematics at poses of a path, further
   /// joints.
   std::vector<Reason> details = {};
 
