@@ -63,7 +63,7 @@ class Player {
 
   bool leading_in() const;  ///< true during the motion to the recording's first sample
   bool done() const;
-  double speed() const;           ///< current speed, as a fraction of the recording's
+  double speed() const;           ///< current speed, as a fraction of the recording's own speed
   double recording_time() const;  ///< current time of the recording, seconds
   TrackingError tracking() const;
 

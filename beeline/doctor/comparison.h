@@ -40,7 +40,7 @@ struct ModelDifference {
   /// Short name of the parameter: `distance a` for `distance a to the axis of joint 2:`. Empty if
   /// `parameter` is already short.
   std::string dimension = {};
-  bool known_unit = true;        ///< for a unit: whether the factor is that between two known units
+  bool known_unit = true;  ///< for a unit: whether the factor converts between two known units
   std::optional<double> a = {};  ///< value in A, rad or m
   std::optional<double> b = {};  ///< value in B, rad or m
   /// Pose to add to A: world_T_mount for a mount, tool_T_tcp for a tool.

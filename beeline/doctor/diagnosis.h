@@ -20,7 +20,7 @@ enum class FindingKind {
   axis_length,       ///< an axis that is not of unit length
   no_range,          ///< limits that leave no or nearly no range
   unknown_velocity,  ///< a velocity limit that is missing where other joints have one
-  fault              ///< a fault of the file beside the chain
+  fault              ///< a fault of the file outside the chain
 };
 std::string name(FindingKind kind);
 
