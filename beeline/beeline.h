@@ -1,10 +1,11 @@
 #pragma once
 
-/// Includes all public headers of Beeline. A program links with what it calls: beeline::core has
-/// poses, arms, kinematics, inverse kinematics, trajectories, paths, timing, certificates, planning
-/// and control; beeline::batch many rows at once, beeline::reach maps of what an arm can do,
-/// beeline::io the readers and writers of files, beeline::draw pictures, beeline::formula
-/// formulas in symbols, beeline::doctor the diagnosis of models; beeline::beeline is all of them.
+/// Includes all public headers of Beeline. A program links with the libraries that it calls.
+/// beeline::core has poses, arms, kinematics, inverse kinematics, trajectories, paths, timing,
+/// certificates, planning and control. beeline::batch computes many rows at once, beeline::reach
+/// has reachability and manipulability maps, beeline::io reads and writes files, beeline::draw
+/// draws pictures, beeline::formula derives symbolic formulas, and beeline::doctor diagnoses
+/// models. beeline::beeline is all of them.
 
 #include <beeline/batch/batch.h>
 #include <beeline/budget.h>

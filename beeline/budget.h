@@ -9,8 +9,8 @@
 
 namespace beeline {
 
-/// Whether a computation came to its own end, and if not, which part of its budget ended it. Where
-/// a result has a status, the status has the same name.
+/// How a computation ended: by itself, or by a part of its budget. A result that has a status uses
+/// the same name there.
 enum class Ending {
   complete,    ///< the computation came to its own end
   time_limit,  ///< the budget's time ended it
@@ -19,26 +19,29 @@ enum class Ending {
 };
 std::string name(Ending ending);
 
-/// What a search may spend. It ends at the limit that it reaches first, soon after that limit, with
-/// a status of its own and with what it has found so far; it never throws for that. Searches have
-/// limits of their own besides, such as max_restarts and max_samples. By default only these hold,
-/// so that results do not depend on the speed of the machine; a result that no limit of the budget
+/// Limits of a search. The search ends soon after the first limit that it reaches, with a status of
+/// its own and with the results found so far; it never throws for this. Searches also have limits
+/// of their own, such as max_restarts and max_samples. By default only these apply, so that results
+/// do not depend on the speed of the machine. A result that no limit of the budget ended is the
+/// same as without a budget.
 /// ended is the same as without it.
 struct Budget {
-  /// Seconds from the call, 0 or more. What it ends depends on the machine. Default: no limit.
+  /// Time from the call, seconds, 0 or more. The result of an ended search depends on the machine.
+  /// Default: no limit.
   std::optional<double> time_limit = std::nullopt;
   /// Units of work, 0 or more: one is an iteration of a numerical method, a configuration of a
-  /// graph, a sample, or a step of a simulation, which take some microseconds. What it ends is the
-  /// same on every machine. Default: no limit.
+  /// graph, a sample, or a step of a simulation, which take some microseconds. The result of an
+  /// ended search is the same on every machine. Default: no limit.
   std::optional<std::int64_t> max_work = std::nullopt;
-  /// Returns whether the search is to end. Called every millisecond or more often, by several
-  /// threads at once where the search has several; it must not throw. Default: never.
+  /// Function that returns whether the search must end. It is called every millisecond or more
+  /// often, by several threads at once if the search has several, and must not throw. Default:
+  /// never.
   std::function<bool()> cancelled = {};
-  /// Called now and then with the fraction computed, from 0 to 1, which never falls: by motions
-  /// along paths, their branches and nearby paths, batches and retiming.
+  /// Function that is called now and then with the fraction computed, from 0 to 1, which never
+  /// decreases. Motions along paths, their branches and nearby paths, batches and retiming call it.
   std::function<void(double)> progress = {};
-  /// Set by the library for a part of a computation: adds to the work of the whole, and returns
-  /// what has ended that; `complete` if nothing has.
+  /// Function that the library sets for a part of a computation. It adds to the work of the whole
+  /// computation and returns its Ending; `complete` if nothing has ended it.
   std::function<Ending(std::int64_t work)> whole = {};
 };
 

@@ -44,9 +44,9 @@ bool begins(std::string_view a, std::string_view b) {
   return a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
 }
 
-/// Four times the edits between a name and a choice, but 2 if the name is an abbreviation, which is
-/// the beginning of the choice, and 5 at most if the choice is the beginning of the name, half of
-/// it or more. Names of options are compared without their dashes.
+/// Four times the edits between a name and a choice. The distance is 2 if the name is an
+/// abbreviation (the beginning of the choice). It is 5 at most if the choice is the beginning of
+/// the name and at least half of it. Names of options are compared without their dashes.
 std::size_t name_distance(std::string_view name, std::string_view choice) {
   const std::string_view a = without_dashes(name), b = without_dashes(choice);
   if (a.size() > 1 && begins(a, b)) return 2;
@@ -68,13 +68,13 @@ std::string located(std::string_view path, int line, std::string_view message) {
   return text.append(": ").append(message);
 }
 
-/// The position of a name in a message; npos if the message, which was long, was cut before it.
+/// Returns the position of a name in a message; npos if a long message was cut before it.
 std::size_t position_of(std::string_view name, std::size_t position, std::string_view message) {
   const bool whole = position <= message.size() && message.substr(position).starts_with(name);
   return whole ? position : std::string::npos;
 }
 
-/// The first `bytes` bytes, fewer where they would end within a UTF-8 character.
+/// Returns the first `bytes` bytes, fewer if they would end within a UTF-8 character.
 std::string_view front(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   while (bytes > 0 && internal::continues_character(text[bytes])) --bytes;
@@ -123,7 +123,7 @@ const std::string* internal::nearest_name(std::string_view name,
                                           const std::vector<std::string>& choices) {
   const std::string_view shown = front(name, longest_compared);
   const std::string* nearest = nullptr;
-  // With more edits than a third of the characters it is another word.
+  // A name that needs more edits than a third of its characters is another word.
   std::size_t least = 4 * ((without_dashes(shown).size() + 1) / 3) + 2, longest = 0;
   for (const std::string& choice : choices) {
     const std::size_t distance = name_distance(shown, choice);

@@ -16,8 +16,8 @@ namespace beeline {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message);
-  /// The error of one argument, or member of options, which the message names: the message is
-  /// `before`, the argument's name, and `after`.
+  /// The error of one argument, or member of options, that the message names. The message consists
+  /// of `before`, the argument's name, and `after`.
   Error(std::string_view before, std::string_view argument, std::string_view after);
 
   /// Returns the error of one argument that the message does not name.
@@ -25,12 +25,13 @@ class Error : public std::runtime_error {
   /// Returns the error with a text in front of its message.
   Error behind(std::string_view text) const;
 
-  /// Returns the name in C++ of the argument at fault, such as `max_samples`; empty: unknown.
+  /// Returns the name in C++ of the invalid argument, such as `max_samples`; empty: unknown.
   const std::string& argument() const { return argument_; }
-  /// Whether the message names the argument.
+  /// Returns whether the message names the argument.
   bool names_argument() const { return position_ != std::string::npos; }
   /// Returns the message for users who know the argument by another name, such as --max-samples.
-  /// That replaces the argument's name or, if the message does not name it, stands in front.
+  /// The other name replaces the argument's name or, if the message does not name it, precedes the
+  /// message.
   std::string message_for(std::string_view name) const;
 
  private:
@@ -38,14 +39,14 @@ class Error : public std::runtime_error {
   std::size_t position_ = std::string::npos;  ///< of the argument's name in the message
 };
 
-/// Invalid input in a file. The message begins with `path:line: `, or with `path: ` where the line
-/// is not known (line 0).
+/// Invalid input in a file. The message begins with `path:line: `, or with `path: ` if the line is
+/// not known (line 0).
 class FileError : public Error {
  public:
   FileError(std::string_view path, int line, std::string_view message);
 
   const std::string& path() const { return path_; }
-  int line() const { return line_; }                   ///< from 1; 0: unknown
+  int line() const { return line_; }                   ///< line number, from 1; 0: unknown
   const std::string& fault() const { return fault_; }  ///< the message without path and line
 
  private:
@@ -72,8 +73,8 @@ std::string angle(double radians);
 /// significant digits below 1: `63.7 %`, `100 %`, `0.02 %`.
 std::string percent(double fraction);
 
-/// The same rounded up, for an upper bound. A fraction of up to 1 + 1e-6 is shown as `100 %`, a
-/// larger one never.
+/// Formats a fraction as percent() does, but rounded up, for an upper bound. A fraction of up to 1
+/// + 1e-6 is shown as `100 %`, a larger one never.
 std::string percent_at_most(double fraction);
 
 /// Returns the least number of so many significant digits that is at least `value`: a bound that is
@@ -83,7 +84,7 @@ double rounded_up(double value, int digits);
 /// A number with six significant digits, rounded up: a bound that is accepted when it is typed.
 std::string number_at_least(double value);
 
-/// A number with six significant digits, and with more if number(reference) looks the same.
+/// Formats a number with six significant digits, or with more if number(reference) looks the same.
 std::string number_apart(double value, double reference);
 
 /// Prints an enumerator (a status, a method, a frame) by its name().

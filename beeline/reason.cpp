@@ -56,7 +56,7 @@ constexpr EnumNames<ReasonField::at_singularity> field_names(
     "search_limited kept_speed kept_at_rate kept_rate kept_ramp kept_without_rate speed_changes "
     "shows_corners none_kept overshoots at_singularity");
 
-/// Where it is, before the sentence: "move 3 (line): ", "at 0.5 s, sample 51: ".
+/// The place of a reason, before the sentence: "move 3 (line): ", "at 0.5 s, sample 51: ".
 std::string place(const ReasonText& reason, bool of_time) {
   using enum ReasonField;
   std::string text;
@@ -83,7 +83,7 @@ std::string place(const ReasonText& reason, bool of_time) {
   return text;
 }
 
-/// What else was tried, after the sentence.
+/// The other attempts, after the sentence.
 std::string others(const ReasonText& reason) {
   using enum ReasonField;
   std::string text;

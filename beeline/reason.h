@@ -13,7 +13,7 @@
 
 namespace beeline {
 
-/// What a computation found in the way of an answer, or of all of it.
+/// Why a computation has no answer, or not the whole answer.
 enum class ReasonCode {
   none,
   // The budget ended a search; the field `ending` says by which limit.
@@ -32,25 +32,25 @@ enum class ReasonCode {
   ended_in_map,
   // Inverse kinematics.
   all_solutions_outside_limits,  ///< proved: every solution was examined
-  solutions_outside_limits,      ///< those that were found
-  no_solution_found,             ///< that none exists is not shown
-  no_closed_form_solution,       ///< though a numerical search finds one
+  solutions_outside_limits,      ///< every solution that was found exceeds a joint limit
+  no_solution_found,             ///< a search found no solution; one may exist
+  no_closed_form_solution,       ///< the closed form found none; a numerical search finds one
   position_unreachable,
   orientation_unreachable,
-  beyond_reach,       ///< proved from the arm's reach, as are the next from its geometry
-  tilted_off_axes,    ///< against the common direction of all joint axes
-  off_plane,          ///< of an arm whose tool stays in a plane
+  beyond_reach,       ///< proved from the arm's reach; the next four are proved from its geometry
+  tilted_off_axes,    ///< the pose is tilted relative to the common direction of all joint axes
+  off_plane,          ///< the arm's tool stays in a plane, and the pose is outside it
   fixed_orientation,  ///< an arm of prismatic joints has another orientation
   off_slides,         ///< an arm of prismatic joints cannot translate there
   self_motion,        ///< solved: there are infinitely many solutions
   singular_velocity,  ///< no joint rates move the tool along a part of the velocity
   too_few_joints,     ///< the same at every configuration
   // Paths.
-  would_pass_limits,    ///< of a joint, or of several, if the motion continued
+  would_pass_limits,    ///< one or several joints would pass a limit if the motion continued
   step_not_proved,      ///< no step keeps the tolerance
-  singular_at_start,    ///< by the value of `joint`
+  singular_at_start,    ///< the start is singular at this value of `joint`
   singular_on_path,     ///< the arm could continue only by jumping to another branch
-  pose_outside_limits,  ///< details: inverse kinematics at the pose ahead
+  pose_outside_limits,  ///< `details` has the reason of inverse kinematics at the next pose
   path_leaves_workspace,
   path_loses_orientation,
   ended_at_pose,
@@ -59,7 +59,7 @@ enum class ReasonCode {
   path_not_proved,  ///< the tool is only proved to stay within a deviation of its path
   program_too_long,
   // Time.
-  spline_outside_limits,  ///< between two samples
+  spline_outside_limits,  ///< a joint passes a limit between two samples
   end_speed_too_high,
   end_speed_unreachable,
   begin_speed_too_high,
@@ -73,27 +73,28 @@ enum class ReasonCode {
   outside_limits,  ///< a joint is outside its position limits at a sample
   moves_outside_limits,
   rotates_too_far,
-  derivative_needed,   ///< over the next samples, above its limit
-  derivative_reached,  ///< before the next sample, above its limit
+  derivative_needed,   ///< needed over the next samples, above its limit
+  derivative_reached,  ///< reached before the next sample, above its limit
   starts_moving,       ///< a trajectory that should start from rest
   ends_moving,         ///< a trajectory that should come to rest
-  off_path,            ///< at a sample
-  moves_backwards,     ///< at a sample
-  deviation_unproved,  ///< up to the next sample
-  leaves_path,         ///< up to the next sample
-  may_move_backwards,  ///< up to the next sample
+  off_path,            ///< the tool is off the path at a sample
+  moves_backwards,     ///< the tool is behind an earlier sample
+  deviation_unproved,  ///< the deviation up to the next sample is not proved
+  leaves_path,         ///< the tool leaves the path before the next sample
+  may_move_backwards,  ///< the tool may move backwards before the next sample
   leaves_last_waypoint,
   waypoint_not_reached,
   passes_without_rest,
   dwell_too_short,
   tool_too_fast,
   // Control.
-  joint_outside_limits,  ///< of position
+  joint_outside_limits,  ///< a joint is outside its position limits
   goal_outside_limits,
   start_outside_limits,
   step_outside_limits,
-  recording_outside_limits,          ///< at a sample
-  recording_outside_limits_between,  ///< after a sample, by its velocities
+  recording_outside_limits,          ///< the recording leaves the limits at a sample
+  recording_outside_limits_between,  ///< the recording leaves the limits after a sample, by its
+                                     ///< velocities
   step_not_finite,
   not_converged,
   stagnates,
@@ -110,8 +111,9 @@ enum class ReasonCode {
 std::string name(ReasonCode code);
 ReasonCode reason_code_named(std::string_view name);  ///< throws Error for another name
 
-/// What a reason says, by name. Numbers of moves, lines, segments, poses, samples and steps count
-/// from 1, as files do. Metres, radians, seconds; a joint's values are in its `unit`, rad or m.
+/// The names of the values in a reason. Numbers of moves, lines, segments, poses, samples and steps
+/// count from 1, as in files. Units are metres, radians and seconds; the values of a joint are in
+/// its `unit`, rad or m.
 enum class ReasonField {
   // Where.
   move,
@@ -120,10 +122,10 @@ enum class ReasonField {
   lines,
   segment,
   segment_name,
-  is_line,    ///< the segment is
-  beginning,  ///< at the beginning of the path
-  fraction,   ///< of the segment
-  position,   ///< of the tool, in the world
+  is_line,    ///< whether the segment is a line
+  beginning,  ///< whether the place is the beginning of the path
+  fraction,   ///< fraction of the segment
+  position,   ///< position of the tool in the world
   pose,
   poses,
   sample,
@@ -138,13 +140,13 @@ enum class ReasonField {
   value,
   lower,
   upper,
-  is_upper,  ///< the limit is the upper one
+  is_upper,  ///< whether the limit is the upper one
   limit,
   excess,
   quantity,  ///< position, velocity, acceleration or jerk
-  use,       ///< fraction of the limit
-  assumed,   ///< the limit is not known
-  recorded,  ///< the limit is the recording's own
+  use,       ///< value as a fraction of the limit
+  assumed,   ///< whether the limit is assumed, because it is not known
+  recorded,  ///< whether the limit is the recording's own
   distance,
   angle,
   change,
@@ -202,15 +204,16 @@ ReasonField reason_field_named(std::string_view name);  ///< throws Error for an
 
 using ReasonValue = std::variant<bool, std::size_t, double, std::string, Eigen::Vector3d, Ending>;
 
-/// Why there is no answer, or not the best: data. sentence() says it in English. A program asks for
-/// `code` and the fields.
+/// Why there is no answer, or not the best one, as data. sentence() writes it in English. A program
+/// reads `code` and the fields.
 struct Reason {
   ReasonCode code = ReasonCode::none;
   std::vector<std::pair<ReasonField, ReasonValue>> fields = {};
-  /// Other reasons that it rests on: inverse kinematics at poses of a path, further joints.
+  /// Other reasons that explain this one: inverse kinematics at poses of a path, further
+  /// joints.
   std::vector<Reason> details = {};
 
-  /// The value of a field; null where the reason has none.
+  /// Returns the value of a field; null if the reason does not have it.
   const ReasonValue* find(ReasonField field) const;
   bool has(ReasonField field) const { return find(field) != nullptr; }
 
@@ -221,7 +224,7 @@ struct Reason {
   friend bool operator==(const Reason&, const Reason&) = default;
 };
 
-/// One sentence without a full stop; empty without a reason.
+/// Returns one sentence without a full stop; empty without a reason.
 std::string sentence(const Reason& reason);
 std::ostream& operator<<(std::ostream& out, const Reason& reason);  ///< sentence(reason)
 

@@ -17,7 +17,7 @@ std::string with_digits(double value, int digits) {
   return text.str();
 }
 
-/// The unit of the last digit that is shown of a percentage.
+/// The unit of the last digit that is shown in a percentage.
 double last_digit(double value) {
   const double size = std::abs(value);
   if (size >= 1000) return 1;
@@ -40,7 +40,7 @@ std::string percent(double fraction) {
   const double unit = last_digit(value);
   const double all = std::round(100 / unit);
   const double rounded = std::round(value / unit);
-  // What is less than all is not shown as all.
+  // A fraction below 1 is not shown as 100 %.
   if (fraction < 1 - rounding_error && rounded >= all) {
     const double finer = std::pow(10, std::floor(std::log10(100 - value)));
     return percent_text(std::floor(value / finer), finer);
@@ -49,7 +49,7 @@ std::string percent(double fraction) {
 }
 
 std::string percent_at_most(double fraction) {
-  constexpr double slack = 1e-6;  // as certificates have
+  constexpr double slack = 1e-6;  // the same as in certificates
   const double value = 100 * fraction;
   if (!std::isfinite(value)) return number(value) + " %";
   if (fraction > 1 && fraction <= 1 + slack) return "100 %";

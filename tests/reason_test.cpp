@@ -101,10 +101,10 @@ std::vector<Said> inverse_kinematics() {
        "no solution within the joint limits was found" + nearest_one},
       {{ReasonCode::no_solution_found, with(off, {{starts, std::size_t{65}}})},
        "no solution was found from 65 starts; the nearest misses by " + by_both +
-           "; that none exists is not shown"},
+           "; a solution may still exist"},
       {{ReasonCode::no_closed_form_solution, {{ReasonField::angle, 0.2}}},
        "no solution was found by the closed form, though a numerical search finds one; the nearest "
-       "misses by 0.2 rad (11.4592 deg); that none exists is not shown"},
+       "misses by 0.2 rad (11.4592 deg); a solution may still exist"},
       {{ReasonCode::position_unreachable,
         with(ur5, {{distance, 0.1}, {refined, true}, {nearest, point}})},
        "the position is out of reach by 0.1 m: the tool of arm ur5 comes no nearer than (0.5, 0, "
@@ -133,7 +133,7 @@ std::vector<Said> inverse_kinematics() {
        "ignored"},
       {{ReasonCode::self_motion, with(ur5, {{branches_complete, true}})},
        "singular: arm ur5 can move with the tool at rest, so there are infinitely many solutions; "
-       "of each branch the one nearest to the seed is given"},
+       "the solution nearest to the seed is given for each branch"},
       {{ReasonCode::singular_velocity, along},
        "the arm is singular: no joint rates move its tool" + damping},
       {{ReasonCode::too_few_joints, along}, "no joints of the arm move its tool" + damping},
@@ -331,7 +331,7 @@ std::vector<Said> mounts() {
   return {
       {{ReasonCode::poses_too_far_apart, {}}, "the poses are farther apart than the arm reaches"},
       {{ReasonCode::no_mount_reaches, {{count, std::size_t{5}}, {of, std::size_t{9}}}},
-       "from none of the 5 mounts that the map ranks first does the arm reach all poses"},
+       "the arm reaches all poses from none of the 5 mounts that the map ranks first"},
       {{ReasonCode::no_mount_moves_in_lines, {{count, std::size_t{1}}, {of, std::size_t{1}}}},
        "the arm reaches all poses from 1 mount, but moves in straight lines from none of the 1 "
        "best"},

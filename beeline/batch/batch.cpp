@@ -25,7 +25,7 @@ using internal::in_parallel;
 
 constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
 constexpr Eigen::Index chunk = batch_width;  // configurations copied through a buffer at a time
-constexpr double cached_bytes = 16e6;        // that stay in a last-level cache of a common machine
+constexpr double cached_bytes = 16e6;  // bytes that stay in a last-level cache of a common machine
 
 template <class Matrix>
 void check_rows(const Arm& arm, const std::string& name, const Matrix& matrix, Eigen::Index rows) {
@@ -75,7 +75,8 @@ void compute(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Outputs<
   batch_kernel(job);
 }
 
-/// Computes them through a buffer, where they are fewer or not contiguous.
+/// Computes the columns from `first` to `last` through a buffer, if they are fewer or not
+/// contiguous.
 template <class Real>
 void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
                       const Outputs<Real>& outputs, Eigen::Index first, Eigen::Index last) {
@@ -105,7 +106,7 @@ void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
   }
 }
 
-/// The state of a batch whose threads may end it.
+/// The state of a batch that any of its threads may end.
 class Counts {
  public:
   Counts(const Budget& budget, Eigen::Index all) : budget_(budget), all_(all) {}
@@ -221,7 +222,7 @@ BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
                                  ColumnsRef<Real> values, const BatchOptions& options) {
   check_shape(arm, "values", values, 1, q.cols());
   BatchOptions in_base = options;
-  in_base.frame = Frame::base;  // there the axes of planar arms are exact
+  in_base.frame = Frame::base;  // in this frame the axes of planar arms are exact
   return run<Real>(arm, q, {{&BatchJob<Real>::manipulability, &values}}, in_base);
 }
 
@@ -241,8 +242,8 @@ BEELINE_BATCH(float)
 
 namespace {
 
-/// Computes a solution of one pose into a column; NaN where there is none. Returns whether there is
-/// one.
+/// Computes a solution of one pose into a column, which becomes NaN if there is none. Returns
+/// whether there is one.
 bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const ConfigurationRef& seed,
                   Eigen::Ref<Eigen::MatrixXd> q, InverseOutcome* outcome) {
   if (outcome == nullptr) return solver.solve(world_T_tool, seed, q) != 0;
@@ -282,7 +283,8 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
       bool found = finite && solve_column(*solver, pose_of(pose, options.layout), seed,
                                           q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
-      if (!counts.budget().complete()) found = false;  // not the one of a whole search
+      if (!counts.budget().complete())
+        found = false;  // an interrupted search may have missed a nearer solution
       if (!found) q.col(i).setConstant(unknown);
       if (found || counts.budget().complete()) counts.add(1, found);
     }

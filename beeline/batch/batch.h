@@ -11,33 +11,33 @@ namespace beeline {
 
 /// The layout of a pose in a column.
 enum class PoseLayout {
-  matrix,               ///< 16: the 4 x 4 matrix, column by column
-  position_quaternion,  ///< 7: x y z qw qx qy qz, qw >= 0
+  matrix,               ///< 16 values: the 4 x 4 matrix, column by column
+  position_quaternion,  ///< 7 values: x y z qw qx qy qz, with qw >= 0
 };
 /// The number of values of a pose: 16 or 7.
 int size(PoseLayout layout);
 
 struct BatchOptions {
   PoseLayout layout = PoseLayout::matrix;
-  Frame frame = Frame::base;  ///< of Jacobians
-  int threads = 0;            ///< 0: one for each core. The results do not depend on it.
-  /// Of the whole batch. A unit of its work is one column. Which columns are computed before it
-  /// ends depends on the threads. Reports the fraction computed, from any of them.
+  Frame frame = Frame::base;  ///< frame of the Jacobians
+  int threads = 0;  ///< number of threads; 0: one for each core. The results do not depend on it.
+  /// Budget of the whole batch. A unit of its work is one column. The columns that are computed
+  /// before it ends depend on the threads. Any of the threads reports the fraction computed.
   Budget budget = {};
 };
 
-/// What a batch has computed. Columns that it did not come to, as its budget ended, are NaN.
+/// Counts of a batch. The columns that it did not compute, because its budget ended, are NaN.
 struct BatchResult {
   Ending ending = Ending::complete;
-  Eigen::Index computed = 0;  ///< columns
-  Eigen::Index solved = 0;    ///< those with a solution, of batch_inverse()
+  Eigen::Index computed = 0;  ///< number of columns computed
+  Eigen::Index solved = 0;    ///< number of columns with a solution, for batch_inverse()
 };
 
 // Kinematics of N configurations, one in each column of q: dof x N, rad and m. A row-major numpy
 // array of shape (N, dof) has the same memory layout. Real is float or double; with float all
-// arithmetic is in float. The results are written into the caller's matrices of N columns; where a
-// value in a column of q is not finite, neither are its results. The work is divided among threads.
-// All functions throw Error when the size of a matrix does not fit.
+// arithmetic is in float. The results are written into the caller's matrices of N columns. If a
+// value in a column of q is not finite, the results of this column are not finite either. The work
+// is divided among threads. All functions throw Error when the size of a matrix does not fit.
 
 template <class Real>
 using ColumnsRef = Eigen::Ref<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
@@ -49,29 +49,28 @@ template <class Real>
 BatchResult batch_forward(const Arm& arm, const ConstColumnsRef<Real>& q,
                           ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
 
-/// Computes the poses of links 0 to n, one below the other: (n + 1) size(layout) x N.
+/// Computes the poses of links 0 to n, stacked in each column: (n + 1) size(layout) x N.
 template <class Real>
 BatchResult batch_link_poses(const Arm& arm, const ConstColumnsRef<Real>& q,
                              ColumnsRef<Real> world_T_link, const BatchOptions& options = {});
 
-/// Computes the Jacobians, column by column, 6 dof x N; and the poses of the tool, unless
+/// Computes the Jacobians, column by column, 6 dof x N. Also computes the poses of the tool, unless
 /// `world_T_tool` has no columns.
 template <class Real>
 BatchResult batch_jacobian(const Arm& arm, const ConstColumnsRef<Real>& q,
                            ColumnsRef<Real> jacobians, ColumnsRef<Real> world_T_tool,
                            const BatchOptions& options = {});
 
-/// Computes the manipulability sqrt(det(J J^T)) of the rows of the Jacobian that default_task()
-/// has, x, y and theta of a planar arm and all six of another, as manipulability_measures() does: 1
-/// x N.
+/// Computes the manipulability sqrt(det(J J^T)), 1 x N, as manipulability_measures() does. J has
+/// the rows of default_task(): x, y and theta for a planar arm, otherwise all six.
 template <class Real>
 BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
                                  ColumnsRef<Real> values, const BatchOptions& options = {});
 
-/// Computes one solution for each pose: `world_T_tool` is size(layout) x N, `q` dof x N, `seeds`
-/// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. `inverse.all`
-/// and `inverse.every_turn` are ignored; `inverse.budget` is that of each pose. The solutions are
-/// those of inverse_kinematics().
+/// Computes one solution for each pose, as inverse_kinematics() does: `world_T_tool` is
+/// size(layout) x N, `q` dof x N, `seeds` dof x N, or dof x 1 for all poses. If no solution is
+/// found, the column of q is NaN. `inverse.all` and `inverse.every_turn` are ignored;
+/// `inverse.budget` is the budget of each pose.
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse = {}, const BatchOptions& options = {});
@@ -79,12 +78,12 @@ BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T
 /// The status and the residual of an InverseResult.
 struct InverseOutcome {
   InverseStatus status = InverseStatus::not_found;
-  double residual = 0;  ///< metres or radians, see InverseResult
+  double residual = 0;  ///< residual in metres or radians, see InverseResult
 };
 
-/// The same, with the outcome of each pose; those that the batch did not come to have the status of
-/// its budget and a residual of NaN. A pose without a solution takes longer, as
-/// inverse_kinematics() finds out why.
+/// Does the same, and returns the outcome of each pose. A pose that the batch did not compute has
+/// the status of its budget and a residual of NaN. A pose without a solution takes longer, because
+/// inverse_kinematics() searches for the reason.
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse = {},

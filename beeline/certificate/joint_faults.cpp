@@ -18,10 +18,10 @@ using namespace internal;
 
 namespace {
 
-// A velocity, acceleration or jerk may exceed its limit by this fraction: rounding of motions that
-// use their limits fully.
+// Fraction by which a velocity, acceleration or jerk may exceed its limit. It covers the rounding
+// of motions that use their limits fully.
 constexpr double limit_slack = 1e-6;
-constexpr std::size_t stencil = 3;  // steps of a third difference, the longest
+constexpr std::size_t stencil = 3;  // steps of the longest difference, the third
 
 class FaultSearch {
  public:
@@ -35,7 +35,7 @@ class FaultSearch {
         v_(trajectory.velocities) {}
 
   std::optional<JointFault> first(BudgetMeter& budget) {
-    constexpr std::size_t batch = 64;  // samples, of about a microsecond
+    constexpr std::size_t batch = 64;  // samples, which take about a microsecond
     for (std::size_t k = 0; k < t_.size(); ++k) {
       if (k % batch == 0 && budget.ended(batch)) return {};
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_positions(k, i);
@@ -71,7 +71,7 @@ class FaultSearch {
       return report(Fault::flip, k, i,
                     {ReasonCode::rotates_too_far, {{ReasonField::change, step}}});
     }
-    if (v_.empty() || !inside(q_[k + 1][i])) return;  // reported at the next sample
+    if (v_.empty() || !inside(q_[k + 1][i])) return;  // the next sample has this fault
     const Polynomial p = interval_polynomial(trajectory_, k, i);
     Extremes between = enclosure(p);
     if (inside(between.smallest) && inside(between.largest)) return;
@@ -91,13 +91,13 @@ class FaultSearch {
     check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk);
   }
 
-  /// How much the rounding of times to doubles may change a derivative of a coordinate that moves
-  /// at `velocity`, at most a fraction of the limit: a time that is off by dt moves the position by
-  /// velocity * dt. It matters after a dwell of hours; between samples of some microseconds jerk is
-  /// then known to its limit at best.
+  /// Returns how much the rounding of times to doubles may change a derivative of a coordinate that
+  /// moves at `velocity`, at most a fraction of the limit. A time error dt moves the position by
+  /// velocity * dt. This matters after hours: between samples microseconds apart, jerk is then
+  /// known no better than to its limit.
   double time_rounding(std::size_t k, int order, double velocity, double limit) const {
-    constexpr double factors[] = {2, 20, 300};     // of the polynomials of one interval, at most
-    constexpr double largest[] = {1e-4, 1e-4, 1};  // of the limit
+    constexpr double factors[] = {2, 20, 300};     // max factors of the polynomials of one interval
+    constexpr double largest[] = {1e-4, 1e-4, 1};  // max fractions of the limit
     const std::size_t end = std::min(k + static_cast<std::size_t>(order), t_.size() - 1);
     double shortest = Limits::none;
     for (std::size_t j = k; j < end; ++j) shortest = std::min(shortest, t_[j + 1] - t_[j]);
@@ -106,7 +106,7 @@ class FaultSearch {
     return std::min(change, largest[order - 1] * limit);
   }
 
-  /// `known` is the joint's own limit, infinite where `limit` is assumed.
+  /// `known` is the joint's own limit, or infinity if `limit` is assumed.
   void check_derivative(Fault fault, std::size_t k, int i, int order, double limit, double known) {
     if (found_ || !(limit < Limits::none)) return;
     const auto allowed = [&](double value) {

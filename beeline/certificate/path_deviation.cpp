@@ -58,7 +58,7 @@ std::vector<double> path_parameters_along(const Arm& arm, std::span<const Config
                 std::to_string(samples.size()) + " samples and " + std::to_string(arrivals.size()) +
                 " arrivals for " + std::to_string(path.segments.size()) + " segments");
   }
-  constexpr Deviation fine{1e-4, 1e-4};  // of the cells of the path
+  constexpr Deviation fine{1e-4, 1e-4};  // max size of the cells of the path
   std::vector<double> path_parameters{0};
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const auto end = static_cast<double>(i + 1);

@@ -32,8 +32,8 @@ struct Verifier {
   Deviation tolerance = {options.tolerance, options.orientation_tolerance};
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
-  /// The largest segment parameter up to the interval that is being checked: on a line by position
-  /// an upper bound on that of the tool's projection, else of s(u).
+  /// The largest segment parameter up to the current interval. On a line by position it is an upper
+  /// bound on the parameter of the tool's projection, on other segments on s(u).
   struct {
     std::size_t segment = 0;
     double s = 0;
@@ -80,9 +80,9 @@ struct Verifier {
     return false;
   }
 
-  /// Checks the motion from sample k to the next, or the part of it that is on one segment.
+  /// Checks the motion from sample k to the next, or the part that is on one segment.
   void check_interval(std::size_t k, const ToolPath& path, const PathInterval& part) {
-    constexpr int probes = 64;  // of an interval that fails, to find its largest deviation
+    constexpr int probes = 64;  // times in an interval that fails, to find its largest deviation
     const Segment& segment = path.segments[part.segment];
     auto [measured, bound, projections] =
         interval_deviation(arm, segment, task, part.interval, result.deviation.measured, tolerance);
@@ -114,8 +114,8 @@ struct Verifier {
     fail(Fault::deviation, k, std::move(reason));
   }
 
-  /// Records a fault where the tool may move backwards on the segment by more than the tolerance,
-  /// as with false velocities.
+  /// Records a fault if the tool may move backwards on the segment by more than the tolerance,
+  /// which false velocities cause.
   void check_direction(std::size_t k, const Segment& segment, const PathInterval& part,
                        const std::vector<LineProjection>& projections) {
     if (part.segment != furthest.segment) furthest = {part.segment};
@@ -126,8 +126,8 @@ struct Verifier {
     fail(Fault::backwards, k, away(ReasonCode::may_move_backwards, moved, name_of(part.segment)));
   }
 
-  /// Bounds the change of the segment's pose by the largest decrease of s(u) from its largest value
-  /// up to there.
+  /// Bounds the change of the segment's pose from the largest value of s(u) so far to a later,
+  /// smaller value.
   Deviation parameter_decrease(const Segment& segment, const Polynomial& s) {
     const double back = largest_decrease(s, furthest.s);
     const Extremes range = extremes(s);
@@ -140,8 +140,8 @@ struct Verifier {
             task.orientations() > 0 ? back * rates.rotation.c[1] : 0};
   }
 
-  /// The same for the tool's projection on a line. With s its polynomial, the projection is within
-  /// s +- error, so it decreases by at most 2 errors more than s does.
+  /// Bounds the same change for the tool's projection on a line. With s its polynomial, the
+  /// projection is within s +- error, so it decreases by at most 2 errors more than s does.
   Deviation projection_decrease(const Line& line, const std::vector<LineProjection>& projections) {
     double back = 0;
     for (const LineProjection& part : projections) {
@@ -152,7 +152,7 @@ struct Verifier {
     return {back * extent.length, back * extent.angle};
   }
 
-  /// Checks the samples that have path parameters, from `first` on, and the steps between them.
+  /// Checks the samples from `first` on that have path parameters, and the steps between them.
   void check_samples(std::size_t first, const std::vector<double>& path_parameters) {
     for (std::size_t i = 0; i < path_parameters.size(); ++i) {
       if (!check_sample(first + i, path_parameters[i])) return;
@@ -161,7 +161,7 @@ struct Verifier {
       const std::size_t k = first + i;
       const Deviation next =
           deviation_from(route.path, path_parameters[i + 1], world_T_tool[k + 1], task);
-      if (!near(next)) continue;  // the next sample's own fault
+      if (!near(next)) continue;  // the next sample has this fault
       for (const PathInterval& part : path_intervals(arm, trajectory, k, route.path, task,
                                                      path_parameters[i], path_parameters[i + 1])) {
         check_interval(k, route.path, part);
@@ -224,7 +224,7 @@ struct Verifier {
     result.arrivals = arrivals(result.path_parameters);
   }
 
-  /// A fault of a joint replaces a deviation at the same time or later.
+  /// Checks the joints. A joint fault replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
     const auto fault =

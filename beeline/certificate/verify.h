@@ -21,21 +21,21 @@ struct PathDeviation {
   Deviation sampled;   ///< largest deviation at the samples
   Deviation measured;  ///< largest deviation at the samples and at some times between them
   Deviation bound;     ///< proved upper bound at all times
-  /// Proved from sample k to the next: position, m, and orientation, rad, (N - 1, 2).
+  /// Bound proved from each sample to the next: position, m, and orientation, rad, (N - 1, 2).
   std::vector<Deviation> interval_bounds;
-  Ending ending = Ending::complete;  ///< unless complete, `bound` is infinite
+  Ending ending =
+      Ending::complete;  ///< how the computation ended; unless complete, `bound` is infinite
 };
 
-/// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from
-/// the path, for the motion that the columns mean (see Interpolation). `path_parameters[k]` is the
-/// path parameter of sample k: whole segments, with a fraction of the next. On a line the deviation
-/// is from its nearest point, whatever the fraction; verify() also checks that each line is
+/// Measures and bounds the deviation of a trajectory from the path, for the motion that the columns
+/// mean (see Interpolation). The columns are in the arm's order. `path_parameters[k]` is the path
+/// parameter of sample k: whole segments, with a fraction of the next. On a line the deviation is
+/// measured from its nearest point, for any fraction; verify() also checks that each line is
 /// traversed to its end.
 ///
-/// Between two samples the error's quintic Hermite polynomial is compared with the error itself by
-/// a bound on the sixth derivative (certificate/internal/interval_deviation.h): for samples on the
-/// path that have its velocity and acceleration, the bound falls with the sixth power of the time
-/// between them.
+/// Between two samples the error is compared with its quintic Hermite polynomial by a bound on the
+/// sixth derivative (certificate/internal/interval_deviation.h). For samples on the path that have
+/// its velocity and acceleration, the bound falls with the sixth power of the time between them.
 ///
 /// Throws Error when sizes do not fit, the path parameters are not on the path or decrease, or the
 /// task leaves rows free that the path's segments need (see PathMotionOptions::task).
@@ -44,9 +44,9 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
                              const Task& task, const Budget& budget = {});
 
 /// Computes the path parameters of samples along the path; sample `arrivals[i]` is at the end of
-/// segment i. Samples between two of these get the parameter of the nearest point, and those after
-/// the last one its segment's end. Throws Error when the arrivals are not indices of samples in
-/// order, or more than segments.
+/// segment i. A sample between two arrivals gets the parameter of the nearest point, and a sample
+/// after the last arrival gets its segment's end. Throws Error when the arrivals are not indices of
+/// samples in order, or more than segments.
 std::vector<double> path_parameters_along(const Arm& arm, std::span<const Configuration> samples,
                                           const ToolPath& path,
                                           std::span<const std::size_t> arrivals, const Task& task);
@@ -57,7 +57,7 @@ std::vector<std::size_t> arrivals(std::span<const double> path_parameters);
 
 /// The faults that verify() finds in a trajectory.
 enum class Fault {
-  none,          ///< there is no fault
+  none,          ///< no fault
   limits,        ///< a joint exceeds its position limits, at a sample or between two
   flip,          ///< a joint rotates by pi or more between two samples
   deviation,     ///< the tool leaves the path, at a sample or possibly between two
@@ -66,15 +66,14 @@ enum class Fault {
   velocity,      ///< a velocity limit is exceeded between two samples
   acceleration,  ///< an acceleration limit is exceeded between two samples
   jerk,          ///< a jerk limit is exceeded between two samples
-  moving,        ///< a joint moves at the start, the end or a waypoint at which a program stops
+  moving,        ///< a joint moves at the start, the end or a waypoint where a program stops
   dwell,         ///< the arm does not rest long enough at a waypoint of a program
   tool_speed,    ///< the tool is faster than a move of a program allows
 };
 std::string name(Fault fault);
 std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
 
-/// The ends of a trajectory at which the joints may move; at the others they start from rest, or
-/// come to rest.
+/// The ends of a trajectory at which the joints may move. At the other ends they are at rest.
 struct MovingEnds {
   bool start = false;  ///< whether the joints may move at the start
   bool end = false;    ///< whether they may move at the end
@@ -82,16 +81,17 @@ struct MovingEnds {
 
 /// A fault of a trajectory's joints.
 struct JointFault {
-  Fault kind = Fault::none;  ///< what is wrong
-  std::size_t sample = 0;    ///< the fault is at this sample, or between it and the next
+  Fault kind = Fault::none;  ///< kind of the fault
+  std::size_t sample = 0;    ///< index of the sample at the fault, or of the sample before it
   Reason reason = {};        ///< one sentence: joint, value, limit
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
 /// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
 /// Derivatives may exceed their limits by a millionth, or by the fraction `limit_tolerance` if that
-/// is more, and by what the rounding of times to doubles makes of them after hours, at most a ten
-/// thousandth. Nothing where the budget ends it before.
+/// is more. They may also exceed them by the effect of rounding times to doubles, which grows with
+/// the time and is at most a ten thousandth. Returns nothing if the budget ends the check before a
+/// fault is found.
 /// Throws Error when the trajectory does not fit the arm.
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving = {},
@@ -104,39 +104,39 @@ void check_limit_tolerance(double limit_tolerance);
 
 }  // namespace internal
 
-/// The smallest tolerance that plans accept, metres and radians: smaller ones are comparable with
+/// The smallest tolerance that plans accept, metres and radians. Smaller ones are comparable with
 /// the rounding of samples.
 constexpr double min_tolerance = 1e-8;
 
 struct VerifyOptions {
-  MovingEnds moving = {};  ///< the ends at which the joints may move; default: at rest at both
-  /// Rows that matter; default: planar for a planar arm, else spatial.
+  MovingEnds moving = {};  ///< ends at which the joints may move; default: at rest at both
+  /// Task rows that are checked; default: planar for a planar arm, else spatial.
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, above 0
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, above 0
   /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, for the
-  /// rounding of other planners; a millionth is always accepted.
+  /// rounding of other planners. A millionth is always accepted.
   double limit_tolerance = 0;
   Budget budget = {};
 };
 
 /// The proof that a trajectory follows a path within the arm's limits, or the first fault.
 struct Verification {
-  Fault fault = Fault::none;  ///< the first in time
-  Reason reason = {};         ///< one sentence: time, sample, what, by how much; none if proved
-  std::size_t sample = 0;     ///< the fault is at this sample, or between it and the next
-  double time = 0;            ///< of that sample, seconds
-  PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
-  ToolPath path;              ///< of the route
-  std::vector<double> path_parameters;  ///< of the samples, as far as they are on the path
-  /// The sample at the end of each segment, or the first after it, as far as the trajectory follows
-  /// the path; of a program, at the end of each move.
+  Fault fault = Fault::none;  ///< first fault in time
+  Reason reason = {};         ///< one sentence: time, sample, fault and amount; none if proved
+  std::size_t sample = 0;     ///< index of the sample at the fault, or of the sample before it
+  double time = 0;            ///< time of that sample, seconds
+  PathDeviation deviation;    ///< deviation over the whole trajectory, or up to the fault
+  ToolPath path;              ///< path of the route
+  std::vector<double> path_parameters;  ///< path parameter of each sample that is on the path
+  /// Index of the first sample at or after the end of each segment (of each move, for a program),
+  /// for the part of the path that the trajectory follows.
   std::vector<std::size_t> arrivals;
-  /// Unless complete, the rest of the trajectory has not been checked, and nothing is proved; a
-  /// fault that was found is one, but not always the first.
+  /// How the check ended. Unless complete, the rest of the trajectory has not been checked, and
+  /// nothing is proved; a fault that was found is valid but may not be the first.
   Ending ending = Ending::complete;
 
-  /// Whether it is proved.
+  /// Returns whether the trajectory is proved.
   explicit operator bool() const { return fault == Fault::none && ending == Ending::complete; }
 };
 
@@ -144,36 +144,38 @@ struct Verification {
 std::ostream& operator<<(std::ostream& out, const Verification& verification);
 
 /// Proves or refutes, from the columns alone, that a trajectory moves the tool along the whole
-/// route within the arm's limits, whichever program computed it. The joints move between samples as
-/// the columns mean (see Interpolation).
+/// route within the arm's limits. The trajectory may come from any program. The joints move between
+/// samples as the columns mean (see Interpolation).
 ///
-/// - Deviation: assigns a path parameter to each sample; these do not decrease, and fit all samples
-///   between two stops together where the path approaches itself. path_deviation() bounds the
-///   deviation between samples.
+/// - Deviation: assigns a path parameter to each sample. The parameters do not decrease, and fit
+///   all samples between two stops together if the path approaches itself. path_deviation() bounds
+///   the deviation between samples.
 /// - Direction: at all times the tool is within the tolerance of the path's pose at a parameter
-///   s(t), on a line of that at the projection x(t) of the tool's origin on it; and neither
+///   s(t). On a line this is the pose at the projection x(t) of the tool's origin on it. Neither
 ///   s(t) nor x(t) falls behind an earlier value on the same segment by more than the tolerance:
 ///     x(a) - x(b) <= tolerance for all a < b.
 ///   The motion on a line is bounded by x itself, not by s(t), which may be ahead of it or behind.
-/// - Position and velocity limits hold at all times, by the extremes of the polynomials, and so do
-///   those of acceleration for cubics and quintics and of jerk for quintics. Derivatives that jump
-///   at the samples are checked for the smoothest motion through these: divided differences of the
-///   positions times the factorial of the order are weighted means of the derivative. The velocity
-///   of linear joints may also change at a sample by no more than the acceleration limit allows
-///   within the shorter interval beside it, on both sides. Planning counts them alike.
-/// - Limits of velocity and acceleration that are not known count as assumed (motion_limits()). A
-///   jerk limit that is not known is not checked, because minimum-time motions have no jerk limit.
+/// - Limits of position and velocity hold at all times, by the extremes of the polynomials. So do
+///   limits of acceleration for cubics and quintics, and limits of jerk for quintics. Derivatives
+///   that jump at the samples are checked for the smoothest motion through the samples: divided
+///   differences of the positions times the factorial of the order are weighted means of the
+///   derivative. The velocity of linear joints may also change at a sample, by no more than the
+///   acceleration limit allows within the shorter interval beside it, on both sides. Planning uses
+///   the same rule.
+/// - Limits of velocity and acceleration that are not known are assumed (motion_limits()). A jerk
+///   limit that is not known is not checked, because minimum-time motions have no jerk limit.
 ///
-/// Columns of velocity or acceleration are what the motion is, so they cannot be wrong by
-/// themselves: false ones are found by the limits and the tolerance that the motion they mean
-/// exceeds between samples. A motion within both passes, whatever its author meant.
+/// The columns of velocity and acceleration define the motion, so they cannot be wrong by
+/// themselves. False columns are found because their motion exceeds the limits or the tolerance
+/// between samples. A motion within both passes, even if its columns differ from its author's
+/// intent.
 ///
 /// Throws Error when the trajectory is empty or does not fit the arm, for a route without segments,
-/// a task that its segments do not allow, and tolerances that are not above zero.
+/// for a task that its segments do not allow, and for tolerances that are not above zero.
 Verification verify(const Arm& arm, const Trajectory& trajectory, const Route& route,
                     const VerifyOptions& options = {});
 
-/// The same for straight lines from the trajectory's first pose through the waypoints.
+/// Verifies against straight lines from the trajectory's first pose through the waypoints.
 Verification verify(const Arm& arm, const Trajectory& trajectory, std::span<const Pose> waypoints,
                     const VerifyOptions& options = {});
 Verification verify(const Arm& arm, const Trajectory& trajectory,

@@ -17,10 +17,11 @@ namespace beeline {
 using namespace internal;
 namespace {
 
-constexpr double damped_below = 1e-2;    // relative to the largest singular value
-constexpr double max_damped_step = 0.1;  // rad, of any joint; J changes fast next to a singularity
-constexpr double max_step = 1;           // rad, of any joint: range of the linear model
-constexpr double max_jump = 1.5;         // rad; solutions farther apart are on different branches
+constexpr double damped_below = 1e-2;  // fraction of the largest singular value
+constexpr double max_damped_step =
+    0.1;  // rad, max rotation of any joint; J changes fast next to a singularity
+constexpr double max_step = 1;    // rad, max rotation of any joint: range of the linear model
+constexpr double max_jump = 1.5;  // rad; solutions farther apart are on different branches
 
 /// Returns the largest rotation of a revolute or helical joint, radians.
 double largest_rotation(const Arm& arm, const Configuration& step) {
@@ -108,7 +109,7 @@ bool control_by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
   return false;
 }
 
-/// Sets at which intermediate pose a reason is.
+/// Sets the index of the intermediate pose of a reason.
 void set_pose(int i, const CartesianOptions& options, Reason& reason) {
   reason.set(ReasonField::pose, static_cast<std::size_t>(i));
   reason.set(ReasonField::poses, static_cast<std::size_t>(options.intermediate));

@@ -14,7 +14,7 @@ namespace {
 
 /// Throws Error for a duration that is not a whole number of periods.
 void check_whole_periods(const JointMoveOptions& options) {
-  constexpr double rounding = 1e-6;  // of a period
+  constexpr double rounding = 1e-6;  // fraction of a period
   if (!options.duration) return;
   const double periods = *options.duration * options.rate;
   if (!std::isfinite(periods)) {
@@ -30,8 +30,8 @@ void check_whole_periods(const JointMoveOptions& options) {
                       number(*options.duration));
 }
 
-// Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would
-// be rounding.
+// Radians or metres. A joint that starts this near to its goal has no overshoot, because the ratio
+// would be rounding.
 constexpr double at_goal = 1e-9;
 
 }  // namespace
@@ -109,7 +109,8 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
       [&goal](const Configuration& q) { return (goal - q).lpNorm<Eigen::Infinity>(); },
       [&pid](const Configuration& q) { return pid.step(q); }};
   if (simulate(arm, law, options, motion)) motion.arrivals = {motion.trajectory.size() - 1};
-  if (motion.status == MotionStatus::outside_limits) {  // from overshoot, as the limits are convex
+  if (motion.status ==
+      MotionStatus::outside_limits) {  // this is overshoot, because the limits are convex
     motion.reason.set(ReasonField::overshoots, true);
   }
   if (motion.status == MotionStatus::cancelled) return motion;

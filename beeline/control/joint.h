@@ -17,23 +17,24 @@ namespace beeline {
 /// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};                 ///< one sentence; none when reached
-  Trajectory trajectory;              ///< every step, also when the goal was not reached
-  std::vector<std::size_t> arrivals;  ///< the sample at which each goal was reached
+  Reason reason = {};                 ///< one sentence; none if reached
+  Trajectory trajectory;              ///< all steps of the motion, also if the goal was not reached
+  std::vector<std::size_t> arrivals;  ///< index of the sample at which each goal was reached
   int steps = 0;                      ///< number of steps
-  int slowed = 0;                     ///< steps that were scaled down for the velocity limits
+  int slowed = 0;        ///< number of steps that were scaled down for the velocity limits
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
-  double error = 0;      ///< remaining error of the last goal, radians or metres
+  double error = 0;      ///< remaining error at the last goal, radians or metres
 
-  /// Whether the goal was reached.
+  /// Returns whether the goal was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
 struct SimulationOptions {
-  double tolerance = 1e-6;  ///< max error of a goal that is reached, metres and radians, above 0
-  int max_steps = 100'000;  ///< of the whole motion, 1 to 1e7; beyond it `not_converged`
-  double time_step = 0.02;  ///< of the controller, seconds, above 0
-  Budget budget = {};       ///< of the whole motion
+  double tolerance =
+      1e-6;  ///< max error at a goal that counts as reached, metres and radians, above 0
+  int max_steps = 100'000;  ///< max steps of the whole motion, 1 to 1e7; beyond it `not_converged`
+  double time_step = 0.02;  ///< time step of the controller, seconds, above 0
+  Budget budget = {};       ///< budget of the whole motion
 };
 
 /// Gains of a discrete PID controller: each step is kp e + ki Σe + kd (e − last e) with the error
@@ -50,7 +51,7 @@ struct PidGains {
 /// Joint values are plain numbers; angles are not wrapped. No step allocates.
 class Pid {
  public:
-  /// Throws Error unless kp > 0, ki >= 0, kd >= 0 and all are finite, as the goal is.
+  /// Throws Error unless kp > 0, ki >= 0, kd >= 0, and the gains and the goal are finite.
   Pid(const PidGains& gains, const ConfigurationRef& goal);
 
   /// Resets the state to q: the sum is zero, and q is the reference of the next difference.
@@ -58,12 +59,12 @@ class Pid {
   void start(const ConfigurationRef& q);
 
   /// Changes the goal and keeps the state. The change of the goal does not enter the difference of
-  /// the error. Throws Error when its size is not the old goal's or a value is
-  /// not finite.
+  /// the error. Throws Error when its size is not the old goal's size or a value is not finite.
   void set_goal(const ConfigurationRef& goal);
 
-  /// Returns the change of q, valid until the next step. A first step without start() starts at q.
-  /// Throws Error when the size of q is not the goal's or a value is not finite; the state stays.
+  /// Returns the change of q, valid until the next step. Without start() the first step starts at
+  /// q. Throws Error, and keeps the state, when the size of q is not the goal's size or a value is
+  /// not finite.
   const Configuration& step(const ConfigurationRef& q);
 
  private:
@@ -74,9 +75,9 @@ class Pid {
   bool started_ = false;
 };
 
-/// Joint-space motion control from `start` to `goal`. With kp alone the motion is a straight line
-/// in joint space, which is a curve of the tool. Joint values are plain numbers; angles are not
-/// wrapped.
+/// Simulates joint-space motion control from `start` to `goal`. With kp alone the motion is a
+/// straight line in joint space and a curve of the tool. Joint values are plain numbers; angles are
+/// not wrapped.
 /// Throws Error for gains that Pid refuses, and for a start that does not fit the arm or is outside
 /// its limits. A goal outside the limits has the status `outside_limits`.
 ControlledMotion control_joints(const Arm& arm, const Configuration& start,
@@ -84,24 +85,25 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
                                 const SimulationOptions& options = {});
 
 struct JointMoveOptions {
-  Synchronise synchronise = Synchronise::time;  ///< how the joints' times agree
+  Synchronise synchronise = Synchronise::time;  ///< synchronisation of the joints' motions
   double rate = 100;                            ///< samples per second, at least 0.001
-  /// Seconds, a whole number of periods of the rate; default: the shortest that the limits allow.
+  /// Duration, seconds, a whole number of periods of the rate; default: the shortest that the
+  /// limits allow.
   std::optional<double> duration = std::nullopt;
   Budget budget = {};
 };
 
 /// Moves the joints from rest at `start` to rest at `goal` in minimum time under the limits of
-/// velocity, acceleration and jerk, or in options.duration: point_to_point(), sampled(). The start
-/// may be outside the position limits by up to 0.1 rad or 0.01 m; the motion leads back in.
-/// The status is `outside_limits` for a goal outside the limits and for a duration that is too
+/// velocity, acceleration and jerk, or in options.duration; see point_to_point() and sampled(). The
+/// start may be outside the position limits by up to 0.1 rad or 0.01 m; the motion leads back in.
+/// The status is `outside_limits` for a goal outside the limits, and for a duration that is too
 /// short, whose reason has the shortest one. Throws Error for a start farther outside, a
-/// configuration that does not fit the arm, and a duration of no whole number of periods.
+/// configuration that does not fit the arm, and a duration that is not a whole number of periods.
 ControlledMotion move_joints(const Arm& arm, const Configuration& start, const Configuration& goal,
                              const JointMoveOptions& options = {});
 
 /// Returns the largest distance of any joint beyond the goal, relative to its distance from the
-/// first sample to the goal; 0 when no joint overshoots.
+/// first sample to the goal; 0 if no joint overshoots.
 double joint_overshoot(std::span<const Configuration> samples, const Configuration& goal);
 
 }  // namespace beeline

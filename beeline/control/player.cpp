@@ -54,10 +54,10 @@ class Playback {
   PointToPoint lead_;  ///< from the start to the recording's first sample
   double lead_time_ = 0, time_ = 0;
   double speed_ = 0, target_speed_ = 1;
-  std::size_t segment_ = 0;  ///< the sample before `time_`
+  std::size_t segment_ = 0;  ///< index of the sample before `time_`
   Command command_;
-  Configuration velocity_, acceleration_;  ///< derivatives by the recording's time
-  Configuration largest_, squares_;        ///< of the tracking error
+  Configuration velocity_, acceleration_;  ///< derivatives with respect to the recording's time
+  Configuration largest_, squares_;        ///< largest tracking errors, and sums of their squares
   long steps_ = 0;
 };
 
@@ -104,10 +104,11 @@ void Playback::sample_at(double time) {
   }
 }
 
-/// Returns the largest change of the speed s in a step: the joint acceleration a s² + v ṡ must be
+/// Returns the largest change of the speed s in one step. The joint acceleration a s² + v ṡ must be
 /// within the limits.
 double Playback::max_speed_change() const {
-  constexpr double min_rate = 0.05;  // of the ramp; a recording at its limits must be able to pause
+  constexpr double min_rate =
+      0.05;  // fraction of the ramp's rate; a recording at its limits must be able to pause
   double rate = 1 / options_.ramp;
   for (Eigen::Index k = 0; k < velocity_.size(); ++k) {
     const double limit = arm_.limits(k).acceleration;

@@ -15,7 +15,7 @@ void check(const ReplayOptions& options) {
     throw Error("the speed of a replay must be above zero, not " + number(options.speed));
   }
   internal::check_rate(options.rate, "the recorded samples");
-  double before = -1;  // no time yet
+  double before = -1;  // no previous time
   for (const auto& [time, speed] : options.speed_at) {
     if (!(time >= 0 && time > before && std::isfinite(time))) {
       throw Error::of("speed_at",
@@ -42,8 +42,8 @@ void check(const ReplayOptions& options) {
   }
 }
 
-/// Throws Error for a rate that leaves too few steps to represent the motion. Not every recorded
-/// sample is kept.
+/// Throws Error for a rate that leaves too few steps to represent the motion. Some recorded samples
+/// may be omitted.
 void check_steps(const Trajectory& recording, double rate) {
   constexpr double min_steps = 4;        // a cubic has four coefficients
   constexpr double round_up = 1 + 1e-5;  // number() rounds to six digits
@@ -78,7 +78,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
     if (result.reason) result.reason.code = ReasonCode::start_outside_limits;
   }
   if (result.reason) return result;
-  constexpr double max_slowdown = 2;  // beyond whole periods
+  constexpr double max_slowdown = 2;  // largest slowdown beyond whole periods
   internal::BudgetMeter budget(options.budget);
   internal::ReplayAttempt attempt =
       internal::attempt_replay(arm, recording, options, max_slowdown, budget);

@@ -25,7 +25,7 @@ constexpr double null_space_speed = 0.5;
 constexpr double path_acceleration = 0.5;
 constexpr double null_space_acceleration = 0.5;
 
-/// Relative to the largest change of a velocity; smaller changes count as zero.
+/// Fraction of the largest change of a velocity; smaller changes count as zero.
 constexpr double still = 1e-9;
 
 void check_servo(const ServoOptions& options) {
@@ -115,8 +115,8 @@ double ServoLoop::scale_within_bounds(const Rates& rates, ServoStep& result) con
 }
 
 /// Reduces the scale until the joint acceleration of the motion, scale^2 q̈, is within the
-/// acceleration limits and one step does not pass the singularity, which is at the distance |x|^2 /
-/// (x . ẍ) if x . ẍ > 0.
+/// acceleration limits and one step does not pass the singularity. The distance to the singularity
+/// is |x|^2 / (x . ẍ) if x . ẍ > 0.
 double ServoLoop::scale_for_acceleration(const Rates& rates, double scale,
                                          ServoStep& result) const {
   const Eigen::VectorXd& weight = solver_.task().weight();
@@ -140,8 +140,8 @@ double ServoLoop::scale_for_acceleration(const Rates& rates, double scale,
   return scale;
 }
 
-/// Computes the null-space velocity for this scale. It changes from that of the last step towards
-/// the gradient that leads away from the position limits.
+/// Computes the null-space velocity for this scale. It changes from the last step's null-space
+/// velocity towards the gradient that leads away from the position limits.
 void ServoLoop::fill_null_velocity(const ConfigurationRef& q, const Rates& rates, double scale) {
   const Eigen::VectorXd& weight = solver_.task().weight();
   const double speed = scale * rates.velocity.cwiseQuotient(weight).lpNorm<Eigen::Infinity>();
@@ -175,14 +175,14 @@ void ServoLoop::bound_null_velocity(const Rates& rates, double scale) {
   if (!null_.allFinite()) null_.setZero();
 }
 
-/// Sets next_ to the scaled rates, with the scale nearest to `scale` that acceleration limits allow
-/// after the last velocity. When they allow none, approach() changes the direction. A coordinate
-/// that must brake for its position limit does so independently of the others.
+/// Sets next_ to the scaled rates. The scale is the one nearest to `scale` that acceleration limits
+/// allow after the last velocity. If they allow none, approach() changes the direction. A
+/// coordinate that must brake for its position limit does so independently of the others.
 void ServoLoop::apply_acceleration_limits(const Rates& rates, double scale, double max_scale,
                                           ServoStep& result) {
-  double lower = -Limits::none, upper = Limits::none;  // of the scale
+  double lower = -Limits::none, upper = Limits::none;  // bounds of the scale
   double near = 0, size = 0;  // products of the rates with the last velocity and with themselves
-  std::optional<int> joint;   // of `upper`
+  std::optional<int> joint;   // coordinate that determines `upper`
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
     const double change = max_change(k);
     if (!std::isfinite(change)) continue;

@@ -15,13 +15,15 @@ class ServoLoop;
 }
 
 struct ServoOptions {
-  /// Rows that matter; default: planar for a planar arm, else spatial.
+  /// Task rows that are controlled; default: planar for a planar arm, else spatial.
   std::optional<Task> task = std::nullopt;
-  double time_step = 1e-3;  ///< of the control loop, seconds, above 0
-  /// Of step_towards(), 1/s: the error's decay rate, above 0 and at most 1 / time_step.
+  double time_step = 1e-3;  ///< time step of the control loop, seconds, above 0
+  /// Decay rate of the error in step_towards(), 1/s, above 0 and at most 1 / time_step.
   double gain = 10;
-  double linear_speed = Limits::none;   ///< limit of step_towards()'s command, m/s, above 0
-  double angular_speed = Limits::none;  ///< limit of step_towards()'s command, rad/s, above 0
+  double linear_speed =
+      Limits::none;  ///< max linear speed of the command in step_towards(), m/s, above 0
+  double angular_speed =
+      Limits::none;  ///< max angular speed of the command in step_towards(), rad/s, above 0
 };
 
 /// The limit that determines the scale of a step.
@@ -29,7 +31,7 @@ enum class ServoLimit {
   none,          ///< the command is achieved
   velocity,      ///< a joint's velocity limit
   acceleration,  ///< a joint's acceleration limit
-  position,      ///< a joint has to stop before its position limit
+  position,      ///< a joint must stop before its position limit
   singular,      ///< the arm is at or near a singularity
 };
 std::string name(ServoLimit limit);
@@ -38,7 +40,7 @@ std::string name(ServoLimit limit);
 struct ServoStep {
   double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
   ServoLimit limit = ServoLimit::none;      ///< the limit that determines the scale
-  std::optional<int> joint = std::nullopt;  ///< the coordinate of the limit, from 0
+  std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
 };
 
 /// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1.
@@ -56,9 +58,9 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 ///
 /// The tool keeps the direction of the command v and slows down; α is never negative. Among the
 /// solutions of J q̇ = α v, q̇ has the least norm weighted by the velocity limits. A redundant arm
-/// adds null-space motion away from the position limits (Liégeois 1977). Where the last velocity
-/// leaves no feasible q̇, as after a change of the command, q̇ changes towards it as fast as the
-/// acceleration limits allow.
+/// adds null-space motion away from the position limits (Liégeois 1977). If the last velocity
+/// leaves no feasible q̇, for example after a change of the command, q̇ changes towards the command
+/// as fast as the acceleration limits allow.
 ///
 /// No step allocates. One object serves one loop; it keeps the last velocity.
 class Servo {
@@ -66,21 +68,22 @@ class Servo {
   /// Throws Error for an invalid option.
   explicit Servo(const Arm& arm, const ServoOptions& options = {});
   Servo(const Servo& other);
-  Servo(Servo&& other) noexcept;  ///< `other` may then only be assigned to or destroyed
+  Servo(Servo&& other) noexcept;  ///< `other` can then only be assigned to or destroyed
   Servo& operator=(Servo other) noexcept;
   ~Servo();
 
-  /// The command is a tool velocity in the task's frame (world or tool axes), m/s and rad/s; rows
-  /// that the task excludes are ignored. Writes dof numbers into `velocity`, rad/s or m/s.
-  /// Throws Error when the size of q or `velocity` is wrong, or a number is not finite.
+  /// Converts a command into joint velocities. The command is a tool velocity in the task's frame
+  /// (world or tool axes), m/s and rad/s; rows that the task excludes are ignored. Writes dof
+  /// numbers into `velocity`, rad/s or m/s. Throws Error when the size of q or `velocity` is wrong,
+  /// or a number is not finite.
   ServoStep step(const ConfigurationRef& q, const Twist& command,
                  Eigen::Ref<Eigen::VectorXd> velocity);
 
-  /// Moves towards a pose: the command is gain · (pose error), within the bounds on its speed.
+  /// Moves towards a pose with the command gain · (pose error), bounded by the options' speeds.
   ServoStep step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
                          Eigen::Ref<Eigen::VectorXd> velocity);
 
-  /// Sets the arm's current velocity, which is zero at first.
+  /// Sets the arm's current velocity, rad/s or m/s. It is zero at first.
   void set_velocity(const ConfigurationRef& velocity);
 
  private:

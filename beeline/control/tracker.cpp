@@ -35,8 +35,8 @@ Task checked_task(const Arm& arm, const TrackerOptions& options) {
   return options.task.value_or(default_task(arm));
 }
 
-/// The arm with assumed limits of velocity and acceleration in the place of unknown ones. What is
-/// assumed beside a known velocity near the end of its range stays within the range too.
+/// Returns the arm with assumed limits of velocity and acceleration in place of unknown ones. The
+/// acceleration assumed for a very large velocity limit is clamped to Limits::max_rate.
 Arm with_motion_limits(const Arm& arm) {
   std::map<std::string, LimitOverrides> limits;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -76,9 +76,9 @@ class TrackerLoop {
   std::vector<VelocityBounds> bounds_;
   Eigen::VectorXd lower_, upper_;  ///< bounds of the goal
   Configuration last_goal_;
-  Eigen::VectorXd estimated_velocity_;  ///< of the goal, within the acceleration limits
-  Eigen::VectorXd goal_velocity_;       ///< the same, at most that of this step
-  Eigen::VectorXd desired_;             ///< joint velocities without the limits of this step
+  Eigen::VectorXd estimated_velocity_;  ///< velocity of the goal within the acceleration limits
+  Eigen::VectorXd goal_velocity_;  ///< velocity of the goal, limited as the joints are in this step
+  Eigen::VectorXd desired_;        ///< joint velocities without the limits of this step
   TrackerStep step_;
 };
 
@@ -111,9 +111,9 @@ void TrackerLoop::reset(const ConfigurationRef& q) {
   solver_.reset(start);
 }
 
-/// The goal stays near the arm. With a goal far away, all joints would wait for one that has to
-/// rotate by half a turn where the command passes next to a singularity; with one that is nearer,
-/// they would compensate for each other during a long motion and turn back at its end.
+/// Bounds the goal to stay near the arm. With a goal far away, all joints would wait for one that
+/// has to rotate by half a turn where the command passes next to a singularity. With a nearer goal,
+/// the joints would compensate for each other during a long motion and turn back at its end.
 void TrackerLoop::fill_goal_bounds() {
   for (Eigen::Index k = 0; k < lower_.size(); ++k) {
     const Limits& limits = arm_.limits(k);
@@ -125,10 +125,10 @@ void TrackerLoop::fill_goal_bounds() {
   }
 }
 
-/// The velocity of the goal as far as the arm could have it: scaled to the velocity limits, and
+/// Estimates the velocity of the goal as the arm could have it: scaled to the velocity limits, and
 /// changed within the acceleration limits, so that a jump or the noise of the command hardly
-/// changes it. A goal that stops is at rest at once, and so is one that its bounds carry along with
-/// the arm.
+/// changes it. A goal that stops is at rest at once, and so is a goal that its bounds move along
+/// with the arm.
 void TrackerLoop::fill_goal_velocity(bool at_bound) {
   desired_ = (at_bound ? 0 : 1 / options_.time_step) * (solver_.goal() - last_goal_);
   double scale = 1;
@@ -144,9 +144,10 @@ void TrackerLoop::fill_goal_velocity(bool at_bound) {
   }
 }
 
-/// desired = goal velocity + α r / h: r is the remaining distance to the goal at the end of the
-/// step if the arm had the goal's velocity, and α ≤ 1 the largest fraction of it from which every
-/// joint can stop relative to the goal. If α = 1, the arm is at the goal at the end of the step.
+/// desired = goal velocity + α r / h. Here r is the remaining distance to the goal at the end of
+/// the step if the arm had the goal's velocity, and α ≤ 1 is the largest fraction of it from which
+/// every joint can stop relative to the goal. If α = 1, the arm is at the goal at the end of the
+/// step.
 void TrackerLoop::fill_desired_velocity() {
   const double h = options_.time_step;
   double fraction = 1;
@@ -175,7 +176,7 @@ void TrackerLoop::fill_desired_velocity() {
 void TrackerLoop::move_within_limits() {
   const double h = options_.time_step;
   fill_velocity_bounds(arm_, positions_, step_.q, h, bounds_);
-  double largest = 1e-9;  // difference relative to the velocity limit
+  double largest = 1e-9;  // largest difference relative to the velocity limit
   for (Eigen::Index k = 0; k < desired_.size(); ++k) {
     const double change = arm_.limits(k).acceleration * h, last = step_.velocity[k];
     const double within = std::clamp(desired_[k], bounds_[k].lower, bounds_[k].upper);
@@ -202,7 +203,8 @@ void TrackerLoop::report(const Pose& world_T_tool, const GoalStatus& goal) {
     } else {
       const double end = (goal.upwards ? positions_.upper : positions_.lower)[goal.blocking];
       const bool at_limit = solver_.goal()[goal.blocking] == end;
-      if (at_limit || !step_.joint) {  // else that of the motion towards a goal farther away
+      if (at_limit ||
+          !step_.joint) {  // otherwise the joint limits the motion towards a goal farther away
         step_.limit = at_limit ? ServoLimit::position : ServoLimit::velocity;
         step_.joint = static_cast<int>(goal.blocking);
       }

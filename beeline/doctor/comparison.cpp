@@ -16,12 +16,12 @@ using internal::Reconciliation;
 
 constexpr int few = 20;  // configurations that refute a wrong explanation
 
-/// An explanation that forward kinematics confirms, with what it needs to be reported.
+/// An explanation that forward kinematics confirms, with the data for its report.
 struct Candidate {
   Reconciliation explanation;
-  Arm b;  ///< as the hypothesis has it
+  Arm b;  ///< arm B as changed by the hypothesis
   double scale = 1;
-  std::vector<std::size_t> kept;  ///< of the longer arm; empty: all
+  std::vector<std::size_t> kept;  ///< joints of the longer arm that are kept; empty: all
   double cost = 0;
 };
 
@@ -43,9 +43,10 @@ bool of_description_only(const std::vector<ModelDifference>& differences) {
                      [](const ModelDifference& each) { return of_ends(each) || of_joint(each); });
 }
 
-/// The number of differences. A mistake in many numbers explains by chance when others are left, so
-/// it counts more unless what is left is plausible: mount and tool; for another convention, unit or
-/// number of joints also offsets and signs.
+/// Returns the cost of an explanation, a weighted number of differences. A mistake in many numbers
+/// explains by chance if other differences remain. It costs more then, unless the others are
+/// plausible: mount and tool; for another convention, unit or number of joints also offsets and
+/// signs.
 double cost_of(const std::vector<ModelDifference>& differences, const Hypothesis* hypothesis) {
   constexpr double implausible = 10;
   const auto number = static_cast<double>(differences.size());
@@ -92,12 +93,12 @@ class Search {
 
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
-  /// Whether nothing shorter is left to find.
+  /// Returns whether no shorter explanation can be found.
   bool settled() const { return !candidates_.empty() && candidates_.front().cost <= 1; }
 
  private:
   double tolerance_;
-  bool described_ = false;  ///< mount, tool, offsets and signs explain all
+  bool described_ = false;  ///< whether mount, tool, offsets and signs explain all differences
   std::vector<Candidate> candidates_;
 };
 
@@ -121,7 +122,7 @@ Search explanations(const Arm& a, const Arm& b, double tolerance) {
   return search;
 }
 
-/// The differences of the next explanation that is as short and names other things.
+/// Returns the differences of the next explanation of equal length that names other things.
 std::vector<ModelDifference> alternative_to(const Candidate& best,
                                             const std::vector<Candidate>& candidates) {
   const auto kinds = [](const Candidate& candidate) {
@@ -139,7 +140,7 @@ std::vector<ModelDifference> alternative_to(const Candidate& best,
   return {};
 }
 
-/// Marks two lengths or two angles that stand in each other's places.
+/// Marks two lengths or two angles that are exchanged.
 void mark_exchanged(std::vector<ModelDifference>& differences, double tolerance) {
   const auto exchanged = [&](const ModelDifference& x, const ModelDifference& y) {
     return x.kind == y.kind &&
@@ -156,7 +157,7 @@ void mark_exchanged(std::vector<ModelDifference>& differences, double tolerance)
   }
 }
 
-/// Takes over the explanation.
+/// Copies the explanation into the result.
 void report(const Candidate& best, const Arm& a, ArmComparison& result) {
   const Reconciliation& explanation = best.explanation;
   result.explained = true;

@@ -9,10 +9,10 @@
 
 namespace beeline {
 
-/// What is suspicious in a model.
+/// The kind of a suspicious number in a model.
 enum class FindingKind {
-  length_unit,       ///< lengths that are millimetres, as it seems
-  angle_unit,        ///< degrees in the place of radians
+  length_unit,       ///< lengths that appear to be millimetres
+  angle_unit,        ///< degrees instead of radians
   rounded_angle,     ///< a right angle written with few digits
   nearly_special,    ///< axes that are nearly, not exactly, parallel, perpendicular or concurrent
   coincident_axes,   ///< two neighbouring joints that move alike
@@ -20,42 +20,42 @@ enum class FindingKind {
   axis_length,       ///< an axis that is not of unit length
   no_range,          ///< limits that leave no or nearly no range
   unknown_velocity,  ///< a velocity limit that is missing where other joints have one
-  fault              ///< a fault of the file beside the chain
+  fault              ///< a fault of the file outside the chain
 };
 std::string name(FindingKind kind);
 
 /// A suspicious number of a model.
 struct Finding {
-  FindingKind kind = FindingKind::length_unit;  ///< what is suspicious
-  int joint = -1;                               ///< from 0; -1: several, or the whole arm
-  std::string place = {};                       ///< such as `joint 3 (elbow)`, or `joints 2, 4, 5`
-  std::string what = {};                        ///< the value, and why it is suspicious
-  std::string cost = {};                        ///< what it costs, computed; empty where nothing is
-  std::string remedy = {};                      ///< what to write instead
+  FindingKind kind = FindingKind::length_unit;  ///< kind of the finding
+  int joint = -1;           ///< joint index, from 0; -1: several joints, or the whole arm
+  std::string place = {};   ///< place in the model, such as `joint 3 (elbow)` or `joints 2, 4, 5`
+  std::string what = {};    ///< the value, and why it is suspicious
+  std::string cost = {};    ///< computed effect of the value; empty if there is none
+  std::string remedy = {};  ///< text that corrects the value
 };
 
 /// The suspicious numbers of a model.
 struct Diagnosis {
-  std::vector<Finding> findings;  ///< in the order of the checks
+  std::vector<Finding> findings;  ///< findings in the order of the checks
 
-  /// Whether nothing is suspicious.
+  /// Returns whether nothing is suspicious.
   explicit operator bool() const { return findings.empty(); }
 };
 
-/// Looks for numbers of an arm that are likely mistakes: units, rounded right angles and axes that
-/// nearly have a closed form of inverse kinematics (with the method that is lost), joints that move
-/// alike, limits. Says nothing of what may be meant.
+/// Searches an arm for numbers that are likely mistakes: units; rounded right angles; axes that
+/// nearly have a closed form of inverse kinematics, with the method that is lost; joints that move
+/// alike; limits. Does not report what may be intentional.
 Diagnosis diagnose(const Arm& arm);
 
-/// The same of an arm as read_arm() takes it, with what its file alone shows: a missing axis
-/// element, an axis not of unit length, angles in another unit than the file declares, faults
-/// beside the chain. Throws Error and FileError as read_arm() does.
+/// Diagnoses an arm as read_arm() reads it, and checks its file: a missing axis element, an axis
+/// not of unit length, angles in another unit than the file declares, faults outside the chain.
+/// Throws Error and FileError as read_arm() does.
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 
 /// Returns the faults of a URDF file, on every chain, in the order of its lines: up to 100, and the
-/// number of the others. It needs no chain, so that a file which read_arm() refuses for its first
-/// fault shows all. Files of other formats have none. Throws FileError for a file that cannot be
-/// read or is not URDF.
+/// number of the others. It needs no chain, so that all faults are reported for a file that
+/// read_arm() refuses for its first fault. Files of other formats have no faults. Throws FileError
+/// for a file that cannot be read or is not URDF.
 std::vector<Finding> file_faults(const std::string& path);
 
 }  // namespace beeline

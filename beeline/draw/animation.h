@@ -9,20 +9,20 @@
 
 namespace beeline {
 
-/// A figure that moves: what stands still, and items that change with time.
+/// A figure that moves: its still part, and items that change with time.
 struct Animation {
-  Figure figure;                ///< what stands still; Item::appears counts in the units of `times`
-  std::vector<double> times;    ///< seconds, strictly increasing
-  std::vector<Drawing> frames;  ///< for each time, what every panel shows beside its own drawing
+  Figure figure;              ///< still part; Item::appears counts in the units of `times`
+  std::vector<double> times;  ///< times of the frames, seconds, strictly increasing
+  std::vector<Drawing>
+      frames;  ///< for each time, the drawing that every panel shows beside its own
 };
 
-/// How an animation is played: in a loop of at most a day, at rest before it begins and after it
-/// ends.
+/// Playback of an animation: a loop of at most a day, at rest before it begins and after it ends.
 struct PlaybackOptions {
-  double speed = 1;               ///< relative to the animation's times, from 1e-3 to 1e3
-  double rest_before = 0.5;       ///< seconds at rest at the start, 0 to 60
-  double rest_after = 1.5;        ///< seconds at rest at the end, 0 to 60
-  double frames_per_second = 25;  ///< of .gif, .mp4 and .webp, from 1 to 60
+  double speed = 1;          ///< playback speed relative to the animation's times, from 1e-3 to 1e3
+  double rest_before = 0.5;  ///< seconds at rest at the start, 0 to 60
+  double rest_after = 1.5;   ///< seconds at rest at the end, 0 to 60
+  double frames_per_second = 25;  ///< frame rate of .gif, .mp4 and .webp, from 1 to 60 1/s
 };
 
 /// Throws Error for an animation without frames, for times that do not fit them or do not increase,
@@ -36,18 +36,19 @@ enum class AnimationFormat { svg, gif, mp4, webp };
 AnimationFormat animation_format_of(std::string_view path);
 
 /// Returns the animation as an SVG file that plays in any browser (SMIL; no script). Between its
-/// keyframes points move linearly, in time and within 0.15 points of their places at all times of
-/// the animation; where what moves would exceed `max_svg_size`, the distance is larger, up to 2
-/// points, and frames are left out. Viewers that
-/// do not animate, and readers who prefer reduced motion, see the last frame. Equal animations give
-/// equal files. Throws Error where compose() does, and for options out of range.
+/// keyframes points move linearly in time, within 0.15 points of their positions at all times of
+/// the animation. If the moving part would exceed `max_svg_size`, the tolerance increases up to 2
+/// points, and frames are omitted. Viewers that do not animate, and readers who prefer reduced
+/// motion, see the last frame. Equal animations give equal files. Throws Error where compose()
+/// does, and for options out of range.
 std::string animated_svg(const Animation& animation, const PlaybackOptions& options = {});
-constexpr std::size_t max_svg_size = 400'000;  ///< bytes; what stands still is not counted
+constexpr std::size_t max_svg_size =
+    400'000;  ///< max size of the moving part of an SVG animation, bytes
 
 /// Writes the animation in the format that the path's extension names, as save() of a figure does.
-/// SVG is written by the library; gif, mp4 and webp by the program `ffmpeg` of frames drawn by
-/// Cairo, at most 1500 of them: a longer animation has fewer frames per second. An mp4 ends where
-/// others begin again. Throws Error where the program is missing or fails.
+/// The library writes SVG. The program `ffmpeg` encodes gif, mp4 and webp from frames drawn by
+/// Cairo, at most 1500 of them: a longer animation has fewer frames per second. An mp4 ends at the
+/// point where other formats begin again. Throws Error when the program is missing or fails.
 void save(const Animation& animation, const std::string& path, const PlaybackOptions& options = {});
 
 }  // namespace beeline

@@ -82,7 +82,7 @@ Trajectory checked(const Arm& arm, const Trajectory& trajectory, const ArmFigure
   return matched_to(arm, trajectory);
 }
 
-/// Returns the inverse condition number of the task's Jacobian, a tenth of it where a joint or the
+/// Returns the inverse condition number of the task's Jacobian, or a tenth of it if a joint or the
 /// tool is below the base: along z, or along y for a planar arm.
 double visibility(const Arm& arm, const Configuration& q) {
   const Eigen::MatrixXd j = task_jacobian(arm, q, default_task(arm), unit_of_length(arm));
@@ -104,8 +104,8 @@ double van_der_corput(int i, int base) {
 }  // namespace
 
 Configuration display_configuration(const Arm& arm) {
-  constexpr double singular = 0.02;  // inverse condition number
-  constexpr double widest = 1.3;     // radians, or units of length, from the middle
+  constexpr double singular = 0.02;  // inverse condition number of a singular configuration
+  constexpr double widest = 1.3;     // max distance from the middle, radians or units of length
   constexpr int candidates = 200, bases[] = {2, 3, 5, 7, 11, 13, 17};
   const Configuration middle = middle_configuration(arm);
   Configuration best = middle;
@@ -122,7 +122,7 @@ Configuration display_configuration(const Arm& arm) {
       q[k] = std::clamp(q[k], limits.lower, limits.upper);
     }
     const double found = visibility(arm, q);
-    if (found <= 1.0001 * largest) continue;  // no choice by rounding
+    if (found <= 1.0001 * largest) continue;  // rounding must not decide the choice
     largest = found;
     best = q;
   }

@@ -13,15 +13,15 @@
 
 namespace beeline {
 
-/// Joint i of an arm in the world: the arm's centre line meets its axis at `enter` and leaves it at
-/// `leave`.
+/// Joint i of an arm in the world. The arm's centre line meets the joint's axis at `enter` and
+/// leaves it at `leave`.
 struct SkeletonJoint {
   JointKind kind = JointKind::revolute;
-  Vector3 direction = Vector3::UnitZ();  ///< of the axis, of unit length
+  Vector3 direction = Vector3::UnitZ();  ///< unit direction of the axis
   Vector3 enter = Vector3::Zero();
   Vector3 leave = Vector3::Zero();
-  Vector3 centre = Vector3::Zero();  ///< position of the symbol: midpoint of the two, `enter` for a
-                                     ///< prismatic joint
+  Vector3 centre = Vector3::Zero();  ///< position of the symbol: midpoint of enter and leave, or
+                                     ///< `enter` for a prismatic joint
 };
 
 /// The centre line of an arm from base to tool, metres, in the world. It follows the joint axes and
@@ -41,38 +41,39 @@ Skeleton skeleton(const Arm& arm, const ConfigurationRef& q);
 
 /// Options of arm_figure(), motion_figure() and motion_animation().
 struct ArmFigureOptions {
-  std::string title = {};    ///< default: the arm's name
-  std::string caption = {};  ///< default: the tool's position
-  bool frames = false;       ///< draw the frame of every link: x red, y green, z blue
-  /// Draw the Jacobian's columns as arrows at the tool: joint 1 red, 2 green, 3 blue.
+  std::string title = {};    ///< title; default: the arm's name
+  std::string caption = {};  ///< caption; default: the tool's position
+  bool frames = false;       ///< whether to draw the frame of every link: x red, y green, z blue
+  /// Whether to draw the Jacobian's columns as arrows at the tool: joint 1 red, 2 green, 3 blue.
   bool jacobian = false;
-  double azimuth = -0.87;   ///< of the viewer of a spatial arm, from x towards y, rad
-  double elevation = 0.44;  ///< of the viewer above the ground, rad
-  bool small_views = true;  ///< add small views from above and from the front (spatial arms)
+  double azimuth = -0.87;   ///< azimuth of the viewer of a spatial arm, from x towards y, rad
+  double elevation = 0.44;  ///< elevation of the viewer above the ground, rad
+  bool small_views =
+      true;        ///< whether to add small views from above and from the front (spatial arms)
   int ghosts = 3;  ///< number of earlier configurations of a motion, drawn faded, 0 to 1000
   /// Number of dots on the trail of a motion, at equal times, up to 100,000.
   std::size_t dots = 81;
 };
 
-/// Draws the arm at configuration q: from above when it is planar, otherwise in an oblique view
-/// with two small views beside it. Throws Error when q does not fit the arm.
+/// Draws the arm at configuration q: a planar arm from above, otherwise an oblique view with two
+/// small views beside it. Throws Error when q does not fit the arm.
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options = {});
 
-/// Returns a configuration that shows the arm well: the middle of the position limits or, where the
-/// arm is singular there, a configuration far from singularities (of 200 around it, the one of the
-/// largest inverse condition number above the plane of the base).
+/// Returns a configuration that shows the arm well: the middle of the position limits or, if the
+/// arm is singular there, a configuration far from singularities. Of 200 configurations around the
+/// middle, it has the largest inverse condition number above the plane of the base.
 Configuration display_configuration(const Arm& arm);
 
 /// Draws a motion: the trail of the tool by the trajectory's own polynomials (see sample()), the
-/// arm at the end, faded arms at the start and between, and the waypoints, numbered from 1. Of an
-/// arm that stands upright, the parts of the trail below the plane of the base are violet, and the
+/// arm at the end, faded arms at the start and between, and the waypoints, numbered from 1. If an
+/// arm stands upright, the parts of the trail below the plane of its base are violet, and the
 /// caption states the depth of the tool or the lowest joint. Throws Error for a motion without
 /// samples and for a trajectory that does not fit the arm.
 Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 
-/// Draws the same as an animation in real time: the arm moves and leaves the trail of its tool. It
-/// has one frame each 1/50 s, and at most 1000 frames.
+/// Draws a motion as an animation in real time: the arm moves and leaves the trail of its tool.
+/// There is one frame each 1/50 s, and at most 1000 frames.
 Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints = {},
                            const ArmFigureOptions& options = {});
@@ -81,7 +82,7 @@ Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
 /// 1.1 to 1.9, and "splines", the waypoints of Figure 1.9 by lines and by a spline.
 std::vector<std::string> chapter_figures();
 
-/// Draws a figure of the chapter; 1.3 and 1.6 to 1.9 are computed for its arm with link
+/// Draws a figure of the chapter. Figures 1.3 and 1.6 to 1.9 are computed for its arm with link
 /// lengths 3.5, 3.5 and 2. Throws Error for an unknown number; the message lists the known ones.
 Figure chapter_figure(std::string_view number);
 

@@ -59,7 +59,7 @@ struct FigureMotion {
   TrailStyle trail;
 };
 
-/// Draws what stands still while the arm moves.
+/// Draws the still part of a moving figure.
 Panel still_panel(const Arm& arm, const FigureMotion& motion, bool growing) {
   const Configuration& start = motion.trajectory.positions.front();
   Panel panel;
@@ -79,7 +79,7 @@ FigureMotion motion_1_7(const Arm& arm) {
           {forward_kinematics(arm, goal)},
           {"goal " + tool_text(arm, goal)},
           "eq. 1.3 from rest to " + angles_text(goal),
-          {.dots = trajectory.size()}};  // one a step
+          {.dots = trajectory.size()}};  // one dot a step
 }
 
 /// Figure 1.9: Cartesian control makes a straight trail.

@@ -7,11 +7,11 @@
 namespace beeline {
 namespace {
 
-constexpr double max_coordinate = 1e12;  // metres; larger ones would overflow the scale
+constexpr double max_coordinate = 1e12;  // metres; larger coordinates would overflow the scale
 
 void check_point(const Vector3& point, const char* what) {
   for (const double value : point) {
-    if (std::abs(value) <= max_coordinate) continue;  // false for NaN
+    if (std::abs(value) <= max_coordinate) continue;  // the comparison is false for NaN
     throw Error(std::string("the figure has a ") + what + " at (" + number(point.x()) + ", " +
                 number(point.y()) + ", " + number(point.z()) +
                 "); coordinates must be finite and within 1e12 m");

@@ -31,19 +31,19 @@ constexpr Colour construction_grey{0.45, 0.47, 0.5};  ///< construction lines an
 /// and joints 1, 2, 3), then five others.
 Colour distinct_colour(int k);
 
-/// Returns a lighter colour; still opaque, so that overlaps do not show.
+/// Returns a lighter, opaque colour, so that overlaps do not show.
 Colour faded(const Colour& colour);
 
 /// A line through points of the world, metres. Widths and all other sizes below are in points on
-/// paper (1/72 inch), so that they do not depend on the size of the arm.
+/// paper (1/72 inch), so they do not depend on the size of the arm.
 struct Polyline {
   std::vector<Vector3> points;
   Colour colour = ink;
   double width = 1;
   std::vector<double> dashes = {};  ///< lengths of dashes and gaps, alternating; empty: solid
-  double outline = 0;               ///< width of an outline around the line; 0: none
+  double outline = 0;               ///< width of an outline around the line; 0: no outline
   Colour rim = ink;
-  bool arrow = false;  ///< draw an arrowhead at the last point
+  bool arrow = false;  ///< whether to draw an arrowhead at the last point
 };
 
 /// A round dot at each point.
@@ -65,7 +65,7 @@ struct Tiles {
 struct JointSymbol {
   JointKind kind = JointKind::revolute;
   Vector3 centre = Vector3::Zero();
-  Vector3 axis = Vector3::UnitZ();  ///< of unit length
+  Vector3 axis = Vector3::UnitZ();  ///< unit direction of the axis
   double shift = 0;                 ///< displacement of the symbol along the axis
   double size = 6.5;                ///< the cylinder's radius
   Colour fill = paper_white;
@@ -76,7 +76,7 @@ struct JointSymbol {
 struct FrameTriad {
   Pose pose = Pose::Identity();
   double length = 26;
-  double width = 1.6;  ///< of the lines
+  double width = 1.6;  ///< width of the lines
 };
 
 /// The base of an arm: a plate for a spatial arm, a hatched support for a planar one.
@@ -89,7 +89,7 @@ struct BaseSymbol {
   Colour line = ink;
 };
 
-/// Text beside a point, on the side where it covers least.
+/// Text beside a point, on the side where it covers the least.
 struct Label {
   Vector3 at = Vector3::Zero();
   std::string text;
@@ -100,20 +100,20 @@ struct Label {
 
 using Primitive = std::variant<Polyline, Dots, Tiles, JointSymbol, FrameTriad, BaseSymbol, Label>;
 
-/// Layers are drawn in this order; items of `ghost` and `body` from far to near, others in the
-/// order in which they were added.
+/// Layers are drawn in this order. Items of `ghost` and `body` are drawn from far to near, other
+/// items in the order in which they were added.
 enum class Layer { ground, ghost, base, trail, body, mark, note };
 
 struct Item {
   Layer layer = Layer::body;
   Primitive shape;
-  double appears = 0;  ///< the time from which on an Animation shows it, seconds
+  double appears = 0;  ///< time at which an Animation shows the item first, seconds
 };
 
 /// Primitives in world coordinates, metres; plain data, independent of view and paper.
 struct Drawing {
   std::vector<Item> items;
-  std::optional<double> floor;  ///< height of the ground plane, metres; none: not drawn
+  std::optional<double> floor;  ///< height of the ground plane, metres; none: it is not drawn
 
   void add(Layer layer, Primitive shape, double appears = 0) {
     items.push_back({layer, std::move(shape), appears});

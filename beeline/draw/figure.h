@@ -10,8 +10,8 @@
 
 namespace beeline {
 
-/// A direction of view; parallel projection. The rows are the world directions that point to the
-/// right on paper, up on paper, and towards the viewer.
+/// A direction of view of a parallel projection. The rows are the world directions that point to
+/// the right on paper, up on paper, and towards the viewer.
 using View = Rotation;
 
 View top_view();    ///< x to the right, y up
@@ -29,18 +29,18 @@ struct Panel {
   std::string caption = {};
   double zoom = 1;     ///< scale relative to the other panels of the figure
   double pen = 1;      ///< factor on the sizes that the drawing gives in points (line widths, text)
-  bool labels = true;  ///< draw the drawing's labels
-  bool axes = true;    ///< draw rulers or the ground grid with the scale bar
+  bool labels = true;  ///< whether to draw the drawing's labels
+  bool axes = true;    ///< whether to draw rulers, or the ground grid with the scale bar
 };
 
 /// Panels in columns, each column from top to bottom. All panels have one scale (times their zoom),
-/// equal along both axes and as large as the page allows. A panel that looks along an axis of the
-/// world has rulers and a light grid, any other a ground grid and a scale bar.
+/// which is equal along both axes and as large as the page allows. A panel that looks along an axis
+/// of the world has rulers and a light grid; any other panel has a ground grid and a scale bar.
 struct Figure {
   std::string title = {};
   std::vector<std::vector<Panel>> columns;
   double width = 500, height = 480;  ///< max size of the page without margins and title, points
-  bool fill = false;                 ///< widen the plots until they fill a page of this size
+  bool fill = false;  ///< whether to widen the plots until they fill a page of this size
 };
 
 /// Lays the figure out on a page that contains all of it. Throws Error for a figure without panels,
@@ -53,8 +53,8 @@ enum class Format { svg, png, pdf };
 /// extension other than svg, png and pdf.
 Format format_of(std::string_view path);
 
-/// Returns the bytes of the picture file; equal for equal figures. A PNG has 180 pixels per inch.
-/// Throws Error where compose() does.
+/// Returns the bytes of the picture file. Equal figures give equal bytes. A PNG has 180 pixels per
+/// inch. Throws Error where compose() does.
 std::string render(const Picture& picture, Format format);
 std::string render(const Figure& figure, Format format);
 

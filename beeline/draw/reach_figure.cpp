@@ -33,7 +33,7 @@ int shade_of(float value, double most) {
 
 Colour colour_of(int k) { return shade((k + 0.5) / shades); }
 
-/// The cells of one shade, runs along the second axis as one rectangle.
+/// Adds the cells of one shade; runs along the second axis become one rectangle.
 std::array<Tiles, shades> tiles_of(const ReachSlice& slice, double most) {
   std::array<Tiles, shades> tiles;
   for (int k = 0; k < shades; ++k) tiles[static_cast<std::size_t>(k)].colour = colour_of(k);
@@ -63,7 +63,7 @@ std::array<Tiles, shades> tiles_of(const ReachSlice& slice, double most) {
   return tiles;
 }
 
-/// The shades from 0 to `most`, as high as the slice.
+/// Adds the shades from 0 to `most`, as high as the slice.
 Panel scale_of(const ReachSlice& slice, double most) {
   const double height = slice.grid[1].upper() - slice.grid[1].lower;
   Panel panel{.axes = false};
@@ -97,7 +97,7 @@ std::string caption_of(const ReachSlice& slice) {
   return plane + ", largest margin to the joint limits";
 }
 
-/// The value that has the last shade.
+/// Returns the value of the last shade.
 double largest_of(const ReachSlice& slice) {
   double most = slice.measure == ReachMeasure::directions ? 1 : 0;
   for (const float value : slice.values.reshaped()) {

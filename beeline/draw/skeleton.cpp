@@ -6,8 +6,8 @@
 namespace beeline {
 namespace {
 
-/// The axis of a joint, a line in the world. For a prismatic joint, the line that the origin of its
-/// link frame moves along.
+/// The axis of a joint, a line in the world. For a prismatic joint, it is the line along which the
+/// origin of its link frame moves.
 struct Axis {
   bool slides = false;
   Vector3 direction, point;

@@ -31,7 +31,7 @@ Curve response(const NamedMotion& motion, const Configuration& goal, int number)
   return curve;
 }
 
-/// Returns the time from which on the curve stays within half a percent of 100.
+/// Returns the time after which the curve stays within half a percent of 100.
 double settling_time(const Curve& curve) {
   for (std::size_t k = curve.y.size(); k-- > 0;) {
     if (std::abs(curve.y[k] - 100) > 0.5) return curve.x[std::min(k + 1, curve.x.size() - 1)];

@@ -16,7 +16,7 @@ namespace {
 constexpr double plot_height = 76;
 
 Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& task) {
-  constexpr std::size_t max_points = 20'000;  // each takes microseconds
+  constexpr std::size_t max_points = 20'000;  // each point takes microseconds
   const double unit = internal::unit_of_length(arm);
   Chart chart{.heading = "inverse condition of the Jacobian",
               .x_name = "time [s]",
@@ -37,7 +37,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
   return chart;
 }
 
-/// Returns the trail above the charts of the deviation, of total height `height` points.
+/// Returns the trail above the charts of the deviation, with total height `height` points.
 ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed,
                         double height) {
   ChartColumn column{.plot_width = 340};

@@ -17,19 +17,20 @@ namespace beeline {
 /// The path that a motion follows.
 struct FollowedPath {
   ToolPath path;
-  std::vector<double> path_parameters;  ///< of the samples that follow the path
+  std::vector<double> path_parameters;  ///< path parameter of each sample that follows the path
   Task task;
-  std::optional<Deviation> tolerance = std::nullopt;  ///< drawn as a reference line
-  /// The poses that the path was made through, in its order, numbered from 1 as in pictures of the
-  /// motion; a pose before the first is the start. Default: the ends of the segments.
+  std::optional<Deviation> tolerance = std::nullopt;  ///< tolerance, drawn as a reference line
+  /// Poses that define the path, in its order, numbered from 1 as in pictures of the motion, (N, 4,
+  /// 4). A pose before the first waypoint is the start. Default: the ends of the segments.
   std::vector<Pose> waypoints = {};
 };
 
 struct TimingFigureOptions {
-  std::string title = {};                   ///< default: the arm's name and the duration
-  std::optional<FollowedPath> path = {};    ///< draws the deviation from it too
-  std::optional<Task> task = std::nullopt;  ///< default: the path's task, or default_task()
-  /// When waypoints 1, 2, ... are passed, seconds; default: those of the path.
+  std::string title = {};                 ///< title; default: the arm's name and the duration
+  std::optional<FollowedPath> path = {};  ///< path of the motion; adds the deviation from it
+  std::optional<Task> task =
+      std::nullopt;  ///< task of the condition number; default: the path's task, or default_task()
+  /// Times at which waypoints 1, 2, ... are passed, seconds; default: the times by the path.
   std::vector<double> waypoint_times = {};
 };
 
@@ -42,8 +43,8 @@ struct TimingFigureOptions {
 Picture timing_figure(const Arm& arm, const Trajectory& trajectory,
                       const TimingFigureOptions& options = {});
 
-/// Draws the same of a trajectory without its arm: positions, velocities and accelerations. Throws
-/// Error where check_trajectory() does, and when there are no samples.
+/// Draws a trajectory without its arm: positions, velocities and accelerations. Throws Error where
+/// check_trajectory() does, and when there are no samples.
 Picture timing_figure(const Trajectory& trajectory, const std::string& title = {});
 
 /// A motion with the name of its curve.
@@ -52,20 +53,20 @@ struct NamedMotion {
   Trajectory trajectory;
 };
 
-/// Draws the step responses of controllers: for each motion, over time, the distance from its first
-/// sample towards the goal, in joint space, in percent of the distance to the goal: (q − q₀)·(g −
-/// q₀) / |g − q₀|². Above 100 the motion overshoots. The time axis ends where all motions have come
-/// within half a percent for good; a curve ends where it leaves ±300 %. Throws Error for a motion
+/// Draws the step responses of controllers. Each motion is drawn over time, as its distance from
+/// the first sample towards the goal, in joint space, in percent of the distance to the goal: (q −
+/// q₀)·(g − q₀) / |g − q₀|². A value above 100 is an overshoot. The time axis ends when all motions
+/// stay within half a percent; a curve ends where it leaves ±300 %. Throws Error for a motion
 /// without samples, a goal of another size, and a goal equal to the start.
 Picture step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
                              const std::string& title);
 
-/// Draws a slice of a reach map: each position that is reached in the colour of its value, with a
-/// scale beside it, and the arm.
+/// Draws a slice of a reach map: each reached position in the colour of its value, with a scale
+/// beside it, and the arm.
 Figure reach_figure(const ReachSlice& slice);
 
-/// Draws slices of two maps beside each other, with one scale: of slices_of(), for example. Throws
-/// Error for slices of different measures or planes.
+/// Draws slices of two maps beside each other with one scale, for example the slices of
+/// slices_of(). Throws Error for slices of different measures or planes.
 Figure reach_figure(const std::array<ReachSlice, 2>& slices);
 
 }  // namespace beeline

@@ -11,7 +11,7 @@ using internal::ChainGraph;
 using internal::CodeWriter;
 using internal::ComputationGraph;
 
-/// The entries of the task's rows, of a 6 x dof matrix row by row.
+/// Returns the entries of the task's rows of a 6 x dof matrix, row by row.
 std::vector<ComputationGraph::Id> task_entries(const std::vector<ComputationGraph::Id>& matrix,
                                                const Task& task, int dof) {
   std::vector<ComputationGraph::Id> entries;

@@ -10,7 +10,7 @@ namespace {
 
 using Parts = std::array<std::int64_t, 4>;
 
-/// Integer arithmetic that remembers whether a result left 64 bits.
+/// Integer arithmetic that records whether a result exceeded 64 bits.
 struct Checked {
   bool overflow = false;
 
@@ -26,7 +26,7 @@ struct Checked {
   }
 };
 
-/// std::gcd() is not defined for the smallest number, whose absolute value does not exist.
+/// std::gcd() is not defined for the smallest integer, whose absolute value exceeds 64 bits.
 bool has_absolute_value(std::int64_t n) { return n != std::numeric_limits<std::int64_t>::min(); }
 
 /// The products of the basis 1, sqrt(2), sqrt(3), sqrt(6): factor and index of the result.
@@ -83,8 +83,8 @@ Coefficient Coefficient::plain(double value) {
   return result;
 }
 
-Coefficient Coefficient::cosine(int fifteenths) {
-  const int folded = std::abs(fifteenths) % 24;
+Coefficient Coefficient::cosine_of_multiple_of_15_degrees(int k) {
+  const int folded = std::abs(k) % 24;
   const int m = folded > 12 ? 24 - folded : folded;  // cosine is even
   const std::int64_t sign = m > 6 ? -1 : 1;
   switch (m > 6 ? 12 - m : m) {
@@ -105,7 +105,9 @@ Coefficient Coefficient::cosine(int fifteenths) {
   }
 }
 
-Coefficient Coefficient::sine(int fifteenths) { return cosine(fifteenths % 24 - 6); }
+Coefficient Coefficient::sine_of_multiple_of_15_degrees(int k) {
+  return cosine_of_multiple_of_15_degrees(k % 24 - 6);
+}
 
 double Coefficient::value() const { return exact_ ? value_of(parts_, denominator_) : value_; }
 

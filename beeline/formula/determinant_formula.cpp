@@ -13,8 +13,9 @@ using internal::Pattern;
 using internal::TransformList;
 using internal::TwistFrame;
 
-/// Which frames leave the determinant as it is: all for the six rows; other points for the rows of
-/// the plane, if the arm is planar; other axes for the three rows of the position.
+/// Returns the frames that leave the determinant unchanged: all frames for the six rows; other
+/// points for the rows of the plane, if the arm is planar; other axes for the three rows of the
+/// position.
 std::vector<TwistFrame> equivalent_frames(const SymbolicArm& arm, const TransformList& list,
                                           const Task& task) {
   const std::size_t world = 0, tool = list.transforms.size();
@@ -40,7 +41,7 @@ std::vector<int> rows_of(const Task& task) {
   return rows;
 }
 
-/// The frame in which the Jacobian has the smallest blocks and the most zeros, by numbers.
+/// Returns the frame in which the numerical Jacobian has the smallest blocks and the most zeros.
 TwistFrame best_frame(const SymbolicArm& arm, const TransformList& list, const Task& task) {
   const std::vector<int> rows = rows_of(task);
   const std::vector<TwistFrame> candidates = equivalent_frames(arm, list, task);
@@ -146,7 +147,7 @@ void multiply(DeterminantFormula& determinant, const SymbolicArm& arm, const int
   }
 }
 
-/// The number of the frame, see pose_between(), with this place.
+/// Returns the number of the frame at this place, see pose_between().
 std::size_t frame_number(const TransformList& list, std::size_t place) {
   const auto found = std::find(list.frames.rbegin(), list.frames.rend(), place);
   return static_cast<std::size_t>(list.frames.rend() - found) - 1;
@@ -158,7 +159,7 @@ std::string frame_name(const TransformList& list, std::size_t place) {
   return number == 0 ? "the world" : "link " + std::to_string(number - 1);
 }
 
-/// Compares the determinant with that of the Jacobian in numbers.
+/// Compares the determinant with the determinant of the numerical Jacobian.
 void check_determinant(const SymbolicArm& arm, const TransformList& list, const Task& task,
                        const DeterminantFormula& determinant) {
   const TwistFrame frame = equivalent_frames(arm, list, task).front();

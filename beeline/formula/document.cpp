@@ -13,7 +13,7 @@ namespace {
 
 using internal::DocumentWriter;
 
-/// A sentence on the names of an arm's dimensions.
+/// Returns a sentence on the names of an arm's dimensions.
 struct Sentence {
   const char* text;
   const char* latex;
@@ -117,7 +117,7 @@ ExpressionMatrix task_rows_of(const ExpressionMatrix& matrix, const Task& task) 
   return rows;
 }
 
-/// The Jacobian, or its time derivative.
+/// Writes the Jacobian, or its time derivative.
 WrittenSection jacobian_section(DocumentWriter& writer, const SymbolicArm& arm,
                                 const FormulaContent& content, bool derivative) {
   ExpressionMatrix matrix = jacobian_formula(arm, content.frame);
@@ -158,7 +158,7 @@ WrittenSection inverse_section(DocumentWriter& writer, const SymbolicArm& arm) {
   return section;
 }
 
-/// What was rounded, and what could be.
+/// Returns notes on numbers that were rounded, and on numbers that could be.
 std::vector<std::string> notes_of(const SymbolicArm& arm) {
   std::vector<std::string> notes;
   if (arm.rounding > 1e-14) {
@@ -167,7 +167,7 @@ std::vector<std::string> notes_of(const SymbolicArm& arm) {
         number(arm.rounding) + " rad; it changes the pose by at most " + number(arm.deviation) +
         " (m, and of the entries of the rotation) at three random configurations.");
   }
-  // Below that it is the rounding of other lengths.
+  // A smaller value is the rounding of other lengths.
   if (arm.dropped_length > 1e-15 * internal::length_scale(arm)) {
     notes.push_back("Lengths up to " + number(arm.dropped_length) + " m are taken as zero.");
   }

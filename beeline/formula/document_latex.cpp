@@ -6,10 +6,11 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t matrix_letters = 120;  // that fit on a landscape page
-constexpr std::size_t line_letters = 100;    // then a line is broken at the next sign
+constexpr std::size_t matrix_letters = 120;  // max letters on a landscape page
+constexpr std::size_t line_letters = 100;  // letters after which a line is broken at the next sign
 
-/// About how many letters a formula is wide: a command counts as one, braces and spaces do not.
+/// Returns about how many letters wide a formula is: a command counts as one, braces and spaces do
+/// not count.
 std::size_t latex_width(const std::string& latex) {
   std::size_t letters = 0;
   bool command = false;
@@ -81,8 +82,8 @@ bool is_line(const WrittenFormula& formula) {
   return formula.cells.size() == 1 && formula.cells.front().size() == 1;
 }
 
-/// The formulas of one line from number i on, up to the next explanation; i becomes that of the
-/// last.
+/// Writes the formulas from number i up to the next explanation. Sets i to the number of the last
+/// one.
 std::string lines(const std::vector<WrittenFormula>& formulas, std::size_t& i) {
   std::string text = "\\begin{align*}\n";
   for (;; ++i) {

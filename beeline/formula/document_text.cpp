@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t page_width = 100;  // columns
 
-/// The columns of a terminal that a text takes: its characters, except for combining dots.
+/// Returns the width of a text in a terminal: its number of characters, except combining dots.
 std::size_t width(const std::string& text) {
   std::size_t columns = 0;
   for (const char byte : text) {
@@ -78,7 +78,7 @@ std::string text_of(const WrittenFormula& formula) {
   return total <= page_width ? as_matrix(formula, widths) : as_entries(formula);
 }
 
-/// A sentence on lines of the page's width.
+/// Breaks a sentence into lines of the page's width.
 std::string wrapped(const std::string& sentence, const std::string& indent) {
   std::string text, line = indent;
   std::size_t begin = 0;

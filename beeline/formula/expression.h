@@ -21,18 +21,20 @@ class Coefficient {
  public:
   Coefficient(std::int64_t integer = 0) : parts_{integer, 0, 0, 0} {}  // NOLINT: implicit
 
-  /// (a + b sqrt(2) + c sqrt(3) + d sqrt(6)) / denominator, which is positive.
+  /// Returns (a + b sqrt(2) + c sqrt(3) + d sqrt(6)) / denominator. The denominator is positive.
   static Coefficient exactly(const std::array<std::int64_t, 4>& parts,
                              std::int64_t denominator = 1);
-  static Coefficient plain(double value);     ///< a number that is not exact
-  static Coefficient cosine(int fifteenths);  ///< cos(fifteenths * 15 degrees)
-  static Coefficient sine(int fifteenths);
+  static Coefficient plain(double value);                      ///< number that is not exact
+  static Coefficient cosine_of_multiple_of_15_degrees(int k);  ///< cos(k * 15 degrees)
+  static Coefficient sine_of_multiple_of_15_degrees(int k);    ///< sin(k * 15 degrees)
 
   bool exact() const { return exact_; }
   bool is_zero() const { return exact_ ? parts_ == std::array<std::int64_t, 4>{} : value_ == 0; }
   bool is_negative() const { return value() < 0; }
   double value() const;
-  const std::array<std::int64_t, 4>& parts() const { return parts_; }  ///< a, b, c, d if exact
+  const std::array<std::int64_t, 4>& parts() const {
+    return parts_;
+  }  ///< a, b, c, d of an exact number
   std::int64_t denominator() const { return denominator_; }
 
   friend Coefficient operator+(const Coefficient& a, const Coefficient& b);
@@ -44,39 +46,41 @@ class Coefficient {
  private:
   std::array<std::int64_t, 4> parts_{};
   std::int64_t denominator_ = 1;
-  double value_ = 0;  ///< if not exact
+  double value_ = 0;  ///< value of a number that is not exact
   bool exact_ = true;
 };
 
 enum class SymbolKind {
-  length,        ///< a constant of the arm, metres
-  angle,         ///< a constant of the arm, rad
-  joint_angle,   ///< the coordinate of a revolute or helical joint, rad
-  displacement,  ///< the coordinate of a prismatic joint, metres
-  rate           ///< the time derivative of a coordinate
+  length,        ///< constant length of the arm, metres
+  angle,         ///< constant angle of the arm, rad
+  joint_angle,   ///< coordinate of a revolute or helical joint, rad
+  displacement,  ///< coordinate of a prismatic joint, metres
+  rate           ///< time derivative of a coordinate
 };
 
 /// A named quantity of a formula: letter and subscript, such as a and 2 of the length a2.
 struct Symbol {
   SymbolKind kind = SymbolKind::length;
-  std::string letter;     ///< such as a, alpha, q
-  std::string subscript;  ///< such as 2, t
-  double value = 0;       ///< of a constant, m or rad; of a variable the shift: see `ratio`
-  /// Of a variable and of a rate: the index in the configuration; -1 of a constant.
+  std::string letter;     ///< letter, such as a, alpha, q
+  std::string subscript;  ///< subscript, such as 2, t
+  double value = 0;       ///< value of a constant, m or rad; offset of a variable, see `ratio`
+  /// Index in the configuration, for a variable or a rate; -1 for a constant.
   int coordinate = -1;
-  /// A variable is ratio * q[coordinate] + value: 1 and 0 except for mimic joints.
+  /// Factor of the coordinate: a variable is ratio * q[coordinate] + value. Without a mimic joint
+  /// they are 1 and 0.
   double ratio = 1;
-  std::string meaning = {};  ///< in words
+  std::string meaning = {};  ///< meaning in words
 
-  std::string name() const { return letter + subscript; }  ///< ASCII, as in generated code
+  std::string name() const { return letter + subscript; }  ///< ASCII name, as in generated code
 };
 
 /// An integer combination of angle symbols: multiples of symbol numbers, in ascending order. Angles
-/// of one group share symbols: those of joints with parallel axes. Angles of different groups have
-/// no symbol in common.
+/// of one group share symbols, as the angles of joints with parallel axes do. Angles of different
+/// groups have no symbol in common.
 struct Angle {
   int group = 0;
-  std::vector<std::pair<int, int>> multiples = {};  ///< symbol, multiple (not 0)
+  std::vector<std::pair<int, int>> multiples =
+      {};  ///< pairs of a symbol and its multiple, which is not 0
 
   bool is_zero() const { return multiples.empty(); }
   bool operator==(const Angle&) const = default;
@@ -84,7 +88,7 @@ struct Angle {
     return std::tie(a.group, a.multiples) < std::tie(b.group, b.multiples);
   }
 };
-Angle operator+(const Angle& a, const Angle& b);  ///< of the same group, or one of them zero
+Angle operator+(const Angle& a, const Angle& b);  ///< both of the same group, or one zero
 Angle operator*(int factor, const Angle& a);
 
 /// The cosine or sine of an angle whose first multiple is positive.
@@ -100,8 +104,9 @@ struct Trig {
 
 /// A product of powers of symbols and of at most one cosine or sine for each group.
 struct Monomial {
-  std::vector<std::pair<int, int>> powers = {};  ///< symbol, exponent (positive)
-  std::vector<Trig> trigs = {};                  ///< in ascending order of groups
+  std::vector<std::pair<int, int>> powers =
+      {};                        ///< pairs of a symbol and its exponent, which is positive
+  std::vector<Trig> trigs = {};  ///< cosines and sines in ascending order of groups
 
   bool operator==(const Monomial&) const = default;
   friend bool operator<(const Monomial& a, const Monomial& b) {
@@ -126,7 +131,8 @@ class Expression {
 
   const Terms& terms() const { return terms_; }
   bool is_zero() const { return terms_.empty(); }
-  std::size_t size() const;  ///< number of symbols that are written out, and at least that of terms
+  std::size_t size()
+      const;  ///< number of symbols in the written expression, and at least the number of its terms
 
   Expression& operator+=(const Expression& other);
   friend Expression operator+(Expression a, const Expression& b) { return a += b; }
@@ -135,13 +141,13 @@ class Expression {
   friend Expression operator*(const Expression& a, const Expression& b);
   bool operator==(const Expression&) const = default;
 
-  /// The partial derivative with respect to a symbol, which may be an angle.
+  /// Returns the partial derivative with respect to a symbol, which may be an angle.
   Expression derivative(int symbol) const;
 
-  /// The value for given values of all symbols, in the order of their numbers.
+  /// Returns the value for given values of all symbols, in the order of their numbers.
   double value(std::span<const double> symbols) const;
 
-  /// Adds a term. The monomial has the form that Monomial and Trig describe.
+  /// Adds a term. The monomial must have the form that Monomial and Trig describe.
   void add(const Monomial& monomial, const Coefficient& coefficient);
 
  private:

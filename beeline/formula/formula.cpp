@@ -5,7 +5,8 @@
 namespace beeline {
 namespace {
 
-/// The pose of frame `to` in frame `from`, see pose_between(), compared with numbers.
+/// Returns the pose of frame `to` in frame `from`, see pose_between(), after a comparison with
+/// numbers.
 ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size_t to) {
   const internal::SymbolicPose pose = internal::pose_between(arm, from, to);
   const internal::ExpressionRotation rotation = pose.rotation();
@@ -28,10 +29,11 @@ ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size
   return matrix;
 }
 
-/// cos(sign * angle + fifteenths * 15 degrees), or the sine.
-Expression turned(const Angle& angle, int sign, int fifteenths, bool sine) {
+/// Returns cos(sign * angle + k * 15 degrees), or the sine.
+Expression turned(const Angle& angle, int sign, int k, bool sine) {
   const Expression c = Expression::cosine(angle), s = Expression(sign) * Expression::sine(angle);
-  const Expression c0 = Coefficient::cosine(fifteenths), s0 = Coefficient::sine(fifteenths);
+  const Expression c0 = Coefficient::cosine_of_multiple_of_15_degrees(k),
+                   s0 = Coefficient::sine_of_multiple_of_15_degrees(k);
   return sine ? s * c0 + c * s0 : c * c0 - s * s0;
 }
 

@@ -18,7 +18,7 @@ using internal::planar_row;
 
 using Rows = std::vector<DhRow>;
 
-/// The rows of all joints, or none if a joint does not fit.
+/// Returns the rows of all joints, or none if a joint does not fit.
 template <class RowOf>
 Rows rows_of(const Arm& arm, RowOf row_of) {
   Rows rows;
@@ -81,7 +81,7 @@ void add_general(ArmNamer& namer, const Arm& arm) {
   }
 }
 
-/// Tries the conventions of textbooks in turn.
+/// Tries the conventions of textbooks in order.
 void add_joints(ArmNamer& namer, const Arm& arm, double tolerance) {
   const double unit = internal::length_unit(arm);
   const auto standard = [&](const Joint& joint) {
@@ -103,7 +103,7 @@ void add_joints(ArmNamer& namer, const Arm& arm, double tolerance) {
 }
 
 /// Compares the transforms with the arm at a configuration and sets SymbolicArm::deviation. Throws
-/// Error where they differ by more than the rounding of angles explains.
+/// Error if they differ by more than the rounding of angles explains.
 void check_transforms(SymbolicArm& named, const Arm& arm, const Configuration& q) {
   const internal::TransformList list = internal::transform_list(named);
   const std::vector<Pose> places = internal::place_poses(list, symbol_values(named, q));

@@ -30,7 +30,7 @@ void BudgetMeter::start() {
       throw Error("", "time_limit",
                   " is " + number(*budget_.time_limit) + " s; it must be 0 or more");
     }
-    constexpr double forever = 1e9;  // seconds; the clock's count would overflow beyond
+    constexpr double forever = 1e9;  // seconds; a longer time would overflow the clock's count
     if (*budget_.time_limit < forever) {
       deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::chrono::duration<double>(*budget_.time_limit));

@@ -8,8 +8,8 @@
 
 namespace beeline::internal {
 
-/// The budget of one computation, with what it has spent. Functions that search take it by
-/// reference and ask ended() at intervals of less than a millisecond.
+/// The budget of one computation, and the amount that it has spent. Functions that search take it
+/// by reference and call ended() at intervals of less than a millisecond.
 class BudgetMeter {
  public:
   /// Starts the clock. Keeps a reference to the budget, or a temporary one. Throws Error for a
@@ -23,17 +23,18 @@ class BudgetMeter {
   /// threads may call it. Costs one comparison without limits.
   bool ended(std::int64_t work = 1) { return limited_ && exceeded(work); }
 
-  /// Why ended() has returned true; complete if it has not.
+  /// Returns why ended() has returned true; complete if it has not.
   Ending ending() const { return ending_.load(std::memory_order_relaxed); }
   bool complete() const { return ending() == Ending::complete; }
 
-  /// The budget of a part of the computation: what is left of this one.
+  /// Returns the budget of a part of the computation: the remainder of this one.
   Budget part();
-  /// The same for a part that computes from the fraction `begin` to `end` of all, and reports it.
+  /// Returns the budget of a part that computes from the fraction `begin` to `end` of the whole,
+  /// and reports its fraction.
   Budget part(double begin, double end);
 
-  /// Reports the fraction computed, unless a greater one was: a search that begins again with finer
-  /// steps does not run backwards.
+  /// Reports the fraction computed, unless a greater one was reported: a search that begins again
+  /// with finer steps does not run backwards.
   void report(double fraction);
   bool reports() const { return static_cast<bool>(budget_.progress); }
 

@@ -16,7 +16,7 @@ class EnumNames {
  public:
   using Enum = decltype(last);
 
-  /// `what` one of them is, in errors; the names, separated by single spaces.
+  /// `what` is the kind of name in errors; `names` are separated by single spaces.
   consteval EnumNames(std::string_view what, std::string_view names) : what_(what) {
     for (std::string_view& name : names_) {
       if (names.empty()) throw "too few names";
@@ -31,7 +31,7 @@ class EnumNames {
 
   std::vector<std::string> all() const { return {names_.begin(), names_.end()}; }
 
-  /// Throws Error, which lists all, for another name.
+  /// Returns the enumerator of a name. Throws Error, which lists all names, for another name.
   Enum named(std::string_view name) const {
     const auto found = std::find(names_.begin(), names_.end(), name);
     if (found == names_.end()) throw unknown_name(what_, name, all());

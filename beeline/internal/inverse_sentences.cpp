@@ -23,10 +23,11 @@ std::string outside(const ReasonText& reason) {
 std::string self_motion_sentence(const ReasonText& reason) {
   return "singular: arm " + reason.text(arm) +
          " can move with the tool at rest, so there are infinitely many solutions" +
-         (reason.is(branches_complete) ? "; of each branch the one nearest to the seed is given"
+         (reason.is(branches_complete)
+              ? "; the solution nearest to the seed is given for each branch"
           : reason.is(nearest_to_seed)
-              ? "; in those given the joints concerned are nearest to the seed"
-              : ", of which those given are some");
+              ? "; the solutions given have their free joints nearest to the seed"
+              : "; the solutions given are some of them");
 }
 
 std::string velocity_sentence(const ReasonText& reason) {
@@ -88,11 +89,11 @@ std::string inverse_sentence(const ReasonText& reason) {
     case ReasonCode::no_solution_found:
       return "no solution was found" +
              (reason.has(starts) ? " from " + reason.number(starts) + " starts" : "") +
-             "; the nearest misses by " + miss(reason) + "; that none exists is not shown";
+             "; the nearest misses by " + miss(reason) + "; a solution may still exist";
     case ReasonCode::no_closed_form_solution:
       return "no solution was found by the closed form, though a numerical search finds one; the "
              "nearest misses by " +
-             miss(reason) + "; that none exists is not shown";
+             miss(reason) + "; a solution may still exist";
     case ReasonCode::position_unreachable:
     case ReasonCode::orientation_unreachable:
       return unreachable(reason);

@@ -35,7 +35,7 @@ std::string at_poses(const ReasonText& reason) {
   return text;
 }
 
-/// Where a path stops: "line 2 of 3 stops after 63.1 % of its length, at x 0.1, y 0.2, z 0.3 m: ".
+/// The place of a stop: "line 2 of 3 stops after 63.1 % of its length, at x 0.1, y 0.2, z 0.3 m: ".
 std::string stop(const ReasonText& reason) {
   if (!reason.has(fraction)) return "";
   return "stops after " + percent(reason.value(fraction)) +
@@ -72,7 +72,8 @@ std::string on_path(const ReasonText& reason) {
       return "the path leaves the arm's workspace; " + at_poses(reason) +
              "; a larger tolerance does not help";
     case ReasonCode::path_loses_orientation: {
-      const bool positions_end = reason.details().size() > 1;  // there the position is out of reach
+      const bool positions_end =
+          reason.details().size() > 1;  // the position is out of reach at one of them
       return "the arm cannot keep the path's orientation; " + at_poses(reason) +
              "; a larger tolerance does not help" +
              (positions_end ? "" : ", a task that leaves rotations free may");

@@ -21,10 +21,9 @@ std::string reach_sentence(const ReasonText& reason) {
     case ReasonCode::poses_too_far_apart:
       return "the poses are farther apart than the arm reaches";
     case ReasonCode::no_mount_reaches:
-      return "from none of the " + reason.number(count) +
+      return "the arm reaches all poses from none of the " + reason.number(count) +
              (reason.number(count) == reason.number(of) ? " mounts"
-                                                        : " mounts that the map ranks first") +
-             " does the arm reach all poses";
+                                                        : " mounts that the map ranks first");
     case ReasonCode::no_mount_moves_in_lines:
       return "the arm reaches all poses from " + mounts(of) +
              ", but moves in straight lines from none of the " + reason.number(count) + " best";

@@ -12,7 +12,7 @@ class ReasonText {
   ReasonCode code() const { return reason_.code; }
   const std::vector<Reason>& details() const { return reason_.details; }
   bool has(ReasonField field) const { return reason_.has(field); }
-  bool is(ReasonField field) const;  ///< a field that is true
+  bool is(ReasonField field) const;  ///< whether the field is true
   double value(ReasonField field) const;
   const std::string& text(ReasonField field) const;
   const Eigen::Vector3d& point(ReasonField field) const;
@@ -26,31 +26,31 @@ class ReasonText {
   std::string joint() const;
   /// A value of the joint: "1.5708 rad (90 deg)", "0.2 m".
   std::string joint_value(ReasonField field) const;
-  /// The same in one unit: "1.5708 rad", "0.2 m".
+  /// A value of the joint in one unit: "1.5708 rad", "0.2 m".
   std::string in_unit(ReasonField field) const;
   /// The fields `distance` and `angle`: "0.1 m and 0.2 rad (11.5 deg)".
   std::string deviation() const;
-  /// "the time limit ended the search", by the field `ending`.
+  /// "the time limit ended the search", from the field `ending`.
   std::string ended(ReasonField field = ReasonField::ending) const;
-  /// "; allow more time", empty for a search that was cancelled.
+  /// "; allow more time"; empty for a search that was cancelled.
   std::string how_to_continue() const;
 
  private:
   const Reason& reason_;
 };
 
-/// " by 1e-08 rad", by how much the joint's value is beyond its limit, where the digits of both are
-/// alike; empty elsewhere.
+/// " by 1e-08 rad": the excess of the joint's value over its limit, if the digits of both are
+/// alike; otherwise empty.
 std::string excess_if_alike(const ReasonText& reason);
 
 /// "joint elbow at 3 rad (172 deg) is outside its limits -2 rad (-115 deg) to 2 rad (115 deg)".
 std::string outside_text(const ReasonText& reason);
 
-/// "(0.1, 0.2, 0.3)"; coordinates that are rounding errors relative to the others are 0.
+/// "(0.1, 0.2, 0.3)". Coordinates that are rounding errors relative to the others are 0.
 std::string point_text(const Eigen::Vector3d& p);
 
-// The sentence of a code of each group, without what stands before and after it; empty for codes
-// of other groups.
+// The sentence for a code of each group, without its prefix and suffix; empty for codes of other
+// groups.
 std::string inverse_sentence(const ReasonText& reason);
 std::string path_sentence(const ReasonText& reason);
 std::string time_sentence(const ReasonText& reason);

@@ -9,7 +9,7 @@ namespace {
 
 using enum ReasonField;
 
-/// "its limits of 0 to 1 rad", with the excess where the digits do not show it.
+/// "its limits of 0 to 1 rad", with the excess if the digits do not show it.
 std::string range(const ReasonText& reason) {
   return "its limits of " + reason.number(lower) + " to " + reason.in_unit(upper) +
          excess_if_alike(reason);

@@ -12,12 +12,12 @@ std::size_t utf8_length(std::string_view text);
 
 bool is_utf8(std::string_view text);
 
-/// A character of a text: where it is not valid, one byte.
+/// A character of a text. If it is not valid UTF-8, it is one byte.
 struct Utf8Character {
   std::string_view bytes;
   bool valid = false;
 
-  char32_t code() const;  ///< of a valid one
+  char32_t code() const;  ///< code point of a valid character
 };
 
 /// Removes the first character from `text`, which is not empty, and returns it.

@@ -62,7 +62,7 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
   internal::BudgetMeter budget(state_->options.budget);
   if (auto found = internal::one_solution_fast(*state_, world_T_tool, seed, budget)) return *found;
-  return internal::solve(*state_, world_T_tool, seed, internal::ReasonSearch::wanted, budget);
+  return internal::solve(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
@@ -79,7 +79,7 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
     return *count;
   }
   const InverseResult result =
-      internal::solve(*state_, goal, seed, internal::ReasonSearch::skipped, budget);
+      internal::solve(*state_, goal, seed, /*explain_failure=*/false, budget);
   const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
   const Eigen::Index count = std::min(solutions.cols(), found);
   for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];

@@ -20,9 +20,12 @@ using testing::random_values;
 TEST(Coefficient, HasTheCosinesAndSinesOfMultiplesOf15Degrees) {
   for (int m = -50; m <= 50; ++m) {
     const double angle = m * std::numbers::pi / 12;
-    EXPECT_NEAR(Coefficient::cosine(m).value(), std::cos(angle), 1e-14) << m;
-    EXPECT_NEAR(Coefficient::sine(m).value(), std::sin(angle), 1e-14) << m;
-    const Coefficient c = Coefficient::cosine(m), s = Coefficient::sine(m);
+    EXPECT_NEAR(Coefficient::cosine_of_multiple_of_15_degrees(m).value(), std::cos(angle), 1e-14)
+        << m;
+    EXPECT_NEAR(Coefficient::sine_of_multiple_of_15_degrees(m).value(), std::sin(angle), 1e-14)
+        << m;
+    const Coefficient c = Coefficient::cosine_of_multiple_of_15_degrees(m),
+                      s = Coefficient::sine_of_multiple_of_15_degrees(m);
     EXPECT_EQ(c * c + s * s, Coefficient(1)) << m;
     EXPECT_TRUE(c.exact() && s.exact());
   }

@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-/// Copies of a value for the threads of in_parallel(): each block borrows one, which is made when
+/// Copies of a value for the threads of in_parallel(). Each block borrows one. A copy is made when
 /// all others are in use.
 template <class Value>
 class Copies {
@@ -16,8 +16,8 @@ class Copies {
 
   explicit Copies(const Value& original) : original_(original) {}
 
-  /// Returns a copy, with the state that the block before left in it; it comes back with the loan's
-  /// end, before that of this object.
+  /// Returns a copy in the state that the previous block left. The copy comes back when the loan is
+  /// destroyed, which must happen before this object is destroyed.
   Loan borrow() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) free_.push_back(std::make_unique<Value>(original_));

@@ -17,7 +17,7 @@ namespace beeline::HWY_NAMESPACE {
 // The passes over one packet of configurations: sines of all links, frames, poses, Jacobian
 // columns. Intermediate results are rows of Packet::width numbers.
 
-/// Stores sines and cosines of all links. Returns false where an angle exceeds
+/// Stores sines and cosines of all links. Returns false if an angle exceeds
 /// SineCoefficients::largest_angle or is NaN. Calls `between` once for each link.
 template <class Real, class Between>
 HWY_INLINE bool store_sines(const BatchPlan<Real>& plan, const Real* q, Real* sines, Real* cosines,
@@ -50,7 +50,7 @@ HWY_NOINLINE void store_far_sines(const BatchPlan<Real>& plan, const Real* q, Re
   }
 }
 
-/// Multiplies the frame by the constant and, where `rotates`, by Rot_z.
+/// Multiplies the frame by the constant and, if `rotates`, by Rot_z.
 template <class Real>
 HWY_INLINE void multiply(PacketFrame<Real>& frame, const typename BatchPlan<Real>::Constant& by,
                          bool rotates, Packet<Real> cosine, Packet<Real> sine) {
@@ -134,7 +134,8 @@ HWY_INLINE PacketFrame<Real> times(const PacketFrame<Real>& frame,
   return {along(n), along(n + 3), along(n + 6), frame.origin + along(n + 9)};
 }
 
-/// Multiplies the frame by the link's transform. Its theta is constant where it does not rotate.
+/// Multiplies the frame by the link's transform. The link's theta is constant if it does not
+/// rotate.
 template <class Real>
 HWY_INLINE void multiply(PacketFrame<Real>& frame, const typename BatchPlan<Real>::Link& link,
                          const Real* q, const Real* sine, const Real* cosine) {
@@ -162,8 +163,8 @@ struct PacketColumn {
   PacketVector<Real> linear, angular;
 };
 
-/// joint_velocity() of the link in lanes, in the frame `in`. `axes` are the link's six rows: the
-/// origin of its axis and its direction.
+/// Computes joint_velocity() of the link in lanes, in the frame `in`. `axes` are the link's six
+/// rows: the origin of its axis and its direction.
 template <class Real>
 HWY_INLINE PacketColumn<Real> column(const typename BatchPlan<Real>::Link& link, Frame in,
                                      const PacketFrame<Real>& tool, const Real* axes) {
@@ -227,9 +228,9 @@ HWY_INLINE void store_matrix(const PacketFrame<Real>& frame, Real* to, Eigen::In
   store_four(origin.x, origin.y, origin.z, one, to + 12, stride);
 }
 
-/// sqrt(det(J J^T)) as the volume that the rows of J span, x, y and theta of a planar arm or all
-/// six: the product of their norms after modified Gram-Schmidt orthogonalisation. Unlike the root
-/// of a determinant, it keeps its digits near singularities.
+/// Computes sqrt(det(J J^T)) as the volume that the rows of J span (x, y and theta of a planar arm,
+/// or all six): the product of their norms after modified Gram-Schmidt orthogonalisation. Unlike
+/// the root of a determinant, it keeps its digits near singularities.
 template <class Real>
 HWY_INLINE Packet<Real> volume(int dof, bool planar, Real* rows) {
   using W = Packet<Real>;

@@ -156,7 +156,7 @@ HWY_INLINE void run(const BatchJob<Real>& job) {
 
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
-#if HWY_TARGET != HWY_SCALAR  // there arithmetic takes longer than writing: not worth compiling
+#if HWY_TARGET != HWY_SCALAR  // with HWY_SCALAR arithmetic takes longer than writing
   if (job.past_caches) return run<true>(job);
 #endif
   run<false>(job);

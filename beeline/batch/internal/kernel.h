@@ -8,20 +8,21 @@ namespace beeline::internal {
 /// The number of configurations of a job is a multiple of this.
 inline constexpr Eigen::Index batch_width = 16;
 
-/// The results wanted for `count` contiguous configurations. Null: not wanted.
+/// The results wanted for `count` contiguous configurations. A null pointer means not wanted.
 template <class Real>
 struct BatchJob {
   const BatchPlan<Real>* plan;
   PoseLayout layout;
   Frame frame;
-  const Real* q;         ///< dof numbers each
+  const Real* q;         ///< coordinates, dof numbers for each configuration
   Eigen::Index count;    ///< a multiple of batch_width
-  Real* world_T_tool;    ///< size(layout) numbers each
-  Real* world_T_link;    ///< (links + 1) size(layout) numbers each
-  Real* columns;         ///< the Jacobian, 6 dof numbers each
-  Real* manipulability;  ///< one each
-  bool past_caches;      ///< by non-temporal stores of whole cache lines, for large results
-  Real* work;            ///< batch_work_size() numbers, at a multiple of 64 bytes
+  Real* world_T_tool;    ///< tool poses, size(layout) numbers each
+  Real* world_T_link;    ///< link poses, (links + 1) size(layout) numbers each
+  Real* columns;         ///< Jacobian columns, 6 dof numbers each
+  Real* manipulability;  ///< manipulability, one number each
+  bool past_caches;  ///< whether large results are written by non-temporal stores of whole cache
+                     ///< lines
+  Real* work;        ///< buffer of batch_work_size() numbers, aligned to 64 bytes
 };
 
 /// The size of a job's work buffer.

@@ -38,7 +38,7 @@ class LineWriter {
     head_ = (64 - misaligned) % 64 / static_cast<Eigen::Index>(sizeof(Real));
   }
 
-  /// Where the results of the next packet of configurations are to be stored.
+  /// Returns the address for the results of the next packet of configurations.
   HWY_INLINE Real* next() const { return !buffered ? to_ : buffer_ + held_; }
 
   /// Adds the results stored at next().

@@ -15,8 +15,8 @@ namespace beeline::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One register, with a number of another configuration in each lane. (Lanes always has eight
-/// lanes, up to four registers; here a dozen numbers stay in registers at once.)
+/// One register, with one number of a different configuration in each lane. (Lanes always has eight
+/// lanes, in up to four registers. Here a dozen numbers stay in registers at once.)
 template <class Real>
 struct Packet {
   using Tag = hn::CappedTag<Real, 64 / sizeof(Real)>;
@@ -47,11 +47,11 @@ struct Packet {
   friend HWY_INLINE Packet sqrt(Packet a) { return hn::Sqrt(a.v); }
   friend HWY_INLINE Packet max(Packet a, Packet b) { return hn::Max(a.v, b.v); }
   friend HWY_INLINE Packet round(Packet a) { return hn::Round(a.v); }
-  /// a where b > c, otherwise `otherwise`.
+  /// Selects a where b > c, otherwise `otherwise`.
   friend HWY_INLINE Packet where_greater(Packet b, Packet c, Packet a, Packet otherwise) {
     return hn::IfThenElse(hn::Gt(b.v, c.v), a.v, otherwise.v);
   }
-  /// Whether a <= b in all lanes; false where a is NaN.
+  /// Returns whether a <= b in all lanes; false if a is NaN.
   friend HWY_INLINE bool all_at_most(Packet a, Packet b) {
     return hn::AllTrue(Tag(), hn::Le(a.v, b.v));
   }

@@ -14,9 +14,9 @@ namespace {
 
 /// Declares to the thread sanitizer what oneTBB guarantees: the loop begins before each of its
 /// blocks, and ends after them. No order is declared between two blocks, so that races between them
-/// are reported. The sanitizer does not see oneTBB's own synchronisation, as the library is
-/// compiled without it; this file, which instantiates oneTBB's templates, is therefore too
-/// (CMakeLists.txt).
+/// are reported. The sanitizer does not see oneTBB's own synchronisation, because the library is
+/// compiled without the sanitizer. This file instantiates oneTBB's templates and is therefore
+/// compiled without it too (CMakeLists.txt).
 class LoopOrder {
 #ifdef BEELINE_THREAD_SANITIZER
  public:

@@ -1,4 +1,4 @@
-// In place of parallel.cpp where the module has no threads (WebAssembly).
+// Replaces parallel.cpp in a module without threads (WebAssembly).
 #include <algorithm>
 
 #include <beeline/batch/internal/parallel.h>

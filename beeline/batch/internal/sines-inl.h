@@ -112,8 +112,8 @@ HWY_INLINE void store_sine_cosine(Packet<Real> r, Packet<Real> sign, Real* sine,
   W(hn::Xor(c.v, sign.v)).store(cosine);
 }
 
-/// Replaces the values beyond largest_angle, lane by lane, by the C library's. They are NaN where
-/// the coordinate is not finite.
+/// Replaces the values beyond largest_angle, lane by lane, by the C library's values. They are NaN
+/// if the coordinate is not finite.
 template <class Real>
 HWY_NOINLINE void replace_far_sines(const Real* coordinate,
                                     const typename BatchPlan<Real>::Link& link, Real* sine,

@@ -13,16 +13,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-// Transposition between rows, with one register for each number, and columns, with one
-// configuration each: four numbers at a time, by shuffles within blocks of 128 bits and then of
-// whole blocks.
+// Transposition between rows (one register for each number) and columns (one configuration each).
+// Four numbers are transposed at a time, by shuffles within blocks of 128 bits and then of whole
+// blocks.
 
 template <class Real>
 using PacketRegister = hn::Vec<typename Packet<Real>::Tag>;
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Transposes the 4 x 4 floats in each block of 128 bits of four registers. Its own inverse.
+/// Transposes the 4 x 4 floats in each block of 128 bits of four registers. The function is its own
+/// inverse.
 template <class V>
 HWY_INLINE void transpose_blocks(V (&v)[4]) {
   const hn::DFromV<V> d;
@@ -37,7 +38,7 @@ HWY_INLINE void transpose_blocks(V (&v)[4]) {
   v[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, e, f));
 }
 
-/// In each pair of blocks: a becomes the first blocks of a and b, b the second blocks.
+/// Exchanges blocks in each pair: a becomes the first blocks of a and b, and b the second blocks.
 template <class V>
 HWY_INLINE void pair_blocks(V& a, V& b) {
   const V first = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);
@@ -45,8 +46,7 @@ HWY_INLINE void pair_blocks(V& a, V& b) {
   a = first;
 }
 
-/// Loads blocks of `block_size` numbers that are `apart` numbers from each other into one register;
-/// and stores them.
+/// Load and store blocks of `block_size` numbers, `apart` numbers from each other, as one register.
 template <class D, class Real>
 HWY_INLINE hn::Vec<D> gather_blocks(D d, int block_size, const Real* from, Eigen::Index apart) {
   if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
@@ -105,7 +105,7 @@ HWY_INLINE void load_four(const Real* from, Eigen::Index stride, Real* rows) {
 }
 
 #if HWY_MAX_BYTES >= 32
-/// Transposes four rows into blocks of four numbers: register c has those of the configurations c,
+/// Transposes four rows into blocks of four numbers: register c has the blocks of configurations c,
 /// c + 4 and so on.
 template <class Real>
 HWY_INLINE void transpose_rows(PacketRegister<Real> (&v)[4]) {
@@ -159,8 +159,8 @@ HWY_INLINE void store_four(Packet<Real> a, Packet<Real> b, Packet<Real> e, Packe
 
 #endif  // HWY_TARGET != HWY_SCALAR
 
-/// Loads `count` numbers of each configuration as rows. The last four overlap the previous ones
-/// where the count is not a multiple of four.
+/// Loads `count` numbers of each configuration as rows. The last four overlap the previous ones if
+/// the count is not a multiple of four.
 template <class Real>
 HWY_INLINE void load_rows(const Real* from, int count, Real* rows) {
   constexpr int width = Packet<Real>::width;

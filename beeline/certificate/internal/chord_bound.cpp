@@ -10,12 +10,12 @@
 namespace beeline::internal {
 namespace {
 
-/// The contribution of one joint to the tool's motion, at t = 1/2 where it depends on t.
+/// The contribution of one joint to the tool's motion; values that depend on t are at t = 1/2.
 struct Contribution {
   Vector3 angular_velocity;  ///< W_j
   Vector3 velocity;          ///< m_j
   double rotation = 0;       ///< |W_j|, for all t
-  double max_speed = 0;      ///< of |m_j|, over t
+  double max_speed = 0;      ///< maximum of |m_j| over t
   double outer_speed = 0;    ///< sum_{k>=j} max_speed_k
 };
 
@@ -50,7 +50,7 @@ ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const Config
   Vector3 angular_acceleration = Vector3::Zero();             // w'
   double before_rate = 0;                                     // |B_j'|
   double jerk = 0, angular_jerk = 0;                          // |p'''|, |w''|
-  double max_acceleration = 0, max_angular_acceleration = 0;  // of |p''|, |w'| over t
+  double max_acceleration = 0, max_angular_acceleration = 0;  // maxima of |p''| and |w'| over t
   for (const Contribution& part : contributions(arm, q_a, q_b)) {
     const double rotation_before = bound.rotation;  // >= |B_j|
     acceleration += (part.angular_velocity + 2 * before).cross(part.velocity);

@@ -7,15 +7,15 @@ namespace beeline::internal {
 /// Proved bounds on the tool's motion while the joints move linearly, q(t) = (1 - t) q_a + t q_b
 /// with t from 0 to 1; metres and radians. The chord is interpolate(T(q_a), T(q_b), t).
 struct ChordBound {
-  double position = 0;     ///< of |d(t)|, d(t) = p(t) - chord position at t
-  double orientation = 0;  ///< of the angle between the tool's orientation and the chord's; <= pi
-  double path_length = 0;  ///< of the length of the path of the tool's origin
-  double rotation = 0;     ///< of the integral of |w|: W, the sum of all joints' rotations
+  double position = 0;     ///< bound of |d(t)|, d(t) = p(t) - chord position at t
+  double orientation = 0;  ///< bound of the angle between the orientations of tool and chord; <= pi
+  double path_length = 0;  ///< bound of the length of the path of the tool's origin
+  double rotation = 0;     ///< bound of the integral of |w|: W, the sum of all joints' rotations
   /// d(t) = -4 t (1 - t) curvature_term + e(t), where |e(t)| <= remainder * min(1, 6 t, 6 (1 - t)).
   Vector3 curvature_term = Vector3::Zero();
   double remainder = 0;
   Vector3 angular_acceleration = Vector3::Zero();  ///< w' at t = 1/2, radians
-  double angular_remainder = 0;                    ///< of |w''| / 6, see orientation_gap()
+  double angular_remainder = 0;                    ///< bound of |w''| / 6, see orientation_gap()
 };
 
 /// Let m_j be the velocity of the tool's origin that joint j causes, W_j = dq_j w_j its angular

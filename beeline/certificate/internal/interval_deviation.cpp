@@ -14,11 +14,12 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int max_depth = 10;            // of halving
-constexpr double small_remainder = 0.2;  // of a bound that is not refined
-constexpr double finest = 1e-13;         // metres and radians; smaller bounds are not refined
-constexpr double small_error = 0.1;      // of a projection, as a fraction of the wanted bound
-constexpr double rounding = 1e-15;       // of a projection, as a fraction of the positions
+constexpr int max_depth = 10;  // max number of bisections
+constexpr double small_remainder =
+    0.2;  // fraction of the bound; with a smaller remainder the bound is not refined
+constexpr double finest = 1e-13;     // metres and radians; smaller bounds are not refined
+constexpr double small_error = 0.1;  // error of a projection, as a fraction of the wanted bound
+constexpr double rounding = 1e-15;   // rounding of a projection, as a fraction of the positions
 
 /// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
 constexpr double remainder_factor = 1.0 / 64;
@@ -45,10 +46,10 @@ class IntervalProof {
  private:
   struct End {
     ToolError error;
-    double size = 0;        ///< of the positions whose difference the error is, metres
-    double distance = 0;    ///< between the origins of tool and segment
-    double angle = 0;       ///< between their orientations, free rows included
-    double row_length = 0;  ///< of a line in the task's position rows
+    double size = 0;        ///< scale of the positions whose difference the error is, metres
+    double distance = 0;    ///< distance between the origins of tool and segment
+    double angle = 0;       ///< angle between their orientations, free rows included
+    double row_length = 0;  ///< length of a line in the task's position rows
   };
 
   End end(const Interval& interval, double u) {
@@ -121,7 +122,7 @@ class IntervalProof {
   const Task& task_;
   ToolErrorRows error_;
   Deviation known_, wanted_;
-  double along_wanted_;  ///< the largest error of a projection, metres
+  double along_wanted_;  ///< the largest wanted error of a projection, metres
   IntervalDeviation result_;
 };
 

@@ -13,25 +13,26 @@ namespace beeline::internal {
 /// polynomials of u from 0 to 1.
 struct Interval {
   std::vector<Polynomial> coordinates;
-  Polynomial s;  ///< the segment parameter that belongs to the coordinates
+  Polynomial s;  ///< the segment parameter for these coordinates
 };
 
 /// The part of the interval with u in [from, to].
 Interval part(const Interval& interval, double from, double to);
 
-/// The tool's projection on a line in a part of an interval: at u from 0 to 1 of that part it is at
-/// the fraction s(u) of the line, below 0 and above 1 on its continuations, to within `error`.
+/// The tool's projection on a line in a part of an interval. At u in [0, 1] of that part it is the
+/// point of the line at the fraction s(u), below 0 and above 1 on its continuations, to within
+/// `error`.
 struct LineProjection {
   Polynomial s;
   double error = 0;
 };
 
 /// The deviation of the tool from the segment in an interval: `measured` at its ends and at the
-/// points where it was divided, and a proved bound at all times.
+/// points of division, and a proved bound at all times.
 struct IntervalDeviation {
   Deviation measured, bound;
-  /// On a line by position whose position rows do not rotate with the tool: of all parts, in order.
-  /// On other segments none.
+  /// The projections of all parts, in order, for a line by position whose position rows do not
+  /// rotate with the tool; empty for other segments.
   std::vector<LineProjection> projections = {};
 };
 
@@ -43,11 +44,12 @@ struct IntervalDeviation {
 /// segment are bounded by tool_taylor_bound() and segment_taylor_bound(). Where the remainder
 /// dominates, the interval is divided into halves: the remainder of a half is 1/64.
 ///
-/// On a line by position only the component of e across the line counts, as the nearest point of
-/// the line is the one to compare with. The component along it makes the projection of s(u) that of
-/// the tool. An s(u) outside [0, 1] counts as the segment's end. Bounds that are not above `known`
-/// are not refined; those above `wanted` are refined further, as long as no measured deviation is
-/// above it, and so are projections whose error is above a fraction of `wanted`.
+/// On a line by position only the component of e across the line counts, because the deviation is
+/// measured from the nearest point. The component along the line turns the projection of s(u) into
+/// the projection of the tool. An s(u) outside [0, 1] counts as the segment's end. Bounds that are
+/// not above `known` are not refined. Bounds above `wanted` are refined further, as long as no
+/// measured deviation is above it, and so are projections whose error is above a fraction of
+/// `wanted`.
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
                                      const Interval& interval, const Deviation& known = {},
                                      const Deviation& wanted = {Limits::none, Limits::none});

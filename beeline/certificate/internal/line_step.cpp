@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Whether the task's position rows rotate with the tool: tool axes, with some position rows free.
+/// Whether the task's position rows rotate with the tool: they are in tool axes, and some are free.
 bool rotating_rows(const Task& task) {
   return task.frame == Frame::tool && task.positions() > 0 && task.positions() < 3;
 }
@@ -44,7 +44,7 @@ struct LineStep {
   double beyond = 0;                    ///< the larger beyond_ends() of both ends of the step
   double change = 0;                    ///< |s_b - s_a|
   double distance = 0;  ///< the larger distance between the origins of tool and line at s_a and s_b
-  double full_angle = 0;  ///< between the orientations there, free rows included
+  double full_angle = 0;  ///< angle between the orientations there, free rows included
   double length = 0;      ///< least length of the line in the position rows, metres
 };
 
@@ -106,10 +106,10 @@ double position_bound(const LineStep& step, const Task& task) {
   return step.ends.position + std::min(step.chord.position, across.norm() + step.chord.remainder);
 }
 
-/// The bound ChordBound::orientation, but relative to the line's orientation at the point nearest
-/// by position. Its parameter s satisfies s'' = p'' . d / |d|^2 with the line's translation d. The
-/// angular acceleration of the line is expressed in the tool's axes; these rotate by at most
-/// ChordBound::rotation.
+/// Bounds the angle as ChordBound::orientation does, but relative to the line's orientation at the
+/// point nearest by position. Its parameter s satisfies s'' = p'' . d / |d|^2 with the line's
+/// translation d. The angular acceleration of the line is expressed in the tool's axes, which
+/// rotate by at most ChordBound::rotation.
 double orientation_at_nearest(const LineStep& step) {
   const LineExtent& extent = step.extent;
   const ChordBound& chord = step.chord;
@@ -123,10 +123,10 @@ double orientation_at_nearest(const LineStep& step) {
   return orientation_gap(angular_acceleration, chord.rotation);
 }
 
-/// For a task with one free orientation row, along an axis e of its frame: the rotation in the
-/// other two is at most f / (2 sin(f/2)) times the distance of the tool's e from the line's e, f
-/// being the whole angle. |e''| is bounded as p'' is for positions: |w'| + |w|^2 <= 3/2 rotation^2
-/// for the tool, and `line_rotation`^2 for the line.
+/// Bounds the rotation in the two constrained rows, for a task with one free orientation row along
+/// an axis e of its frame. The rotation is at most f / (2 sin(f/2)) times the distance of the
+/// tool's e from the line's e, where f is the whole angle. |e''| is bounded as p'' is for
+/// positions: |w'| + |w|^2 <= 3/2 rotation^2 for the tool, and `line_rotation`^2 for the line.
 double bound_with_free_row(const LineStep& step, double line_rotation) {
   const double rotation = step.chord.rotation;
   const double f = std::min(pi, step.full_angle + rotation + line_rotation);
@@ -144,13 +144,14 @@ double orientation_bound(const LineStep& step, const Task& task, const Deviation
   if (task.orientations() == 0) return ends;
   if (step.whole_rotation) {
     // Between two shortest rotations in SO(3), locally a sphere of radius 2, the distance exceeds
-    // that of their ends by at most the factor 1 / cos(angle/4) (Jacobi's equation).
+    // the larger distance between their ends by at most the factor 1 / cos(angle/4) (Jacobi's
+    // equation).
     const double angle = step.chord.rotation + a.orientation + b.orientation;
     const double between = angle < pi ? ends / std::cos(angle / 4) : pi;
     if (!step.inside_line) return between + step.chord.orientation;
     return between + (orientation_at_nearest(step) + 2 * step.extent.angle * beyond);
   }
-  // |d log| <= pi/2 |d angle|, whatever the orientation of the free rows.
+  // |d log| <= pi/2 |d angle| for any orientation of the free rows.
   const double line_rotation = step.extent.angle * step.change;
   const double linear = ends + pi / 4 * (step.chord.rotation + line_rotation);
   if (task.orientations() != 2) return std::min(linear, pi);

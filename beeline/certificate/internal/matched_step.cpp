@@ -16,8 +16,9 @@ namespace {
 /// Bounds the angle f between the orientations of tool and segment; `ends` bounds it at both ends.
 ///
 /// First bound: between two shortest rotations in SO(3), locally a sphere of radius 2, the distance
-/// exceeds that of their ends by at most the factor 1 / cos(angle/4) (Jacobi's equation); add each
-/// motion's own distance from its chord. Second bound, where f < pi is certain: orientation_gap().
+/// exceeds the larger distance between their ends by at most the factor 1 / cos(angle/4) (Jacobi's
+/// equation); each motion's own distance from its chord is added. Second bound, if f < pi is
+/// certain: orientation_gap().
 double orientation_between(const ChordBound& tool, const SegmentChordBound& segment, double ends) {
   using std::numbers::pi;
   const double angle = tool.rotation + 2 * ends;

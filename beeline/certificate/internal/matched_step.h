@@ -26,9 +26,9 @@ struct StepEnd {
 Deviation matched_step_bound(const Arm& arm, const Segment& segment, const Task& task,
                              const StepEnd& a, const StepEnd& b);
 
-/// Throws Error unless matched_step_bound() holds for the task. It needs all orientation rows or
-/// none, or, for a planar arm and a segment that rotates about z only, the z row; and either all
-/// position rows, none, or any in world axes.
+/// Throws Error unless matched_step_bound() holds for the task. The task must have all orientation
+/// rows or none; for a planar arm and a segment that rotates about z only, the z row alone is
+/// enough. It must have all position rows or none, or any position rows in world axes.
 void check_matched(const Arm& arm, const Segment& segment, const Task& task);
 
 }  // namespace beeline::internal

@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// Throws Error unless step_bound() holds for the task: any task along a line, those of
-/// check_matched() along other segments.
+/// Throws Error unless step_bound() holds for the task. Along a line any task is valid; along other
+/// segments the tasks that check_matched() accepts.
 void check_task(const Arm& arm, const Segment& segment, const Task& task);
 
 /// Does the same for every segment. Throws Error for a path without segments.
@@ -23,8 +23,8 @@ void check_path_parameters(const ToolPath& path, std::span<const double> path_pa
 
 bool all_lines(const ToolPath& path);
 
-/// Whether the tool, the segment's poses and the rotations between them rotate about the world's z
-/// only, to 1e-9 rad.
+/// Whether the tool, the segment's poses and the rotations between them rotate only about the
+/// world's z axis, to 1e-9 rad.
 bool all_rotate_about_z(const Arm& arm, const Segment& segment);
 
 /// Whether the segment's pose is constant in the rows of the task, to 1e-9 m and rad.

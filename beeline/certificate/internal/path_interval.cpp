@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// The segments from path parameter s_a to s_b, in spans from the beginning of the first.
+/// The segments from path parameter s_a to s_b, and the spans from the beginning of the first one.
 class Division {
  public:
   Division(const ToolPath& path, const Task& task, double s_a, double s_b) {
@@ -38,7 +38,7 @@ class Division {
   std::vector<double> spans_;
 };
 
-/// The first u in [from, 1] at which p reaches the value; 1 if it does not before.
+/// Returns the first u in [from, 1] at which p reaches the value; 1 if p does not reach it.
 double reaching(const Polynomial& p, double value, double from) {
   constexpr int scan = 32;
   double low = from;
@@ -81,7 +81,7 @@ std::vector<PathInterval> path_intervals(const Arm& arm, const Trajectory& traje
                       begin.second * division.span(first), end.second * division.span(last));
   std::vector<PathInterval> parts;
   double from = 0;
-  std::size_t last_moving = last;  // whose part extends to the end
+  std::size_t last_moving = last;  // the part of this segment extends to the end
   while (last_moving > first && !(division.span(last_moving) > 0)) --last_moving;
   for (std::size_t i = first; i <= last_moving; ++i) {
     const double to =

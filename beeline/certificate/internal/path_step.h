@@ -10,7 +10,7 @@ namespace beeline::internal {
 /// point of a line (nearest_on_line.h), or from the pose at s of another segment.
 Deviation deviation_from(const Segment& segment, double s, const Pose& pose, const Task& task);
 
-/// The same at the path parameter s: whole segments, with a fraction of the next.
+/// Returns the deviation at the path parameter s: whole segments, with a fraction of the next.
 Deviation deviation_from(const ToolPath& path, double s, const Pose& pose, const Task& task);
 
 /// Bounds deviation_from() while the configuration and s move linearly from `a` to `b`:

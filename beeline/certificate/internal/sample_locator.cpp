@@ -7,15 +7,15 @@
 
 namespace beeline::internal {
 
-/// The samples up to a stop: path parameters, and the deviation of each from the stop as a fraction
-/// of the tolerance, or -1 where the sample is not there.
+/// The samples up to a stop: their path parameters, and the deviation of each from the stop as a
+/// fraction of the tolerance, or -1 if the sample is not at the stop.
 struct SampleLocator::Located {
   std::vector<double> path_parameters, from_end;
-  bool reached = false;  ///< the stop, by some sample
-  bool off = false;      ///< the last one is off the path
+  bool reached = false;  ///< whether some sample is at the stop
+  bool off = false;      ///< whether the last sample is off the path
 
-  /// Keeps the samples up to the one nearest to the end. It is chosen among the first consecutive
-  /// samples that are at the end; at the end of the route, among the last ones.
+  /// Keeps the samples up to the one nearest to the end. That sample is chosen among the first
+  /// consecutive samples at the end, or among the last ones at the end of the route.
   void cut_at_arrival(bool last) {
     std::size_t k = 0;
     if (last && from_end.back() >= 0) {
@@ -38,8 +38,8 @@ bool is_line(const ToolPath& path, std::size_t first, std::size_t last) {
 
 }  // namespace
 
-/// A lower bound on the path parameters from which on the path is within tolerance of the end of
-/// a segment, to the resolution of a sixty-fourth of a segment.
+/// Returns a lower bound of the path parameters after which the path stays within tolerance of the
+/// end of a segment, to the resolution of a sixty-fourth of a segment.
 double SampleLocator::closing_parameter(std::size_t begin, std::size_t segment) const {
   constexpr int divisions = 64;
   const Pose goal = pose_at(route_.path.segments[segment], 1);
@@ -90,7 +90,8 @@ SampleLocator::Located SampleLocator::locate(std::size_t first, const PathTracke
   return found;
 }
 
-/// Replaces the first path parameters within the tolerance by those that fit best together.
+/// Replaces the first path parameters within the tolerance by the parameters that fit best
+/// together.
 void SampleLocator::make_consistent(const PathTracker& tracker, std::size_t first,
                                     Located& found) const {
   std::vector<double>& s = found.path_parameters;
@@ -108,7 +109,7 @@ void SampleLocator::make_consistent(const PathTracker& tracker, std::size_t firs
   if (found.off && !found.reached) s.push_back(std::max(off, s.back()));
 }
 
-/// The length of the tool's motion from sample k to the next.
+/// Returns the length of the tool's motion from sample k to the next.
 double SampleLocator::moved(const PathTracker& tracker, std::size_t k) const {
   constexpr int chords = 8;
   double length = 0;

@@ -13,14 +13,14 @@ namespace beeline::internal {
 /// The path parameters of consecutive samples.
 struct SampleParameters {
   std::vector<double> path_parameters;
-  bool reached = false;  ///< the last one is that of the stop
+  bool reached = false;  ///< whether the last sample is at the stop
 };
 
 /// Finds where on a route the samples of a trajectory are.
 class SampleLocator {
  public:
-  /// All arguments but the task and the tolerance must outlive the object. `world_T_tool`: at the
-  /// samples.
+  /// All arguments except the task and the tolerance must outlive the object. `world_T_tool` has
+  /// the poses at the samples.
   SampleLocator(const Arm& arm, const Trajectory& trajectory, const Route& route, const Task& task,
                 const Deviation& tolerance, std::span<const Pose> world_T_tool, BudgetMeter& budget)
       : arm_(arm),
@@ -31,9 +31,10 @@ class SampleLocator {
         world_T_tool_(world_T_tool),
         budget_(budget) {}
 
-  /// The parameters of the samples from `first` on, along the segments from `begin` to `last`, at
-  /// whose end the tool stops: up to the sample nearest to the stop or, if none is there, to the
-  /// first that is off the path. Incomplete where the budget ends it.
+  /// Returns the parameters of the samples from `first` on, along the segments from `begin` to
+  /// `last`. The tool stops at the end of `last`. The result ends at the sample nearest to the stop
+  /// or, if none is there, at the first sample that is off the path. It is incomplete if the budget
+  /// ends the search.
   SampleParameters from(std::size_t first, std::size_t begin, std::size_t last) const;
 
  private:

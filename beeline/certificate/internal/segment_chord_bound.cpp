@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// The maximum of |d| over t in [0, 1], where d'' = 1 - 2 t and d(0) = d(1) = 0:
+/// Returns the maximum of |d| over t in [0, 1] for d'' = 1 - 2 t and d(0) = d(1) = 0:
 /// d = -t (1 - t)(1 - 2 t) / 6.
 constexpr double linear_term_maximum = 1 / (36 * std::numbers::sqrt3);
 
@@ -24,7 +24,7 @@ SegmentChordBound bound_of(const Line& line, double s_a, double s_b) {
 ///     g(x) = |exp(ix) - cos h - i (x/h) sin h|^2,   h = f/2, x = f (t - 1/2).
 /// With k = sin(h)/h and 0 <= x <= h <= pi
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),
-/// where cos h <= k and k x <= sin x. If k <= cos x, the left side is not positive; otherwise the
+/// with cos h <= k and k x <= sin x. If k <= cos x, the left side is not positive; otherwise the
 /// right side is not. Hence the distance is largest at t = 1/2.
 SegmentChordBound circle_bound(const PoseMotion& middle, const Vector3& rotation, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2

@@ -9,10 +9,10 @@ namespace beeline::internal {
 /// metres and radians. position.c[0] and rotation.c[0] are not set.
 struct SegmentTaylorBound {
   TaylorBound position;
-  TaylorBound rotation;  ///< of the rotation vector relative to a fixed orientation
+  TaylorBound rotation;  ///< bound of the rotation vector relative to a fixed orientation
 };
 
-/// The bounds for s from `from` to `to`.
+/// Returns the bounds for s from `from` to `to`.
 SegmentTaylorBound segment_taylor_bound(const Segment& segment, double from, double to);
 
 }  // namespace beeline::internal

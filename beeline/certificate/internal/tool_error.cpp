@@ -133,12 +133,13 @@ double ToolErrorRows::orientation_bound(double chord, double angle) const {
     case Orientation::whole:
       return chord < 2 ? 2 * std::asin(chord / 2) : std::numbers::pi;
     case Orientation::axis: {
-      // The rotation vector's part across e is |R e - P e| f / (2 sin(f / 2)), f the whole angle.
+      // The rotation vector's part across e is |R e - P e| f / (2 sin(f / 2)), where f is the whole
+      // angle.
       const double half = std::min(angle, std::numbers::pi) / 2;
       return std::min(std::numbers::pi, half > 0 ? chord * half / std::sin(half) : chord);
     }
     case Orientation::rotation_row:
-      // The row of the rotation vector is that of the antisymmetric part times f / sin f.
+      // The row of the rotation vector is the row of the antisymmetric part times f / sin f.
       if (!(angle < std::numbers::pi)) return std::numbers::pi;
       return std::min(std::numbers::pi, angle > 0 ? chord * angle / std::sin(angle) : chord);
   }
@@ -153,7 +154,7 @@ Deviation ToolErrorRows::at_nearest(const Deviation& at_s, double beside,
   Deviation result = at_s;
   const bool whole = orientation_ == Orientation::whole;
   if (line_->by_position()) {
-    // The nearest parameter is s(u) + beside / length where that is in [0, 1].
+    // The nearest parameter is s(u) + beside / length if that is in [0, 1].
     double shift = beside;
     if (rotating_rows_) {
       shift = 2 * at_s.position < range.row_length

@@ -15,14 +15,14 @@ template <class Value>
 struct Jet {
   Value value = Value::Zero(), first = Value::Zero(), second = Value::Zero();
 
-  void rescale(double k) {  // of the parameter, which is k times the old one
+  void rescale(double k) {  // the new parameter is 1 / k times the old one
     first *= k;
     second *= k * k;
   }
 };
 
-/// The error e of interval_deviation.h: a position in metres, and a difference of rotation matrices
-/// of which only the rows or columns of the task count.
+/// The error e of interval_deviation.h: a position in metres, and a difference of rotation
+/// matrices. Only the rows or columns of the task count.
 struct ToolError {
   Jet<Vector3> position;
   Jet<Eigen::Matrix3d> orientation;
@@ -33,40 +33,40 @@ struct ToolError {
   }
 };
 
-/// The rows of a task in which the tool's error along a segment is bounded.
+/// The rows of a task for which the tool's error along a segment is bounded.
 class ToolErrorRows {
  public:
   ToolErrorRows(const Arm& arm, const Segment& segment, const Task& task);
 
   ToolError at(const PoseMotion& tool, const PoseMotion& path) const;
 
-  /// `factor` times the sixth Taylor bounds of the error, from those of the distance between the
-  /// origins and of both rotation matrices.
+  /// Returns `factor` times the sixth Taylor bounds of the error, from the bounds of the distance
+  /// between the origins and of both rotation matrices.
   Deviation remainder(const TaylorBound& distance, const TaylorBound& tool, const TaylorBound& path,
                       double factor) const;
 
-  /// What else the bound depends on, over the whole interval.
+  /// Further quantities in the bound, over the whole interval.
   struct Range {
-    double angle = 0;             ///< bounds the angle between the orientations, free rows included
-    double s_min = 0, s_max = 1;  ///< of s(u)
+    double angle = 0;  ///< bound of the angle between the orientations, free rows included
+    double s_min = 0, s_max = 1;  ///< range of s(u)
     double row_length = 0;  ///< the least length of a line in the task's position rows, metres
   };
 
-  /// Bounds the deviation on an interval with these errors at its ends. On a line it is that from
-  /// the nearest point (nearest_on_line.h), whose parameter is not s(u).
+  /// Bounds the deviation on an interval with these errors at its ends. On a line the deviation is
+  /// measured from the nearest point (nearest_on_line.h), whose parameter is not s(u).
   Deviation bound(const ToolError& a, const ToolError& b, const Deviation& remainder,
                   const Range& range) const;
 
-  /// Whether the segment is a line by position whose rows do not rotate: then the error along it
-  /// does not count in bound(), and the tool has a projection on it.
+  /// Whether the segment is a line by position whose rows do not rotate. Then the error along the
+  /// line does not count in bound(), and the tool has a projection on the line.
   bool projects() const { return !direction_.isZero(0); }
 
-  /// The distance along such a line at which its pose changes by the tolerance, metres; infinite
-  /// for other segments.
+  /// Returns the distance along such a line at which its pose changes by the tolerance, metres;
+  /// infinite for other segments.
   double along_tolerance(const Deviation& tolerance) const;
 
-  /// The tool's projection on such a line, on an interval with these errors from its pose at s(u),
-  /// to within `error` metres.
+  /// Returns the tool's projection on such a line to within `error` metres, on an interval with
+  /// these errors from its pose at s(u).
   LineProjection projection(const Polynomial& s, const ToolError& a, const ToolError& b,
                             double error) const;
 
@@ -74,8 +74,8 @@ class ToolErrorRows {
   /// The form of the orientation error.
   enum class Orientation {
     none,
-    whole,        ///< R - P
-    axis,         ///< (R - P) e or its transpose's: the orientation row along e is free
+    whole,  ///< R - P
+    axis,   ///< (R - P) e, or the same for the transposes: the orientation row along e is free
     rotation_row  ///< the antisymmetric part of the relative rotation: two rows are free
   };
 
@@ -83,11 +83,12 @@ class ToolErrorRows {
   Deviation at_nearest(const Deviation& at_s, double beside, const Range& range) const;
 
   Task task_;
-  bool rotating_rows_ = false;  ///< some position rows free, in tool axes
+  bool rotating_rows_ = false;  ///< some position rows are free, in tool axes
   Orientation orientation_ = Orientation::none;
-  int row_ = 0;  ///< the free row (axis), or the only one (rotation_row)
+  int row_ = 0;  ///< the free row (axis), or the only row (rotation_row)
   std::optional<LineExtent> line_;
-  Vector3 direction_ = Vector3::Zero();  ///< of a line by position, whose rows do not rotate
+  Vector3 direction_ =
+      Vector3::Zero();  ///< direction of a line by position whose rows do not rotate
 };
 
 }  // namespace beeline::internal

@@ -9,7 +9,7 @@ namespace beeline::internal {
 BoundedLeastSquares::BoundedLeastSquares(int dof)
     : side_(static_cast<std::size_t>(dof)), free_(6, dof), x_(dof), unbounded_(dof) {}
 
-/// Sets unbounded_, where fixed coordinates keep their values.
+/// Sets unbounded_. Fixed coordinates keep their values.
 void BoundedLeastSquares::solve_free(const Jacobian& a, const Rows& c, double damping,
                                      const Eigen::VectorXd& bias) {
   Rows remainder = c;
@@ -24,7 +24,7 @@ void BoundedLeastSquares::solve_free(const Jacobian& a, const Rows& c, double da
 }
 
 /// Moves x_ towards unbounded_ as far as the bounds allow. Fixes the coordinate that reaches its
-/// bound and returns whether there is one.
+/// bound, and returns whether there is one.
 bool BoundedLeastSquares::move_to_first_bound(const Eigen::VectorXd& lower,
                                               const Eigen::VectorXd& upper) {
   double fraction = 1;
@@ -54,7 +54,7 @@ bool BoundedLeastSquares::release(const Jacobian& a, const Rows& c, double dampi
   Eigen::Index worst = -1;
   for (Eigen::Index k = 0; k < x_.size(); ++k) {
     const double inward =
-        -side_[k] * (a.col(k).dot(remainder) - damping * (x_[k] - bias[k]));  // of -f' / 2
+        -side_[k] * (a.col(k).dot(remainder) - damping * (x_[k] - bias[k]));  // this is -f' / 2
     if (!(inward > largest)) continue;
     largest = inward;
     worst = k;

@@ -7,7 +7,7 @@ CommandInterpolation::CommandInterpolation(const Pose& world_T_tool, double time
     : current_(world_T_tool), commanded_(world_T_tool), time_step_(time_step), period_(period) {}
 
 const Pose& CommandInterpolation::step(const Pose& commanded) {
-  constexpr double rounding = 1e-9;  // of the steps' sum, relative to one step
+  constexpr double rounding = 1e-9;  // tolerance of the steps' sum, relative to one step
   if (commanded.matrix() != commanded_.matrix()) {
     commanded_ = commanded;
     remaining_ = period_;

@@ -17,7 +17,7 @@ class CommandInterpolation {
  private:
   Pose current_, commanded_;
   double time_step_, period_;
-  double remaining_ = 0;  ///< until the commanded pose, seconds
+  double remaining_ = 0;  ///< time until the commanded pose, seconds
 };
 
 }  // namespace beeline::internal

@@ -10,27 +10,28 @@ namespace {
 
 constexpr int max_goal_steps = 8;  // from a command to the next, two suffice
 constexpr double solved = 1e-12;   // |c|, rounding is about 1e-15
-constexpr double unsolved = 1e-4;  // |c| of a pose that is perhaps out of reach
+constexpr double unsolved = 1e-4;  // |c| of a pose that may be out of reach
 
-// Of the squared norm of A's columns. The smallest damping only keeps the factors finite.
+// Fraction of the squared norm of A's columns. The smallest damping only keeps the factors finite.
 constexpr double min_damping = 1e-12;
 
-// An accepted step reduces |c|^2 by at least this fraction of the prediction of the linear model,
-// and the slope of |c|^2 along it at its end is at most this fraction of that at its start, with
-// the opposite sign: it does not pass the minimum.
+// An accepted step reduces |c|^2 by at least this fraction of the linear model's prediction. At its
+// end, the slope of |c|^2 along the step with the opposite sign is at most this fraction of the
+// slope at its start, so the step does not pass the minimum.
 constexpr double min_gain_ratio = 0.55;
 constexpr double max_slope_ratio = 0.02;
 
 // Away from a solution, at a boundary of the workspace, a step that reduces |c| by less than this
-// is not made: it would remove the last bend of the arm and with it the side of the elbow.
+// is not taken: it would remove the last bend of the arm, and the side of the elbow would be lost.
 constexpr double negligible_reduction = 1e-8;
 
-// Null-space motion away from the position limits relative to the motion of the step, and the step
-// that leaves a saddle of the error, relative to the velocity limits, s.
+// Speed of the null-space motion away from the position limits, relative to the motion of the step.
+// saddle_step is the length of a step that leaves a saddle of the error, relative to the velocity
+// limits, s.
 constexpr double goal_null_space_speed = 0.5;
 constexpr double saddle_step = 0.02;
 
-/// Minus half of the slope of |c|^2 along x, where the error c has the derivative -A.
+/// Returns minus half of the slope of |c|^2 along x; the error c has the derivative -A.
 double descent(const Jacobian& a, const WeightedTask::Rows& c, const Eigen::VectorXd& x) {
   double sum = 0;
   for (Eigen::Index k = 0; k < x.size(); ++k) sum += x[k] * a.col(k).dot(c);
@@ -98,7 +99,7 @@ void GoalSolver::fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& 
   trial_ = (goal_ + weight.cwiseProduct(x_)).cwiseMax(lower).cwiseMin(upper);
 }
 
-/// Tries one step. `rejected` increases the damping; `none`: the goal is stationary.
+/// Tries one step. After `rejected` the damping increases; after `none` the goal is stationary.
 GoalSolver::StepOutcome GoalSolver::improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
                                             const Eigen::VectorXd& upper) {
   const double size = a_.squaredNorm();
@@ -126,7 +127,8 @@ GoalSolver::StepOutcome GoalSolver::improve(const Pose& world_T_tool, const Eige
   return StepOutcome::yes;
 }
 
-/// The determinant of A for as many coordinates as rows. Its sign changes at a singularity.
+/// Returns the determinant of A if it has as many coordinates as rows. Its sign changes at a
+/// singularity.
 double GoalSolver::determinant(const Jacobian& a) const {
   Matrix6 square = Matrix6::Zero();
   square.leftCols(a.cols()) = a;
@@ -137,8 +139,8 @@ double GoalSolver::determinant(const Jacobian& a) const {
   return square.determinant();
 }
 
-/// Sets bias_ to a direction of the null space of A, of length saddle_step, with the square of
-/// singular values up to `damping` counting as zero. Returns whether there is one.
+/// Sets bias_ to a direction of the null space of A, of length saddle_step. Squared singular values
+/// up to `damping` count as zero. Returns whether there is such a direction.
 bool GoalSolver::fill_null_direction(double damping) {
   for (Eigen::Index k = 0; k < x_.size(); ++k) {
     bias_[k] = (k % 2 == 0 ? 1 : -1) / (1 + 0.3 * static_cast<double>(k));  // any direction
@@ -152,10 +154,10 @@ bool GoalSolver::fill_null_direction(double damping) {
   return true;
 }
 
-/// Where the arm is stretched out towards a pose beyond its reach, a step across the singularity
+/// If the arm is stretched out towards a pose beyond its reach, a step across the singularity
 /// hardly changes the error. Moves trial_ back to the side of the goal along the null space of A,
-/// where that does not increase the error. At a singularity where motion in the null space does not
-/// lead back, as at a wrist's, the step stays. Returns |c|^2 at trial_.
+/// if that does not increase the error. At a singularity that null-space motion does not leave on
+/// that side, such as a wrist singularity, the step stays. Returns |c|^2 at trial_.
 double GoalSolver::cost_on_same_side(double cost, const Pose& world_T_tool) {
   if (trial_.size() != rows_.size()) return cost;
   const double before = determinant(a_), after = determinant(task_.matrix());
@@ -177,8 +179,9 @@ double GoalSolver::cost_on_same_side(double cost, const Pose& world_T_tool) {
   return evaluate_trial(world_T_tool);
 }
 
-/// At a saddle of the error, as with the arm stretched out exactly and a pose nearer to its base,
-/// no first-order step reduces the error. Tries a motion in the null space of A both ways.
+/// At a saddle of the error no first-order step reduces the error. An example is an arm that is
+/// stretched out exactly, with the pose nearer to its base. Tries a motion in the null space of A
+/// both ways.
 bool GoalSolver::leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& lower,
                               const Eigen::VectorXd& upper) {
   if (!fill_null_direction(1e-8 * a_.squaredNorm())) return false;

@@ -8,7 +8,7 @@ namespace beeline::internal {
 
 /// How an approach to a pose has ended.
 struct GoalStatus {
-  Deviation error;             ///< of the task at the goal
+  Deviation error;             ///< task error at the goal
   bool stationary = false;     ///< no small change within the box reduces the error
   Eigen::Index blocking = -1;  ///< the coordinate whose bound prevents the largest reduction
   bool upwards = false;        ///< that bound is the upper one
@@ -59,9 +59,9 @@ class GoalSolver {
   Configuration crossed_;          ///< trial_ on the other side of a singularity
   Jacobian a_;                     ///< A at the goal
   Rows c_;                         ///< c at the goal
-  Twist error_, trial_error_;      ///< m and rad
+  Twist error_, trial_error_;      ///< task error at the goal and at trial_, m and rad
   double cost_ = 0;                ///< |c|^2
-  double damping_ = 0;             ///< of the next step
+  double damping_ = 0;             ///< damping of the next step
   Eigen::VectorXd x_;              ///< the weighted step
   Eigen::VectorXd bias_;           ///< its part in the null space
   Eigen::VectorXd lower_, upper_;  ///< its bounds

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<double Limits::*, 4> rate_limits = {nullptr, &Limits::velocity,
                                                          &Limits::acceleration, &Limits::jerk};
-constexpr double excess_slack = 1e-9;        // of a limit; rounding
+constexpr double excess_slack = 1e-9;        // rounding, as a fraction of a limit
 constexpr double position_rounding = 1e-12;  // rad or m
 
 Extremes position_range(const Trajectory& trajectory, std::size_t k, int i) {
@@ -22,7 +22,7 @@ Extremes position_range(const Trajectory& trajectory, std::size_t k, int i) {
   return extremes(interval_polynomial(trajectory, k, i));
 }
 
-/// The largest position beyond a limit between samples.
+/// Returns the largest position beyond a limit between samples.
 std::optional<LimitExcess> position_excess(const std::vector<Limits>& held,
                                            const Trajectory& trajectory) {
   std::optional<LimitExcess> largest;
@@ -46,8 +46,9 @@ std::optional<LimitExcess> position_excess(const std::vector<Limits>& held,
   return largest;
 }
 
-/// The factor k on the duration with which a velocity v of linear joints at an end counts as rest:
-/// slowed down by k it is v / k, and r + k d does, d the velocity that the acceleration allows.
+/// Returns the factor k on the duration with which a velocity v of linear joints at an end counts
+/// as rest. Slowed down by k, the velocity is v / k. It counts as rest up to r + k d, where r is
+/// the rest velocity and d is the velocity that the acceleration allows.
 double slowdown_to_rest(const Trajectory& trajectory, const Limits& limits,
                         const EndVelocity& end) {
   const double rest = rest_velocity(trajectory, limits, 0), d = end.allowed - rest;

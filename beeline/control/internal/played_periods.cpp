@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double period_rounding = 1e-6;  // of a period
+constexpr double period_rounding = 1e-6;  // fraction of a period
 
 /// The search for the numbers of periods of all sections.
 class PeriodSearch {
@@ -27,7 +27,7 @@ class PeriodSearch {
 
   PlayedSection run() {
     constexpr int max_rounds = 40;
-    std::vector<bool> open(periods_.size(), true);  // sections whose samples must be found
+    std::vector<bool> open(periods_.size(), true);  // sections whose samples are not found yet
     for (int round = 0; round < max_rounds; ++round) {
       std::size_t first = motion_.first;
       for (std::size_t i = 0; i < periods_.size(); ++i) {
@@ -56,7 +56,8 @@ class PeriodSearch {
     return sum;
   }
 
-  /// Samples of a section with its number of periods, the first of them number `first`.
+  /// Returns the samples of a section with its number of periods. The first of them has the number
+  /// `first`.
   Trajectory samples_of(std::size_t i, std::size_t first) const {
     const auto& times = motion_.recording.times;
     const RecordedSection& section = motion_.sections[i];
@@ -78,12 +79,14 @@ class PeriodSearch {
     first_excess_ = exceeded_limit(motion_.arm, samples, excess);
   }
 
-  /// Lengthens section i, from sample `first` on, until it holds the limits alone, at most by the
-  /// largest slowdown. Returns whether it does.
+  /// Lengthens section i, from sample `first` on, until it keeps the limits by itself, at most by
+  /// the largest slowdown. Returns whether it does.
   bool find_alone(std::size_t i, std::size_t first) {
     constexpr double first_step = 1e-4, growth = 1.6;  // of the smallest steps of the search
-    constexpr double hopeless = 2;                     // times the largest, of a needed slowdown
-    constexpr double at_once = 0.8;  // of a slowdown: other samples are the worst later
+    constexpr double hopeless =
+        2;  // factor on the largest slowdown; the search stops at a larger needed slowdown
+    constexpr double at_once =
+        0.8;  // fraction of a slowdown taken at once: other samples are the worst later
     if (motion_.sections[i].rests) return true;
     HeldLimits held = motion_.held;
     held.starts_at_rest = held.starts_at_rest || i > 0;
@@ -102,7 +105,7 @@ class PeriodSearch {
     return false;
   }
 
-  /// The samples of all sections; where a stop has two accelerations, the smaller.
+  /// Returns the samples of all sections. A stop with two accelerations gets the smaller one.
   Trajectory all_sections() const {
     Trajectory whole;
     whole.joint_names = motion_.arm.joint_names();
@@ -123,7 +126,8 @@ class PeriodSearch {
     return whole;
   }
 
-  /// Lengthens the sections in which, or beside which, the whole exceeds a limit; returns which.
+  /// Lengthens the sections at the excess of the whole motion, and their neighbours. Returns which
+  /// ones.
   std::vector<bool> lengthen_at(const LimitExcess& excess) {
     constexpr double stencil = 3;  // intervals of a third difference
     std::vector<bool> lengthened(periods_.size(), false);
@@ -149,8 +153,8 @@ class PeriodSearch {
 
   const PlayedMotion& motion_;
   double rate_;
-  double asked_ = 0;                 // periods, not whole
-  std::vector<double> fewest_ = {};  // of each section
+  double asked_ = 0;                 // requested number of periods, not whole
+  std::vector<double> fewest_ = {};  // least number of periods of each section
   std::vector<double> periods_ = {};
   Reason first_excess_ = {};
 };

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double max_samples = 1'000'000;
 constexpr int max_tries = 60;
-constexpr double rounding_margin = 1e-6;  // of a slowdown, for the rounding of times
+constexpr double rounding_margin = 1e-6;  // fraction of a slowdown, for the rounding of times
 
-/// The stop of the motion at this time of the recording, its ends included.
+/// Returns the stop of the motion at this time of the recording; its ends count as stops.
 std::optional<std::size_t> stop_at(const PlayedMotion& motion, double s) {
   const auto& times = motion.recording.times;
   if (s <= times.front()) return 0;
@@ -27,7 +27,7 @@ std::optional<std::size_t> stop_at(const PlayedMotion& motion, double s) {
   return {};
 }
 
-/// The state of the recording at a sample, by its columns.
+/// Returns the state of the recording at a sample, from its columns.
 TrajectoryState recorded_state(const Trajectory& recording, std::size_t k) {
   const Configuration zero = Configuration::Zero(recording.positions[k].size());
   return {recording.positions[k], recording.velocities.empty() ? zero : recording.velocities[k],
@@ -43,7 +43,8 @@ bool has_near_samples(const Trajectory& recording, double speed) {
   return false;
 }
 
-/// Times from 0, in whole nanoseconds where they are so but for rounding.
+/// Returns times from 0, rounded to nanoseconds if they differ from whole nanoseconds only by
+/// rounding.
 Trajectory from_zero(const Trajectory& recording, bool round) {
   constexpr double same = 1e-12;  // seconds
   Trajectory played = recording;
@@ -60,7 +61,7 @@ Trajectory from_zero(const Trajectory& recording, bool round) {
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
                       std::span<const ParameterState> progress) {
   Trajectory played{motion.arm.joint_names(), times, {}, {}, {}};
-  constexpr std::size_t batch = 64;  // samples, of about a microsecond
+  constexpr std::size_t batch = 64;  // samples, which take about a microsecond
   for (const ParameterState& now : progress) {
     if (played.positions.size() % batch == 0 && motion.budget.ended(batch)) return {};
     const auto stop = stop_at(motion, now.s);
@@ -87,7 +88,7 @@ Trajectory recorded_samples(const PlayedMotion& motion, double speed, double slo
     if (!played.velocities.empty()) played.velocities[k] = own * state.velocity;
     if (!played.accelerations.empty()) played.accelerations[k] = own * own * state.acceleration;
   };
-  double begin = 0, before = Limits::none;  // the speed before the stop
+  double begin = 0, before = Limits::none;  // the limit is the speed before the stop
   for (const auto& [first, last, rests] : motion.sections) {
     const double t0 = recording.times[first], length = recording.times[last] - t0;
     double own = rests ? std::min(1.0, speed) : speed / slowdown;
@@ -159,7 +160,8 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
 
 PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions& options,
                                  double rate) {
-  constexpr double at_once = 0.8;  // of a slowdown: other samples are the worst later
+  constexpr double at_once =
+      0.8;  // fraction of a slowdown taken at once: other samples are the worst later
   PlayedSection section;
   Reason first_excess;
   double smallest_step = 0;
@@ -179,7 +181,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
     const auto excess = largest_excess(motion.held, section.trajectory);
     if (!excess) return section;
     if (!first_excess) first_excess = exceeded_limit(motion.arm, section.trajectory, *excess);
-    // Steps grow, so that a motion that no slowdown helps is refused after few.
+    // The steps grow, so that a motion that no slowdown helps is refused after few steps.
     constexpr double least = 0.002, growth = 1.6;
     smallest_step = std::max(smallest_step * growth, least);
     scale /= 1 + std::max(smallest_step, at_once * std::min(excess->slowdown - 1, 1.0));

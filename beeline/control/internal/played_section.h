@@ -17,12 +17,12 @@ namespace beeline::internal {
 struct PlayedMotion {
   const Arm& arm;
   const Trajectory& recording;
-  Interpolation interpolation;  ///< of the samples
+  Interpolation interpolation;  ///< interpolation of the samples
   HeldLimits held;              ///< see held_limits()
   BudgetMeter& budget;
   std::vector<RecordedSection> sections = sections_between_stops(arm, recording);
-  std::size_t first = 0;    ///< number of the sample at which it begins, with a rate
-  double max_slowdown = 2;  ///< beyond whole periods
+  std::size_t first = 0;    ///< with a rate, the number of its first sample
+  double max_slowdown = 2;  ///< max slowdown beyond whole periods
 
   double duration() const { return recording.times.back() - recording.times.front(); }
 };
@@ -31,42 +31,42 @@ struct PlayedMotion {
 /// end of the budget.
 struct PlayedSection {
   Trajectory trajectory;  ///< times from 0
-  double slowdown = 1;    ///< the duration as a multiple of that which was asked for
+  double slowdown = 1;    ///< duration / requested duration
   Reason reason = {};
 };
 
-/// Plays a motion at a constant speed: its samples at whole nanoseconds along the motion or, with a
-/// rate, samples at k / rate. Stops of the recording are samples; the sections between them last
-/// whole nanoseconds or periods, dwells at least as long as recorded. The motion is slowed down,
-/// with a rate each section by whole periods, until the samples hold the limits.
+/// Plays a motion at a constant speed. Without a rate its samples are at whole nanoseconds along
+/// the motion, with a rate at k / rate. Stops of the recording are samples. The sections between
+/// them last whole nanoseconds or periods, and dwells last at least as long as recorded. The motion
+/// is slowed down until the samples keep the limits; with a rate, each section by whole periods.
 PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double rate);
 
-/// The recorded samples at this speed, slowed down beyond it where there is no dwell. At another
-/// speed than their own their times are rounded to whole nanoseconds, along the motion, unless they
-/// are too near to one another.
+/// Returns the recorded samples at this speed, slowed down further if there is no dwell. At another
+/// speed than the recording's own, their times are rounded to whole nanoseconds along the motion,
+/// unless they are too near to one another.
 Trajectory recorded_samples(const PlayedMotion& motion, double speed, double slowdown);
 
-/// Samples at the rate for a constant speed; see at_constant_speed().
+/// Returns samples at the rate for a constant speed; see at_constant_speed().
 PlayedSection in_periods(const PlayedMotion& motion, double speed, double rate);
 
-/// Plays a motion with the speed changes of `options`, whose times are those of the samples
-/// `motion.first` / `rate` and later. All speeds are multiplied by a factor, and the rates at which
-/// they change by its square, until the samples hold the limits.
+/// Plays a motion with the speed changes of `options`, whose times are the times of the samples
+/// `motion.first` / `rate` and later. All speeds are multiplied by a factor, and their rates of
+/// change by its square, until the samples keep the limits.
 PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions& options,
                                  double rate);
 
-/// The samples at these times and this progress along the recording; none where the budget ends.
-/// Those at stops have the recorded values.
+/// Returns the samples at these times and this progress along the recording; none if the budget
+/// ends. Samples at stops have the recorded values.
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
                       std::span<const ParameterState> progress);
 
-/// The time of sample k at a rate, in whole nanoseconds.
+/// Returns the time of sample k at a rate, in whole nanoseconds.
 double time_at_rate(std::size_t k, double rate);
 
-/// Times at the rate from 0, for a motion that begins at sample `first`.
+/// Returns times at the rate from 0, for a motion that begins at sample `first`.
 std::vector<double> times_from(std::size_t first, std::size_t count, double rate);
 
-/// The reason where the budget has ended.
+/// Returns the reason for a budget that has ended.
 PlayedSection ended_section(const PlayedMotion& motion);
 
 /// Throws Error for more samples than a replay may have.

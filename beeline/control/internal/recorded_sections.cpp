@@ -7,12 +7,12 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double still_distance = 1e-5;  // radians or metres, of a dwell
-constexpr double zero_velocity = 1e-9;   // of the largest velocity
-constexpr double pass_ratio = 0.1;       // of the velocities beside a stop that is not exact
-constexpr double rise_ratio = 1.5;       // of the velocities of linear joints towards a stop
-constexpr double parallel = 0.9;         // cosine: the direction does not change
-constexpr double least_move = 1e-12;     // radians or metres; nearer positions count as equal
+constexpr double still_distance = 1e-5;  // radians or metres, max motion in a dwell
+constexpr double zero_velocity = 1e-9;   // fraction of the largest velocity
+constexpr double pass_ratio = 0.1;  // fraction of the velocities beside a stop that is not exact
+constexpr double rise_ratio = 1.5;  // ratio of successive velocities of linear joints beside a stop
+constexpr double parallel = 0.9;    // cosine of the angle up to which a direction does not change
+constexpr double least_move = 1e-12;  // radians or metres; nearer positions count as equal
 
 class StopSearch {
  public:
@@ -65,7 +65,7 @@ class StopSearch {
   double largest_ = 0;  // velocity
 };
 
-/// Whether the positions after sample `begin` up to `end` are near q.
+/// Returns whether the positions after sample `begin` up to `end` are near q.
 bool stays(const Trajectory& recording, const Configuration& q, std::size_t begin,
            std::size_t end) {
   for (std::size_t k = end; k > begin; --k) {

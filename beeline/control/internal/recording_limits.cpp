@@ -5,7 +5,8 @@
 namespace beeline::internal {
 namespace {
 
-/// How the motion from sample k to the next leaves the position limits; no reason when it does not.
+/// Returns how the motion from sample k to the next leaves the position limits; no reason if it
+/// does not.
 Reason violation_after(const Arm& arm, const Trajectory& recording, std::size_t k) {
   Configuration lowest = recording.positions[k], highest = lowest;
   for (int i = 0; i < arm.dof(); ++i) {

@@ -17,9 +17,10 @@ class AdviceSearch {
                BudgetMeter& budget)
       : arm_(arm), recording_(recording), options_(options), budget_(budget) {}
 
-  /// Adds the highest speed found, from this one on down.
+  /// Adds the highest speed found, searching downwards from this one.
   bool add_speed(double first, Reason& reason) {
-    constexpr int max_speeds = 16, small_steps = 4;  // first, as the suggested speed is near
+    constexpr int max_speeds = 16,
+                  small_steps = 4;  // small steps first, because the suggested speed is near
     constexpr double step = 0.8, small_step = 1 - 1e-4;
     double next = first;
     for (int tries = 0; tries < max_speeds; ++tries) {
@@ -36,7 +37,8 @@ class AdviceSearch {
     return false;
   }
 
-  /// The highest of some speeds, down to half the present one, at the present rate; 0 if none does.
+  /// Returns the highest of some speeds, down to half the present one, at the present rate; 0 if
+  /// none keeps the limits.
   double speed_at_this_rate(double present) {
     for (const double factor : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5}) {
       const double tried = printed(factor * present, false);
@@ -46,8 +48,8 @@ class AdviceSearch {
     return 0;
   }
 
-  /// The usual rate that is nearest to the present one by its ratio, above or below; 0 if none
-  /// does.
+  /// Returns the usual rate nearest to the present one by its ratio, above or below; 0 if none
+  /// keeps the limits.
   double rate() {
     const double present = replay_rate(options_);
     const double duration = recording_.times.back() - recording_.times.front();
@@ -77,7 +79,8 @@ class AdviceSearch {
     return speed > 0 || rate > 0;
   }
 
-  /// Whether only a rate far from the present one was found because the recording is linear.
+  /// Returns whether the recording is linear, so that only a rate far from the present one was
+  /// found.
   bool shows_corners(double rate) const {
     constexpr double far = 2;
     return rate > 0 && replay_rate(options_) >= far * rate &&
@@ -107,10 +110,10 @@ class AdviceSearch {
   }
 
  private:
-  /// With speed changes 4 samples are needed at least, see replay().
+  /// Speed changes need at least 4 samples, see replay().
   double least_periods() const { return options_.speed_at.empty() ? 1 : 4; }
 
-  /// x, or a number a little below it, with six digits as messages print it.
+  /// Returns x, or a number a little below it, with six digits as messages print it.
   static double printed(double x, bool below) {
     const double down = below ? 1 - 1e-5 : 1;
     const double unit = std::pow(10, std::floor(std::log10(down * x)) - 5);
@@ -122,7 +125,7 @@ class AdviceSearch {
     if (!options_.speed_at.empty()) reason.set(ReasonField::speed_changes, true);
   }
 
-  /// Speeds are at most this one.
+  /// Max speed.
   ReplayAttempt with_speed(double speed) {
     ReplayOptions options = options_;
     options.speed = std::min(options.speed, speed);
@@ -140,7 +143,7 @@ class AdviceSearch {
   BudgetMeter& budget_;
 };
 
-/// The highest speed asked for.
+/// Returns the highest requested speed.
 double highest_speed(const ReplayOptions& options) {
   double highest = options.speed_at.empty() ? options.speed : 0;
   for (const SpeedChange& change : options.speed_at) highest = std::max(highest, change.speed);

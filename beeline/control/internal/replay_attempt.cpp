@@ -13,15 +13,15 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double default_rate = 100;                             // with changes of speed
+constexpr double default_rate = 100;                             // with speed changes
 constexpr double lead_in_samples = 64, max_lead_in_rate = 1000;  // without a rate
-constexpr double at_start = 1e-9;  // rad or m; no motion is needed from this near
+constexpr double at_start = 1e-9;  // rad or m; a start this near needs no motion
 
-/// The largest use of a known velocity limit at the speed asked for.
+/// The largest use of a known velocity limit at the requested speed.
 struct VelocityUse {
   double fraction = 0;
-  std::size_t sample = 0;  ///< of the recording, before it
-  double speed = 1;        ///< of the replay, at that time
+  std::size_t sample = 0;  ///< sample of the recording before the use
+  double speed = 1;        ///< speed of the replay at that time
 };
 
 VelocityUse use_at_constant_speed(std::span<const Limits> limits, const Trajectory& recording,
@@ -30,7 +30,7 @@ VelocityUse use_at_constant_speed(std::span<const Limits> limits, const Trajecto
   return {speed * own.fraction, own.sample, speed};
 }
 
-/// The use with changes of speed. A step may pass many samples.
+/// Returns the largest use with speed changes. A step may pass many samples.
 VelocityUse use_in_steps(std::span<const Limits> limits, const Trajectory& recording,
                          std::span<const ParameterState> steps) {
   VelocityUse use;
@@ -48,7 +48,7 @@ VelocityUse use_in_steps(std::span<const Limits> limits, const Trajectory& recor
   return use;
 }
 
-/// Sets the reason where the recording is too fast for a known velocity limit.
+/// Sets the reason if the recording is too fast for a known velocity limit.
 bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<const Limits> limits,
                      const VelocityUse& use, double limit_tolerance, ReplayAttempt& attempt) {
   constexpr double rounding = 1e-9;
@@ -64,9 +64,9 @@ bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<cons
   return true;
 }
 
-/// Sets the reason where a speed above 1 exceeds limits that the recording holds.
+/// Sets the reason if a speed above 1 exceeds limits that the recording keeps.
 bool refuse_speed(const PlayedMotion& motion, double speed, ReplayAttempt& attempt) {
-  constexpr double rounding = 1e-6;  // of times, to nanoseconds
+  constexpr double rounding = 1e-6;  // rounding of times to nanoseconds
   if (!(speed > 1)) return false;
   const auto excess = largest_excess(motion.held, recorded_samples(motion, speed, 1));
   if (!excess || !(excess->slowdown > 1 + rounding)) return false;
@@ -136,7 +136,7 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
     played.times[k] = time_at_rate(k, rate);
   }
   if (!(result.lead_in > 0)) return;
-  const auto excess = largest_excess(motion.held, played);  // it may not start at rest
+  const auto excess = largest_excess(motion.held, played);  // the recording may not start at rest
   if (!excess) return;
   result.reason = exceeded_limit(motion.arm, played, *excess);
   result.reason.code = ReasonCode::moves_after_lead_in;

@@ -6,7 +6,7 @@
 namespace beeline::internal {
 namespace {
 
-// Relative to the norm of A. Damps directions with singular values of this size or less. Its square
+// Fraction of the norm of A. Damps directions with singular values of this size or less. Its square
 // is just above the rounding of A A^T; for other directions the error after two passes is 1e-14.
 constexpr double damping = 1e-7;
 
@@ -63,7 +63,7 @@ Eigen::Index ResolvedRates::farthest_outside(const std::vector<VelocityBounds>& 
   return worst;
 }
 
-/// Returns whether A x = c, perhaps with coordinates beyond their bounds.
+/// Returns whether A x = c; coordinates may be beyond their bounds.
 bool ResolvedRates::solve_within_bounds(const std::vector<VelocityBounds>& bounds) {
   std::fill(fixed_.begin(), fixed_.end(), char{0});
   bool solved = solve_least_squares();
@@ -73,7 +73,8 @@ bool ResolvedRates::solve_within_bounds(const std::vector<VelocityBounds>& bound
     previous_ = x_;
     fixed_[worst] = 1;
     x_[worst] = (x_[worst] > 0 ? bounds[worst].upper : bounds[worst].lower) / task_.weight()[worst];
-    if (!solve_least_squares()) {  // the others do not suffice: restores the last solution
+    if (!solve_least_squares()) {  // the other coordinates do not suffice: restores the last
+                                   // solution
       fixed_[worst] = 0;
       solve_least_squares();
       x_ = previous_;
@@ -83,7 +84,7 @@ bool ResolvedRates::solve_within_bounds(const std::vector<VelocityBounds>& bound
   return solved;
 }
 
-/// For a constant command q̈ solves A W^-1 q̈ = -S J̇ q̇. Near a singularity it grows with the inverse
+/// Solves A W^-1 q̈ = -S J̇ q̇ for a constant command. Near a singularity q̈ grows with the inverse
 /// of the distance.
 void ResolvedRates::fill_acceleration(const ConfigurationRef& q) {
   const InverseCholesky6::Vector y = gram_.solve(task_.derivative(q, rates_.velocity));

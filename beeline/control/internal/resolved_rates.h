@@ -21,8 +21,8 @@ class ResolvedRates {
   /// Sets q and the command; see WeightedTask::set().
   bool set(const ConfigurationRef& q, const Twist& command) { return task_.set(q, command); }
 
-  /// `last` is the joint velocity of the last step, which selects between equal solutions at a
-  /// singularity.
+  /// Solves for rates. `last` is the joint velocity of the last step, which selects between equal
+  /// solutions at a singularity.
   const Rates& solve(const ConfigurationRef& q, const std::vector<VelocityBounds>& bounds,
                      const Eigen::VectorXd& last, double time_step);
 

@@ -15,7 +15,7 @@ namespace {
 // The motion diverges when the error exceeds this multiple of the first error. The errors of
 // converging motions grow by less, even if a tool first moves away from its goal.
 constexpr double diverged = 100;
-constexpr int recent = 100;  // steps after a reversal in which the motion counts as oscillating
+constexpr int recent = 100;  // steps after a reversal during which the motion counts as oscillating
 
 /// Detects an error that no longer decreases. A slow approach has new minima, and a decaying
 /// oscillation has lower peaks. The motion stagnates if neither occurs within `patience` steps.
@@ -61,7 +61,7 @@ bool stop(ControlledMotion& motion, MotionStatus status, Reason reason) {
   return false;
 }
 
-/// A reason with the number of steps so far and an error.
+/// Returns a reason with the number of steps so far and an error.
 Reason after_steps(Reason reason, const ControlledMotion& motion, double error) {
   reason.set(ReasonField::step, static_cast<std::size_t>(motion.steps));
   return reason.set(ReasonField::error, error);

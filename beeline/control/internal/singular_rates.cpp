@@ -14,7 +14,7 @@ constexpr double lost_below = 1e-5;
 constexpr double zero_below = 1e-6;
 constexpr double exact_above = 1e-12;
 
-constexpr double still_below = 1e-6;  // relative to full speed; slower motions count as rest
+constexpr double still_below = 1e-6;  // fraction of full speed; slower motions count as rest
 
 // Relative to the largest singular value; a curvature of smaller magnitude counts as zero. Greater
 // than the error of the difference quotient in WeightedTask::derivative().
@@ -61,11 +61,11 @@ bool SingularRates::fill_null_motion(Eigen::Index index) {
     null_ = svd_.scaled_right.col(index) / values[index];
     return true;
   }
-  double longest = 0;  // of the unit vectors' projections onto the null space
+  double longest = 0;  // longest projection of a unit vector onto the null space
   for (Eigen::Index joint = 0; joint < null_.size(); ++joint) {
     candidate_.setZero();
     candidate_[joint] = 1;
-    for (int pass = 0; pass < 2; ++pass) {  // the second removes the first one's rounding
+    for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding of the first
       for (Eigen::Index i = 0; i < 6; ++i) {
         if (!(values[i] > exact_above * largest_)) continue;
         const auto row = svd_.scaled_right.col(i);
@@ -97,8 +97,8 @@ SingularRates::LostDirection SingularRates::describe(WeightedTask& task, const C
   return lost;
 }
 
-/// The largest speed along n such that the joints can stop where n must end: at the singularity
-/// where the motion would reverse, or where u has rotated away from the command.
+/// Returns the largest speed along n with which the joints can stop before n must end: at the
+/// singularity if the motion would reverse there, or when u has rotated away from the command.
 double SingularRates::max_null_speed(const LostDirection& lost, double sign,
                                      const WeightedTask& task, const Rates& rates,
                                      double time_step) const {
@@ -140,7 +140,7 @@ double SingularRates::solve_lost_direction(const LostDirection& lost, const Weig
   }
   double scale = std::min(1.0, achieved(speed) / demand);
   if (lost.curved && !lost.achievable && (scale < lost_below || is_zero(lost))) {
-    x_.setZero();  // at the boundary of the workspace
+    x_.setZero();  // the arm is at the boundary of the workspace
     return 0;
   }
   if (sign * current < -still_below) {  // the motion along n must reverse first
@@ -168,7 +168,7 @@ void SingularRates::solve(WeightedTask& task, const ConfigurationRef& q,
   if (index >= 0 && fill_null_motion(index)) {
     const LostDirection lost = describe(task, q, index, rates);
     rates.scale = solve_lost_direction(lost, task, last, time_step, rates);
-  } else if (index >= 0) {  // fewer joints than rows, without a null motion
+  } else if (index >= 0) {  // fewer joints than rows, and no null motion
     x_.setZero();
     rates.scale = 0;
   }

@@ -10,10 +10,10 @@ struct Rates {
   Eigen::VectorXd velocity;      ///< q̇ with J q̇ = scale * v
   Eigen::VectorXd acceleration;  ///< q̈ that continuing at this q̇ requires
   double scale = 1;              ///< below 1 only if `regular` is false
-  bool regular = true;           ///< A x = c has a solution
+  bool regular = true;           ///< whether A x = c has a solution
 };
 
-/// The part of a command whose remainder is below this fraction of it counts as achieved.
+/// Fraction of a command; a smaller remainder counts as achieved.
 constexpr double negligible_command = 1e-6;
 
 /// Joint velocities at and next to a singularity, where A loses rank: a direction u of the tool's
@@ -39,13 +39,13 @@ class SingularRates {
  private:
   /// The direction u of the command that is lost.
   struct LostDirection {
-    Eigen::Index index = -1;         ///< of the singular value
-    WeightedTask::Rows u, second;    ///< and the second-order motion Ȧ n
+    Eigen::Index index = -1;         ///< index of the singular value
+    WeightedTask::Rows u, second;    ///< u, and the second-order motion Ȧ n
     double value = 0;                ///< singular value
     double command = 0;              ///< u^T c
     double curvature = 0, rate = 0;  ///< κ, and u̇^T A x for x of the other directions
-    bool curved = false;             ///< κ is not zero
-    bool achievable = false;         ///< κ has the sign of the command
+    bool curved = false;             ///< whether κ is not zero
+    bool achievable = false;         ///< whether κ has the sign of the command
   };
 
   Eigen::Index solve_other_directions(const WeightedTask& task);
@@ -61,8 +61,8 @@ class SingularRates {
   SixRowSvd svd_;
   Eigen::VectorXd x_;          ///< weighted velocity
   Eigen::VectorXd null_;       ///< the null motion n
-  Eigen::VectorXd candidate_;  ///< for it
-  double largest_ = 0;         ///< singular value
+  Eigen::VectorXd candidate_;  ///< candidate for null_
+  double largest_ = 0;         ///< largest singular value
 };
 
 }  // namespace beeline::internal

@@ -9,8 +9,9 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double averaged_ramp = 0.2;   // width of the moving average, of the ramp
-constexpr double min_ramp_rate = 0.05;  // of the ramp's rate: a recording at its limits must pause
+constexpr double averaged_ramp = 0.2;  // width of the moving average, as a fraction of the ramp
+constexpr double min_ramp_rate =
+    0.05;  // fraction of the ramp's rate; a recording at its limits must be able to pause
 
 /// Whether all coordinates start at rest.
 bool starts_at_rest(const Arm& arm, const Trajectory& recording) {
@@ -62,7 +63,7 @@ class SpeedSimulation {
     return target_;
   }
 
-  /// Takes the changes into account whose time has come.
+  /// Applies the changes whose time has come.
   void set_target() {
     const double equal = 1e-6 * period_;
     const auto sample = static_cast<double>(schedule_.first + progress_.size());
@@ -74,7 +75,7 @@ class SpeedSimulation {
     }
   }
 
-  /// The rate of change of the speed, as near to the wanted one as the limits of acceleration
+  /// Returns the rate of change of the speed, as near to the wanted one as the acceleration limits
   /// allow.
   double speed_rate(double wanted) const {
     const ParameterState& now = simulated_;
@@ -124,7 +125,7 @@ class SpeedSimulation {
     const double passed = progress_.back().s - begin;
     if (!(passed > 0)) return;
     const double factor = (end - begin) / passed;
-    // At a stop the speed is that of the section before.
+    // At a stop the speed is the speed of the section before it.
     for (std::size_t k = first == 0 ? 0 : first + 1; k < progress_.size(); ++k) {
       ParameterState& now = progress_[k];
       now = {begin + factor * (now.s - begin), factor * now.speed, factor * now.acceleration};
@@ -137,9 +138,10 @@ class SpeedSimulation {
   const SpeedSchedule& schedule_;
   double period_, ramp_rate_, target_;
   std::size_t window_ = 1, next_change_ = 0;
-  std::vector<double> speeds_;  ///< before they are averaged; first `window_` before the beginning
+  std::vector<double>
+      speeds_;  ///< speeds before averaging; the first is `window_` samples before the beginning
   std::vector<ParameterState> progress_;
-  ParameterState simulated_ = {};  ///< the last one, as it was before its section was slowed down
+  ParameterState simulated_ = {};  ///< the last state, before its section was slowed down
 };
 
 }  // namespace

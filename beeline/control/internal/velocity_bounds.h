@@ -7,19 +7,19 @@
 
 namespace beeline::internal {
 
-/// The interval of a coordinate's velocity that the limits allow in one step; it contains 0.
+/// The interval of a coordinate's velocity that the limits allow in one step. It contains 0.
 struct VelocityBounds {
   double lower = 0, upper = 0;  ///< rad/s or m/s
   /// The limit that determines each end: `position` when stopping before the position limit
   /// requires less than the velocity limit.
   ServoLimit lower_limit = ServoLimit::velocity, upper_limit = ServoLimit::velocity;
 
-  /// The largest speed in the direction of `velocity`.
+  /// Returns the largest speed in the direction of `velocity`.
   double max_speed(double velocity) const { return velocity > 0 ? upper : -lower; }
   ServoLimit limit(double velocity) const { return velocity > 0 ? upper_limit : lower_limit; }
 };
 
-/// Returns the largest speed v at which a coordinate can stop within `distance`, when it continues
+/// Returns the largest speed v at which a coordinate can stop within `distance`, if it continues
 /// for one time step h and then brakes with acceleration a: v h + v^2 / (2 a) = distance. Without
 /// an acceleration limit v = distance / h.
 double max_stopping_speed(double distance, double acceleration, double time_step);

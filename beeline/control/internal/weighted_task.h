@@ -5,7 +5,7 @@
 namespace beeline::internal {
 
 /// The task of one step in dimensionless form: A x = c with A = S J W, c = S v and q̇ = W x.
-///   W = diag(weight): the velocity limits, or 1 rad/s or m/s where there is none; at most 1e6
+///   W = diag(weight): the velocity limits, or 1 rad/s or m/s for a joint without one; at most 1e6
 ///   S = diag(scale): 1 / unit_of_length(arm) for translations, 1 for rotations, and 0 for the rows
 ///   that the task excludes
 class WeightedTask {
@@ -26,7 +26,7 @@ class WeightedTask {
 
   const Jacobian& matrix() const { return matrix_; }         ///< A
   const Rows& command() const { return command_; }           ///< c
-  const Eigen::VectorXd& weight() const { return weight_; }  ///< diagonal of W
+  const Eigen::VectorXd& weight() const { return weight_; }  ///< the diagonal of W
   const Arm& arm() const { return arm_; }
 
   /// Returns S J̇ q̇ for motion along this joint velocity q̇, by a forward difference.
@@ -47,7 +47,7 @@ class WeightedTask {
   Eigen::VectorXd weight_;
   Jacobian matrix_;
   Jacobian jacobian_;     ///< J at q; after derivative(), at q + step_ * velocity
-  Eigen::VectorXd next_;  ///< that configuration
+  Eigen::VectorXd next_;  ///< the configuration q + step_ * velocity
   double step_ = 0;       ///< seconds
 };
 

@@ -26,7 +26,8 @@ Vector3 exact_direction(const Vector3& before, const Vector3& direction) {
   return direction;
 }
 
-/// Where the common normal of two axes meets the first one; the vector from there to the second.
+/// The foot of the common normal of two axes on the first one, and the vector from there to the
+/// second.
 struct Normal {
   Vector3 foot, vector;
 };
@@ -35,9 +36,9 @@ Normal common_normal(const JointLine& a, const JointLine& b) {
   return {foot_of_normal(a, b), (b.point - a.point).dot(cross) / cross.squaredNorm() * cross};
 }
 
-/// The arm with its joint axes moved to the special position that they nearly have: exactly
-/// parallel or perpendicular where they are so within 2e-3 rad, concurrent where they pass each
-/// other within 5e-5 m.
+/// The arm with its joint axes moved to the special position that they nearly have: parallel or
+/// perpendicular if they are within 2e-3 rad of it, concurrent if they pass each other within 5e-5
+/// m.
 struct ExactAxes {
   Arm arm;
   double angle = 0;     ///< largest change of an angle between neighbours, rad
@@ -96,7 +97,8 @@ RoundedAngles rounded_angles(const Arm& arm) {
   return found;
 }
 
-/// The method of inverse kinematics as it is and as it would be; empty where both are the same.
+/// Returns the present method of inverse kinematics and the possible one; empty if both are the
+/// same.
 std::string lost_method(const Arm& arm, const ExactAxes& exact) {
   constexpr int most = 7;  // joints
   if (arm.dof() > most || arm.dof() != static_cast<int>(arm.joints().size())) return "";
@@ -134,9 +136,9 @@ void find_special(const Arm& arm, std::vector<Finding>& found) {
   }
 }
 
-/// Two neighbours with one axis: the task loses a degree of freedom at every configuration. Trunks
-/// and necks have such joints, apart from each other along the axis; in a table, and where the
-/// frames are equal, they are a mistake.
+/// Finds two neighbouring joints with one axis: the task loses a degree of freedom at every
+/// configuration. Trunks and necks have such joints, apart from each other along the axis. In a
+/// table, or with equal frames, they are a mistake.
 void find_coincident(const Arm& arm, std::vector<Finding>& found) {
   const std::vector<JointLine> lines = joint_lines(arm);
   const bool table = dh_table(arm, DhConvention::standard) || dh_table(arm, DhConvention::modified);

@@ -88,7 +88,7 @@ AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Find
   return unit;
 }
 
-/// What to write instead.
+/// Returns the correction.
 std::string remedy_for(const ReadWarning& warning) {
   switch (warning.kind) {
     case ReadWarningKind::xacro_tag:
@@ -131,7 +131,7 @@ Finding finding_of(const ReadWarning& warning, const std::string& what) {
           .remedy = remedy_for(warning)};
 }
 
-/// The faults of a URDF file in the order of its lines; those of its tree too, if it has links.
+/// Returns the faults of a URDF file and, if it has links, of its tree, in the order of its lines.
 std::vector<UrdfFault> faults_by_line(const UrdfFile& file) {
   std::vector<UrdfFault> faults = file.links.empty() ? file.faults : UrdfTree(file).faults();
   std::stable_sort(faults.begin(), faults.end(), [](const UrdfFault& a, const UrdfFault& b) {

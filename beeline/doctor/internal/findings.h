@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-// Each appends what it finds suspicious.
+// Each function appends its findings.
 void find_units(const Arm& arm, std::vector<Finding>& found);
 void find_axes(const Arm& arm, std::vector<Finding>& found);
 /// From the text of a URDF file, whose chain has none: see file_faults().

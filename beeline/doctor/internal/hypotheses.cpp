@@ -14,11 +14,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// A change of one arm; nothing where it has none.
+/// A change of an arm; it returns nothing if it does not apply.
 using Change = std::function<std::optional<Arm>(const Arm&)>;
 
-/// Applies a change to each of the arms in turn. Where `made` the change makes the mistake `what`,
-/// so the other arm has it; otherwise it undoes it.
+/// Applies a change to each of the arms in turn. If `made`, the change makes the mistake `what`, so
+/// the other arm has it; otherwise the change undoes it.
 void consider(std::vector<Hypothesis>& found, const Arm& a, const Arm& b, DifferenceKind kind,
               const std::string& what, bool made, const Change& change) {
   for (const bool to_a : {true, false}) {
@@ -30,7 +30,7 @@ void consider(std::vector<Hypothesis>& found, const Arm& a, const Arm& b, Differ
   }
 }
 
-/// The arm of its rows after a change, where its frames are those of the convention.
+/// Changes the rows of an arm whose frames follow the convention.
 Change of_rows(DhConvention convention, DhConvention read_as,
                const std::function<void(DhTable&)>& change) {
   return [=](const Arm& arm) -> std::optional<Arm> {
@@ -214,7 +214,7 @@ std::vector<Hypothesis> scale_hypotheses(const Arm& a, const Arm& b) {
   double scale = in_b / in_a;
   if (std::abs(scale - 1) < 1e-4) return {};
   bool known_unit = false;
-  std::string unit = "all lengths are " + number(scale) + " times those of A";
+  std::string unit = "all lengths are " + number(scale) + " times the lengths of A";
   for (const auto& [factor, name] :
        {std::pair{1000.0, "millimetres"}, std::pair{100.0, "centimetres"},
         std::pair{1 / 0.0254, "inches"}}) {

@@ -6,12 +6,12 @@
 
 namespace beeline::internal {
 
-/// One mistake that concerns many numbers of one of two arms: undone in that arm, the two may be
-/// equal up to the differences that the explanations find.
+/// A mistake in many numbers of one of two arms. With the mistake undone, the two may be equal up
+/// to the differences that the explanations find.
 struct Hypothesis {
-  Arm a, b;                    ///< one of them changed
-  ModelDifference difference;  ///< how it is reported
-  double scale = 1;            ///< a's lengths are A's times this
+  Arm a, b;                    ///< the arms, one of them changed
+  ModelDifference difference;  ///< difference to report
+  double scale = 1;            ///< lengths of a / lengths of A
 };
 
 /// Tables of the other convention, columns that are shifted or exchanged, angles in degrees.

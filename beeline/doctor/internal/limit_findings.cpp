@@ -11,7 +11,7 @@ namespace {
 constexpr double three_turns = 18.86;        // rad; joints that turn further have no limits
 constexpr double farthest_slide = 20;        // metres
 constexpr double fastest_joint = 60;         // rad/s, ten revolutions a second
-constexpr double largest_in_degrees = 3600;  // beyond, a number stands for no limit
+constexpr double largest_in_degrees = 3600;  // a larger number stands for no limit
 
 bool in_range(double value, double least, double most) {
   return std::isfinite(value) && std::abs(value) > least && std::abs(value) <= most;

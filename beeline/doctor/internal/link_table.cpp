@@ -34,7 +34,7 @@ struct Link {
   Vector3 next;
 };
 
-/// `before` is the frame of the first joint at the end of the link before it.
+/// `before` is the frame of the first joint at the end of the previous link.
 Link link_between(const JointLine& from, JointLine to, const Pose& before) {
   const Vector3 z = from.direction;
   if (to.kind == JointKind::prismatic) to.point = before.translation();
@@ -64,20 +64,21 @@ Pose add_link(const Link& link, const Vector3& direction, LinkTable::Row& row) {
   return end;
 }
 
-/// The height along the axis `from` of the frame that a prismatic axis `slide` continues, such that
-/// the slide through it meets the axis `next`; of the common normal with `next` where that does not
-/// depend on the height.
+/// Returns the foot on the axis `from` of the frame for a prismatic axis `slide` that follows it.
+/// At this height, the slide through the frame meets the axis `next`. If the height is not
+/// determined, returns the foot of the common normal with `next`.
 Vector3 foot_before_slide(const JointLine& from, const JointLine& slide, const JointLine& next) {
-  constexpr double well_determined = 0.1;  // a cosine
+  constexpr double well_determined = 0.1;  // cosine
   const Vector3 normal = slide.direction.cross(next.direction).normalized();
   const double slope = normal.dot(from.direction);
   if (!(std::abs(slope) > well_determined)) return foot_of_normal(from, next);
   return from.point + (next.point - from.point).dot(normal) / slope * from.direction;
 }
 
-/// The frame of the first axis before its motion: at the foot of the first normal, where the first
-/// two axes are not parallel. For a run of parallel axes that ends at an axis k it is at the height
-/// at which d_k is 0, for parallel axes alone at that of the world's origin.
+/// Returns the frame of the first axis before its motion. If the first two axes are not parallel,
+/// it is at the foot of the first normal. For consecutive parallel axes that end at an axis k, it
+/// is at the height with d_k = 0. For parallel axes only, it is at the height of the world's
+/// origin.
 Pose first_frame(const std::vector<JointLine>& lines) {
   const JointLine& first = lines[0];
   Vector3 origin = first.point - first.point.dot(first.direction) * first.direction;
@@ -155,7 +156,7 @@ std::vector<JointLine> joint_lines(const Arm& arm) {
     const Vector3 v = screw.head<3>(), w = screw.tail<3>();
     JointLine line{.kind = kind(joint), .point = world_T_link.translation(), .pitch = pitch(joint)};
     line.direction = (line.kind == JointKind::prismatic ? v : w).normalized();
-    // The point nearest to the link's origin, so that no digits are lost.
+    // This is the point nearest to the link's origin, so that no digits are lost.
     if (line.kind != JointKind::prismatic) {
       line.point += w.cross(v + w.cross(world_T_link.translation()));
     }

@@ -6,8 +6,8 @@
 
 namespace beeline::internal {
 
-/// The screw axis of a joint in the world where all joints are at 0. The direction and the kind
-/// alone matter for a prismatic joint.
+/// The screw axis of a joint in the world with all joints at 0. For a prismatic joint only the
+/// direction and the kind matter.
 struct JointLine {
   JointKind kind = JointKind::revolute;
   Vector3 direction = Vector3::UnitZ();  ///< unit length
@@ -36,9 +36,10 @@ struct LinkTable {
   struct Row {
     JointKind kind = JointKind::revolute;
     double pitch = 0;
-    double theta = 0, d = 0;            ///< of the joint
-    double a = 0, alpha = 0, beta = 0;  ///< of the link behind it; the last joint has none
-    bool parallel = false;              ///< whether the next axis is, within 1e-3 rad
+    double theta = 0, d = 0;  ///< parameters of the joint
+    double a = 0, alpha = 0,
+           beta = 0;        ///< parameters of the following link; zero for the last joint
+    bool parallel = false;  ///< whether the next axis is parallel, within 1e-3 rad
   };
   Pose base = Pose::Identity(), tool = Pose::Identity();
   std::vector<Row> rows;

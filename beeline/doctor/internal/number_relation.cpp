@@ -117,7 +117,7 @@ MistakenRotation mistaken_rotation(const Rotation& right, int k, bool second) {
 }
 
 std::string rotation_relation(const Rotation& in_a, const Rotation& in_b) {
-  constexpr double tolerance = 1e-3;  // of numbers that may be rounded degrees
+  constexpr double tolerance = 1e-3;  // tolerance for numbers that may be rounded degrees
   if (in_b.isIdentity(tolerance)) return "left out in B";
   if (in_a.isIdentity(tolerance)) return "left out in A";
   for (int k = 0; k < mistaken_rotations; ++k) {

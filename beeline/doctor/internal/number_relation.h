@@ -6,21 +6,21 @@
 
 namespace beeline::internal {
 
-/// How a wrong number may come from the right one, as a clause: `the other sign`, `millimetres`,
-/// `pi/2 with 5 digits`. Empty where no usual mistake relates the two.
+/// Returns how a wrong number may come from the right one, as a clause: `the other sign`,
+/// `millimetres`, `pi/2 with 5 digits`. Empty if no usual mistake relates the two.
 std::string length_relation(double in_a, double in_b);
 std::string angle_relation(double in_a, double in_b);
 
-/// The same for rotations: roll, pitch and yaw about other axes, degrees read as radians, the
-/// inverse, a quaternion in another order.
+/// Returns the relation of two rotations: roll, pitch and yaw about other axes, degrees read as
+/// radians, the inverse, a quaternion in another order.
 std::string rotation_relation(const Rotation& in_a, const Rotation& in_b);
 
-/// `pi/2 with 4 digits` where the angle is a multiple of pi/2 that was written with 3 to 10
+/// Returns `pi/2 with 4 digits` if the angle is a multiple of pi/2 that was written with 3 to 10
 /// significant digits, rounded or cut off; otherwise empty. The multiple is `nearest`.
 std::string truncated_right_angle(double angle, double* nearest = nullptr);
 
-/// The rotations that the numbers of a rotation, roll, pitch and yaw about the fixed axes X, Y, Z,
-/// give by mistake, each with a clause that names it.
+/// A rotation that results by mistake from the numbers of a rotation (roll, pitch and yaw about the
+/// fixed axes X, Y, Z), with a clause that names the mistake.
 struct MistakenRotation {
   std::string mistake;
   Rotation rotation;

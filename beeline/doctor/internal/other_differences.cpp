@@ -48,7 +48,7 @@ std::string value_text(const Joint& joint, const NamedLimit& limit, double value
   return number(value) + " " + unit(joint) + seconds;
 }
 
-/// How a wrong limit may come from the right one.
+/// Returns how a wrong limit may come from the right one.
 std::string limit_relation(double a, double b, bool equal_numbers) {
   constexpr double degrees = 180 / std::numbers::pi;
   if (equal_numbers) return "equal numbers, though zero or sign of the joint differ";
@@ -71,7 +71,8 @@ void add_limits(const Arm& a, const Arm& b, std::size_t i, double gain, double o
   for (const NamedLimit& limit : named_limits) {
     const double left = in_a.*limit.value, right = in_b.*limit.value;
     if (same_limit(left, right)) continue;
-    // An unknown limit contradicts no known one, and a file need not have those of time.
+    // An unknown limit contradicts no known one. A file may omit the limits of velocity,
+    // acceleration and jerk.
     if (!limit.position && (!std::isfinite(left) || !std::isfinite(right))) continue;
     const std::string relation = limit_relation(left, right, equal_numbers && limit.position);
     const std::optional<double> value_a = left, value_b = right;
@@ -92,7 +93,7 @@ bool without_position_limits(const Arm& arm) {
   });
 }
 
-/// The names of B in the order of A, where it has the same names in another order.
+/// Adds the names of B in the order of A, if it has the same names in another order.
 void add_names(const Arm& a, const Arm& b, std::vector<ModelDifference>& found) {
   std::vector<std::string> names_a, names_b;
   for (const Joint& joint : a.joints()) names_a.push_back(joint.name);
@@ -113,7 +114,7 @@ std::string mimic_text(const std::optional<Mimic>& mimic) {
   return number(mimic->multiplier) + " x " + mimic->leader + " + " + number(mimic->offset);
 }
 
-/// The value of a mimic joint of B as a function of A's coordinates, compared with that of A.
+/// Compares the value of a mimic joint of B, as a function of A's coordinates, with its value in A.
 void add_mimic(const Arm& a, const Arm& b, std::size_t i, const ArmComparison& comparison,
                double tolerance, std::vector<ModelDifference>& found) {
   const Joint &joint = a.joints()[i], &other = b.joints()[i];

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Coordinates in +-3 rad or +-1 m, the same with each standard library.
+/// Draws coordinates in +-3 rad or +-1 m that are the same with each standard library.
 Configuration draw(const Arm& arm, std::mt19937_64& engine) {
   Configuration q(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {

@@ -11,7 +11,7 @@ namespace beeline::internal {
 
 /// An explanation of arm B by arm A: B(gain * q + offset) = mount * arm(q) * tcp for every q.
 struct Reconciliation {
-  Arm arm;  ///< A with other numbers
+  Arm arm;  ///< arm A with other numbers
   Pose mount = Pose::Identity(), tcp = Pose::Identity();
   Configuration gain, offset;  ///< one for each joint
   std::vector<ModelDifference> differences = {};
@@ -23,7 +23,7 @@ struct Reconciliation {
 /// The largest deviation of the explanation from B at `count` random configurations.
 Deviation deviation(const Reconciliation& explanation, const Arm& b, int count);
 
-/// Whether a deviation is rounding, of two arms whose numbers differ by up to `tolerance`.
+/// Whether a deviation is only rounding, for two arms whose numbers differ by up to `tolerance`.
 bool negligible(const Deviation& deviation, const Arm& b, double tolerance);
 
 /// The arm without limits and with a coordinate for each joint.
@@ -42,14 +42,14 @@ bool same_pose(const Pose& a, const Pose& b, double tolerance);
 /// it is another motion.
 std::optional<double> motion_of(const Twist& screw, const Pose& motion, double tolerance);
 
-/// The pose without the digits that rounding leaves: lengths to 1e-9 m; roll, pitch and yaw that
-/// are a multiple of 15 degrees within `tolerance` (rad) made exactly that.
+/// Returns the pose without rounding errors: lengths to 1e-9 m, and roll, pitch and yaw set exactly
+/// to a multiple of 15 degrees if they are within `tolerance` (rad) of it.
 Pose without_rounding(const Pose& pose, double tolerance);
 
 /// A pose as options take it: `0,0,0.3`, or with roll, pitch and yaw `0,0,0.3,0,0,1.5708`.
 std::string pose_argument(const Pose& pose);
 
-// The differences, worded alike in all explanations.
+// The differences, with the same wording in all explanations.
 ModelDifference mount_difference(const Pose& mount);
 ModelDifference tool_difference(const Pose& tcp);
 ModelDifference offset_difference(const Arm& a, std::size_t joint, double offset);
@@ -60,7 +60,7 @@ ModelDifference length_difference(std::size_t joint, const std::string& dimensio
 ModelDifference angle_parameter_difference(std::size_t joint, const std::string& dimension,
                                            double in_a, double in_b, const std::string& where = {});
 
-/// Compares base and tool of two arms whose links are explained already, and adds what differs.
+/// Compares base and tool of two arms with explained links, and adds the differences.
 void add_end_differences(const Arm& a, const Arm& b, double tolerance, Reconciliation& explanation);
 
 }  // namespace beeline::internal

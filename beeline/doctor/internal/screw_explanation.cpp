@@ -28,13 +28,14 @@ struct TablePair {
     return angles_differ(left.alpha, right.alpha, tolerance) ||
            angles_differ(left.beta, right.beta, tolerance) || differ(left.a, right.a, tolerance);
   }
-  /// The difference of the constant that a joint's coordinate is not added to.
+  /// Returns the difference of the constant parameter, which the joint's coordinate is not added
+  /// to.
   double fixed_difference(std::size_t i) const {
     const LinkTable::Row &left = a.rows[i], &right = b.rows[i];
     if (left.kind == JointKind::prismatic) return wrap_angle(right.theta - left.theta);
     return right.d - left.d + left.pitch * offset(i);
   }
-  /// What is added to the coordinate of A.
+  /// Returns the offset that is added to the coordinate of A.
   double offset(std::size_t i) const {
     const LinkTable::Row &left = a.rows[i], &right = b.rows[i];
     return left.kind == JointKind::prismatic ? left.d - right.d
@@ -68,8 +69,8 @@ Signs signs_of(std::size_t number, std::size_t joints) {
   return signs;
 }
 
-/// The signs that leave the fewest differences. All are tried for up to ten joints; for more one
-/// sign after another is changed while that helps.
+/// Returns the signs with the fewest differences. For up to ten joints all combinations are tried;
+/// for more joints one sign after another is changed while that helps.
 Signs best_signs(const LinkTable& a, const std::vector<JointLine>& lines, const Pose& tool,
                  double tolerance) {
   const std::size_t n = lines.size();
@@ -112,7 +113,7 @@ std::optional<double> motion_along(const JointLine& line, const Pose& pose, doub
                    pose, tolerance);
 }
 
-/// Adds what the links differ in, and takes B's numbers for them.
+/// Adds the differences of the links, and replaces their numbers by B's.
 void add_link_differences(const TablePair& pair, LinkTable& table, Reconciliation& explanation) {
   const double tolerance = pair.tolerance;
   std::vector<ModelDifference>& found = explanation.differences;

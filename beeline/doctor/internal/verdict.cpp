@@ -7,7 +7,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Whether the difference is one of description: the arm may be the same machine.
+/// Whether the difference concerns only the description: the arm may be the same machine.
 bool of_description(const ModelDifference& difference) {
   switch (difference.kind) {
     case DifferenceKind::length:
@@ -78,7 +78,7 @@ std::string subjects(const Arm& a, const std::vector<ModelDifference>& differenc
   return rest == 0 ? text : text + " and " + std::to_string(rest) + " more";
 }
 
-/// `; 12 limits differ`, of one or two their names.
+/// Returns `; 12 limits differ`; one or two limits are named.
 std::string others_text(const Arm& a, const std::vector<ModelDifference>& others) {
   const bool limits = std::all_of(others.begin(), others.end(), [](const ModelDifference& each) {
     return each.kind == DifferenceKind::limit;

@@ -6,9 +6,9 @@
 
 namespace beeline::internal {
 
-/// Compares what does not change the tool's pose at a configuration: limits, with the offsets and
-/// signs of the comparison taken into account, the order of the joints' names, and mimic joints.
-/// Empty where the numbers of joints differ.
+/// Compares the properties that do not change the tool's pose at a configuration: limits (with the
+/// offsets and signs of the comparison taken into account), the order of the joints' names, and
+/// mimic joints. Returns nothing if the numbers of joints differ.
 std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b,
                                                const ArmComparison& comparison, double tolerance);
 

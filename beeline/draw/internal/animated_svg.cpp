@@ -17,7 +17,7 @@ namespace {
 
 using Frames = std::vector<std::vector<FrameMark>>;
 
-/// A mark of a source, by its number among those of the source.
+/// A mark, identified by its source and its number among the marks of this source.
 struct MarkKey {
   MarkSource source;
   std::size_t number = 0;
@@ -51,7 +51,7 @@ std::vector<MarkKey> still_marks(const Frames& frames,
     std::size_t i = 0;
     for (std::size_t n = 0; n < frames[k].size(); ++n) {
       if (still.count(keys[k][n]) == 0) continue;
-      // Mostly the next mark of the first frame.
+      // This is usually the next mark of the first frame.
       if (i >= keys[0].size() || keys[0][i] != keys[k][n]) {
         i = static_cast<std::size_t>(std::find(keys[0].begin(), keys[0].end(), keys[k][n]) -
                                      keys[0].begin());
@@ -75,10 +75,10 @@ std::vector<MarkKey> still_marks(const Frames& frames,
   return in_order_of(keys.front(), still);
 }
 
-/// The frames, cut at the marks that stand still: part i of a frame stands before still mark i.
+/// The frames, divided at the still marks: part i of a frame stands before still mark i.
 struct CutFrames {
-  std::vector<std::vector<FrameSlice>> parts;  ///< of each part, its slice of each frame
-  std::vector<const FrameMark*> still;         ///< one fewer than parts
+  std::vector<std::vector<FrameSlice>> parts;  ///< for each part, its slice of each frame
+  std::vector<const FrameMark*> still;         ///< still marks, one fewer than parts
 };
 
 CutFrames cut(const Frames& frames) {
@@ -102,10 +102,10 @@ CutFrames cut(const Frames& frames) {
   return result;
 }
 
-/// What moves and what stands still between, as elements.
+/// The moving parts and the still marks between them, as elements.
 struct Elements {
   std::string text;
-  std::size_t moving_size = 0;  ///< bytes of those that move
+  std::size_t moving_size = 0;  ///< bytes of the moving elements
 };
 
 Elements elements_of(const CutFrames& cut_frames, const Timeline& timeline, double tolerance,
@@ -132,7 +132,7 @@ std::vector<std::size_t> every(std::size_t stride, std::size_t count) {
   return kept;
 }
 
-/// Returns the elements in at most `max_svg_size` bytes of what moves, or in as few as possible.
+/// Returns the elements with at most `max_svg_size` bytes of moving parts, or as few as possible.
 std::string bounded_elements(const Frames& all, const Timeline& timeline,
                              const std::function<double(double)>& fraction) {
   Elements elements;

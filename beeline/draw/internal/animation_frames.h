@@ -8,13 +8,13 @@
 
 namespace beeline::internal {
 
-/// Returns when each frame is shown.
+/// Returns the times at which the frames are shown.
 Timeline timeline_of(const Animation& animation, const PlaybackOptions& options);
 
-/// Returns when the animation's time t is shown, as a fraction of the loop.
+/// Returns the fraction of the loop at which the animation's time t is shown.
 double fraction_at(const Animation& animation, const PlaybackOptions& options, double t);
 
-/// Returns the frames of a motion, one each 1/50 s, at most 1000: `draw` adds what moves to a
+/// Returns the frames of a motion, one each 1/50 s, at most 1000. `draw` adds the moving items to a
 /// frame.
 Animation motion_frames(const Trajectory& trajectory,
                         const std::function<void(Drawing& frame, const Configuration& q)>& draw);

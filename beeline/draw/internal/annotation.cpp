@@ -32,7 +32,7 @@ void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRe
     if (columns.col(k).head<3>().norm() >= 1e-12) order.push_back(k);
   }
   const auto length = [&](int k) { return columns.col(k).head<3>().norm(); };
-  // Long ones first; equal lengths in the order of the joints, whatever the rounding.
+  // Long arrows come first; equal lengths keep the order of the joints, independent of rounding.
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return length(a) > length(b) * (1 + 1e-9); });
   for (std::size_t i = 0; i < order.size(); ++i) {

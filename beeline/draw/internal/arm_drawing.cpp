@@ -114,7 +114,7 @@ class ArmPainter {
   Colour steel_, ink_;
 };
 
-/// Adds the triad of each frame. Of frames at one place each is drawn over the one before it,
+/// Adds the triad of each frame. If frames are at one place, each is drawn over the previous one,
 /// shorter and thicker, and they have one label.
 void add_frames(Drawing& drawing, const std::vector<Pose>& links, bool planar, double size) {
   constexpr std::size_t max_labels = 40;  // more labels cannot be read

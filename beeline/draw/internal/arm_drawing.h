@@ -7,7 +7,7 @@ namespace beeline::internal {
 
 struct ArmStyle {
   bool frames = false;  ///< draw the frame of every link, labelled {0} to {n} for up to 40 links
-  bool faded = false;   ///< behind everything else, as an earlier configuration
+  bool faded = false;   ///< whether the arm is behind everything else, as an earlier configuration
   bool tool = true;     ///< draw the tool frame
 };
 

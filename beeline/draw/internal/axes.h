@@ -8,7 +8,7 @@
 
 namespace beeline::internal {
 
-/// Returns where on paper, between `from` and `to`, a value of the scale lies.
+/// Returns the position on paper, between `from` and `to`, of a value of the scale.
 double on_paper(const Scale& scale, double value, double from, double to);
 
 /// Returns the width of the tick labels and the name of a vertical axis, points.
@@ -24,7 +24,8 @@ void draw_frame(const PaperBox& plot, std::vector<PaperMark>& marks);
 void draw_side(const PaperBox& plot, const Scale& scale, const std::string& name, bool right,
                std::vector<PaperMark>& marks);
 
-constexpr double numbers_height = 26;  ///< of a horizontal axis's tick labels and name, points
+constexpr double numbers_height =
+    26;  ///< height of a horizontal axis's tick labels and name, points
 
 /// Draws the ticks, tick labels and name of the horizontal axis below the plot.
 void draw_below(const PaperBox& plot, const Scale& scale, const std::string& name,

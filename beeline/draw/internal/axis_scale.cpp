@@ -23,7 +23,7 @@ int exponent_of(const Scale& scale) {
 Scale spanning(double low, double high, double min_span) {
   constexpr double largest = 1e150;
   for (const double value : {low, high}) {
-    if (std::abs(value) <= largest) continue;  // false for NaN
+    if (std::abs(value) <= largest) continue;  // the comparison is false for NaN
     throw Error("a curve has the value " + number(value) +
                 "; values must be finite and within 1e150");
   }

@@ -16,18 +16,18 @@ constexpr double axis_name_size = 8.5;          ///< font size of axis names, po
 /// The range of one axis. Tick labels are in units of ten to the power `exponent`.
 struct Scale {
   double low = 0, high = 1;
-  double step = 1;  ///< between ticks: 1, 2 or 5 times a power of ten
+  double step = 1;  ///< step between ticks: 1, 2 or 5 times a power of ten
   int exponent = 0;
 };
 
-/// Returns the scale from `low` to `high`, widened to a span of at least `min_span` and of 1e-9 of
+/// Returns the scale from `low` to `high`, widened to a span of at least `min_span` and 1e-9 of
 /// their size. Throws Error when one is not finite or above 1e150 in size.
 Scale spanning(double low, double high, double min_span);
 
 /// Sets the tick step to about `gap` points on a vertical axis of `length` points.
 void set_upright_ticks(Scale& scale, double length, double gap);
 
-/// Sets the tick step of a horizontal axis, where it must also exceed the width of the labels.
+/// Sets the tick step of a horizontal axis. It must also exceed the width of the labels.
 void set_level_ticks(Scale& scale, double length, double gap);
 
 /// Returns the multiples of the step on the scale; none when there would be more than 200.

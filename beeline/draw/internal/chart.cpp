@@ -14,7 +14,7 @@ namespace {
 constexpr Colour reference_grey{0.35, 0.37, 0.40};
 constexpr double heading_size = 8.5, legend_size = 7.5;
 constexpr double stroke_length = 16, row_height = 11;
-constexpr double padding = 0.07;  // above and below the curves, as a fraction of their span
+constexpr double padding = 0.07;  // padding above and below the curves, as a fraction of their span
 
 struct Range {
   double low = 0, high = 0;
@@ -116,9 +116,9 @@ void draw_markers(const ChartCell& cell, std::vector<PaperMark>& marks) {
   }
 }
 
-constexpr double strip = 0.5;  // width of a strip of which the extremes are kept, points
+constexpr double strip = 0.5;  // width of a strip whose extremes are kept, points
 
-/// Keeps the first, lowest, highest and last of each run of points within one vertical strip.
+/// Keeps the first, lowest, highest and last point of each run within one vertical strip.
 std::vector<PaperPoint> strip_extremes(const std::vector<PaperPoint>& points) {
   std::vector<PaperPoint> kept;
   for (std::size_t begin = 0; begin < points.size();) {

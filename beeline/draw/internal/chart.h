@@ -11,12 +11,12 @@ namespace beeline::internal {
 
 /// A polyline through values; a single value is drawn as a dot.
 struct Curve {
-  std::string name = {};  ///< in the legend; empty: not listed
+  std::string name = {};  ///< name in the legend; empty: not listed
   std::vector<double> x = {}, y = {};
   Colour colour = ink;
   double width = 1;
   std::vector<double> dashes = {};
-  bool right = false;  ///< uses the scale on the right
+  bool right = false;  ///< whether the curve uses the scale on the right
 };
 
 /// A horizontal dashed line, such as a limit. It is not drawn when the curves stay below a sixth of
@@ -40,8 +40,8 @@ struct Chart {
   std::vector<Curve> curves = {};
   std::vector<ReferenceLine> reference_lines = {};
   std::vector<Marker> markers = {};
-  double min_span = 1e-6;  ///< smallest span of a scale: smaller changes are rounding
-  bool from_zero = false;  ///< the scales include zero
+  double min_span = 1e-6;  ///< smallest span of a scale; smaller changes are rounding
+  bool from_zero = false;  ///< whether the scales include zero
 };
 
 /// The layout of a chart on paper.
@@ -49,7 +49,7 @@ struct ChartCell {
   const Chart* chart = nullptr;
   Scale x = {}, left = {}, right = {};
   bool has_right = false;
-  bool numbers_below = true;  ///< draw the tick labels and the name of the x axis
+  bool numbers_below = true;  ///< whether to draw the tick labels and the name of the x axis
   PaperBox plot = {};
 };
 
@@ -64,8 +64,8 @@ ChartCell cell_of(const Chart& chart);
 void draw(const ChartCell& cell, std::vector<PaperMark>& marks);
 
 /// Returns a subset of the curve's points that looks the same on paper: no omitted point is farther
-/// than a tenth of a point from the polyline through the kept ones. Of points that coincide on
-/// paper only the first, lowest, highest and last are kept. The ends are kept.
+/// than a tenth of a point from the polyline through the kept ones. If points coincide on paper,
+/// only the first, lowest, highest and last are kept. The ends are kept.
 std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points);
 
 /// Adds markers at these values of x to all charts, numbered from 1 in the first one.

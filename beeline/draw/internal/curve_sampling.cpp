@@ -12,7 +12,7 @@ constexpr std::size_t max_chart_points = 8000, max_parts = 40;  // a chart does 
 
 using Values = std::array<double, max_parts + 1>;
 
-/// Puts the extremes of the polynomial in the place of the lowest and the highest value inside.
+/// Replaces the lowest and the highest inner values by the extremes of the polynomial.
 void include_extremes(const Polynomial& p, std::size_t parts, Values& values) {
   const auto begin = values.begin(), end = begin + static_cast<std::ptrdiff_t>(parts) + 1;
   const auto [lowest, highest] = std::minmax_element(begin, end);

@@ -33,8 +33,8 @@ Unit unit_for(double size, const std::string& base) {
 /// Returns whether the steps are too narrow to be resolved on paper.
 bool dense(const PathTrace& trace) { return trace.steps.size() > 150; }
 
-/// Returns the points to draw: all, or, of a dense trace, the one with the largest deviation of
-/// each step or group of steps, and the ends of the segments.
+/// Returns the points to draw: all points. For a dense trace, returns the one with the largest
+/// deviation of each step or group of steps, and the ends of the segments.
 std::vector<std::size_t> shown_points(const PathTrace& trace, const auto& off) {
   constexpr std::size_t max_groups = 1500;
   const std::size_t together = 1 + trace.steps.size() / max_groups;
@@ -43,7 +43,7 @@ std::vector<std::size_t> shown_points(const PathTrace& trace, const auto& off) {
   };
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < trace.points.size(); ++i) {
-    const bool begins = trace.points[i].step == 0;  // of a segment
+    const bool begins = trace.points[i].step == 0;  // the beginning of a segment
     const bool ends = i + 1 == trace.points.size() || trace.points[i + 1].step == 0;
     const bool inside = !begins && !ends && trace.points[i - 1].step != 0;
     if (dense(trace) && inside && group(i - 1) == group(i)) {
@@ -94,8 +94,8 @@ std::vector<Vector3> enlarged(const PathTrace& trace, double factor) {
   return points;
 }
 
-/// Returns the oblique view in which the line is longest on paper; that of other figures unless
-/// another is a tenth longer.
+/// Returns the oblique view in which the line is longest on paper. The view of other figures is
+/// preferred unless another is a tenth longer.
 View widest_view(const std::vector<Vector3>& line) {
   constexpr double elevation = 0.44, azimuth = -0.87;
   constexpr int directions = 24;
@@ -132,7 +132,7 @@ std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& 
 }
 
 double exaggeration(const PathTrace& trace) {
-  constexpr double visible = 0.06;  // of the extent of the path
+  constexpr double visible = 0.06;  // fraction of the extent of the path
   double largest = 0;
   for (const PathTrace::Point& point : trace.points)
     largest = std::max(largest, point.deviation_vector.norm());

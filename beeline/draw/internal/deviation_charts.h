@@ -7,8 +7,9 @@
 
 namespace beeline::internal {
 
-/// Charts the deviation from the path over the arc length: measured, and the bound proved for each
-/// step as a step plot; of position and of orientation where the task has rows of it.
+/// Charts the deviation from the path over the arc length: the measured deviation, and the bound
+/// proved for each step as a step plot. There is a chart for position and one for orientation, if
+/// the task has such rows.
 std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& followed);
 
 /// Returns the factor that makes the position deviation visible in a picture of the path: 1, 2 or 5
@@ -16,7 +17,7 @@ std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& 
 double exaggeration(const PathTrace& trace);
 
 /// Draws the path and the tool's trail with its deviation multiplied by `factor`, which the caption
-/// names.
+/// states.
 Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const FollowedPath& followed,
                           double factor);
 

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Returns the order of derivative, 0 to 2, up to which the motion between the samples has one.
+/// Returns the highest order of derivative, 0 to 2, of the motion between the samples.
 int highest_order(const Trajectory& trajectory) { return trajectory.velocities.empty() ? 1 : 2; }
 
 /// Returns whether the chart of a derivative has data.
@@ -66,7 +66,7 @@ std::string units_of(const Arm& arm, const std::vector<LimitScale>& scales, cons
   return (slides ? "m" : "rad") + tail;
 }
 
-/// What a chart shows of the joints.
+/// The quantity of the joints that a chart shows.
 struct Quantity {
   int order = 0;
   const char* name;

@@ -27,7 +27,7 @@ void add_arrow(Drawing& drawing, std::vector<Vector3> points) {
   drawing.add(Layer::mark, arrow);
 }
 
-/// Adds arrows from `from` to both sides along `direction`.
+/// Adds arrows from `from` in both directions along `direction`.
 void add_both_ways(Drawing& drawing, const Vector3& from, const Vector3& direction) {
   add_arrow(drawing, {from, from + direction});
   add_arrow(drawing, {from, from - direction});

@@ -8,16 +8,16 @@
 
 namespace beeline::internal {
 
-/// When the frames of a looping animation are shown, as fractions of its loop: increasing, in
-/// [0, 1].
+/// The times at which the frames of a looping animation are shown, as fractions of its loop:
+/// increasing, in [0, 1].
 struct Timeline {
   std::vector<double> frames;
   double seconds = 1;  ///< duration of the loop
 };
 
-/// Returns the frames, of first..last, that stay when the others are interpolated linearly in time
-/// between them, within `tolerance`: `distance(i, a, b, t)` is that of frame i from the fraction t
-/// of the way from frame a to frame b. The ends stay.
+/// Returns the frames of first..last to keep, such that linear interpolation in time between them
+/// reproduces the others within `tolerance`. `distance(i, a, b, t)` is the distance of frame i from
+/// the interpolation between frames a and b at the fraction t. The ends are kept.
 std::vector<std::size_t> thinned_keyframes(const Timeline& timeline, std::size_t first,
                                            std::size_t last, double tolerance,
                                            const auto& distance) {
@@ -27,8 +27,8 @@ std::vector<std::size_t> thinned_keyframes(const Timeline& timeline, std::size_t
   });
 }
 
-/// The attributes of an element that repeats with the loop and has these values at these keyframes:
-/// dur, repeatCount, keyTimes, values.
+/// Returns the attributes of an element that repeats with the loop and has these values at these
+/// keyframes: dur, repeatCount, keyTimes, values.
 std::string animation_values(const Timeline& timeline, std::span<const std::size_t> keyframes,
                              const std::vector<std::string>& values);
 

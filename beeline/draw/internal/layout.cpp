@@ -10,9 +10,9 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double inner_margin = 8;                  // between the content and the edge of a plot
-constexpr double right_margin = 9;                  // for half a tick label past the right edge
-constexpr double min_width = 130, min_height = 70;  // of a plot
+constexpr double inner_margin = 8;  // margin between the content and the edge of a plot
+constexpr double right_margin = 9;  // room for half a tick label past the right edge
+constexpr double min_width = 130, min_height = 70;  // min size of a plot
 
 /// Returns the extent of the content in metres, in the view of the panel.
 PaperBox metres(const Cell& cell) {
@@ -80,7 +80,7 @@ double height_of(const std::vector<Cell>& column) {
 }
 
 void measure(Columns& columns, double scale) {
-  std::vector<Cell*> row;  // panels that are the only one of their column
+  std::vector<Cell*> row;  // panels that are alone in their column
   for (auto& column : columns) {
     std::vector<Cell*> cells;
     for (Cell& cell : column) {
@@ -123,7 +123,7 @@ PaperPoint arrange(Columns& columns, double scale,
     for (Cell& cell : column) cell.plot.x() += width - cell.width();
     page.x() += width;
   }
-  // Taller plots have longer tick labels, which take from the width.
+  // Taller plots have longer tick labels, which reduce the width.
   const double wider = (min_size.x() - page.x()) / static_cast<double>(columns.size());
   if (min_size.x() == 0) return page;
   for (auto& column : columns) {

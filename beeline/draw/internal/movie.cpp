@@ -37,7 +37,7 @@ class ScratchFile {
   std::string path_;
 };
 
-/// The program `ffmpeg`, which reads what is written to it.
+/// The program `ffmpeg`, which reads from a socket.
 class Encoder {
  public:
   explicit Encoder(const std::vector<std::string>& arguments) {
@@ -113,7 +113,7 @@ void append(Arguments& arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
-/// Returns the arguments that say what is read from the standard input.
+/// Returns the arguments that describe the standard input.
 Arguments input_arguments(const MovieFrames& frames) {
   return {"ffmpeg",     "-y",
           "-loglevel",  "error",
@@ -137,7 +137,7 @@ std::string movie(const MovieFrames& frames, AnimationFormat format) {
   const ScratchFile out, palette;
   Arguments arguments = input_arguments(frames);
   if (format == AnimationFormat::gif) {
-    // The last frame has the colours of all: everything has appeared.
+    // The last frame contains the colours of all frames, because everything has appeared.
     Arguments colours = arguments;
     append(colours, {"-vf", "palettegen=max_colors=128", "-c:v", "png", "-f", "image2", "-update",
                      "1", palette.path()});

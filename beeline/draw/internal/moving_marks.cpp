@@ -26,7 +26,7 @@ bool correspond(const FrameSlice& a, const FrameSlice& b) {
                     [](const FrameMark& x, const FrameMark& y) { return correspond(x, y); });
 }
 
-/// Returns the marks of each source, which follow one another.
+/// Returns the marks of each source; marks of one source are consecutive.
 std::vector<FrameSlice> by_source(const FrameSlice& marks) {
   std::vector<FrameSlice> groups;
   for (std::size_t begin = 0; begin < marks.size();) {
@@ -55,7 +55,7 @@ Colour blend_of(const Colour& a, const Colour& b, double t) {
           a.blue + t * (b.blue - a.blue), a.alpha};
 }
 
-/// Frames first..last, in which the marks correspond.
+/// Consecutive frames first..last whose marks correspond.
 class Run {
  public:
   Run(const Timeline& timeline, const std::vector<FrameSlice>& frames, std::size_t first,

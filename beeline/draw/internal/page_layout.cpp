@@ -42,7 +42,7 @@ void add_all(const Drawing& drawing, MarkSource::Kind kind, const auto& add) {
     add(drawing.items[i], MarkSource{kind, 0, i});
 }
 
-/// Returns the items in order of drawing: by layer, within the arm's body from far to near, and a
+/// Returns the items in order of drawing: by layer; within the arm's body from far to near, with a
 /// joint after the links that end in it.
 std::vector<Sourced> in_order(const Cell& cell, const Drawing* frame,
                               const Projection& projection) {
@@ -54,7 +54,8 @@ std::vector<Sourced> in_order(const Cell& cell, const Drawing* frame,
   std::vector<Ordered> order;
   const auto add = [&](const Item& item, const MarkSource& source) {
     const bool sorted = item.layer == Layer::body || item.layer == Layer::ghost;
-    // Rounded to hundredths of a point, so that rounding errors do not decide what covers what.
+    // Depths are rounded to hundredths of a point, so that rounding errors do not decide what is
+    // covered.
     const double far = 100 * projection.scale * depth(item.shape, projection);
     order.push_back({&item, sorted ? std::round(far) : 0, source});
   };
@@ -116,7 +117,7 @@ std::vector<PaperMark> caption(const Cell& cell, const Plot& plot, const PaperPo
   return marks;
 }
 
-/// Places the labels of the panel beside what it shows at the beginning and at the end.
+/// Places the labels of the panel beside its marks at the beginning and at the end.
 std::vector<PaperMark> placed_labels(const Cell& cell, const PaperPoint& corner,
                                      std::span<const Drawing> frames) {
   if (!cell.panel->labels) return {};

@@ -12,7 +12,7 @@
 namespace beeline::internal {
 
 constexpr double caption_size = 9, caption_leading = 12;  ///< points
-constexpr double column_gap = 20, panel_gap = 14;         ///< between columns, and within one
+constexpr double column_gap = 20, panel_gap = 14;  ///< gap between columns, and gap within a column
 
 /// The layout of a panel on paper.
 struct Cell {
@@ -25,7 +25,7 @@ struct Cell {
   // The following members hold for one scale; fit() sets them.
   double scale = 1;  ///< points per metre
   double step = 1;   ///< metres between ticks
-  PaperBox extent;   ///< of the content, points, relative to the world's origin on paper
+  PaperBox extent;   ///< extent of the content, points, relative to the world's origin on paper
   PaperPoint plot = PaperPoint::Zero();
   double left = 0, below = 0;  ///< sizes of the rulers' tick labels and names, points
   std::vector<std::string> caption;
@@ -44,21 +44,22 @@ double width_of(const std::vector<Cell>& column);
 
 /// Arranges the panels at the largest scale at which they fit a page of this size, and returns
 /// their total size. Panels of one column with the same x axis share its range, and panels side by
-/// side with the same y axis share that. When the text alone exceeds the page, the result is larger
-/// than the page; nothing is cut off. With `fill` the plots are widened to the size of the page.
+/// side with the same y axis share the range of that axis. If the text alone exceeds the page, the
+/// result is larger than the page; nothing is cut off. With `fill` the plots are widened to the
+/// size of the page.
 PaperPoint fit(Columns& columns, const PaperPoint& page, bool fill = false);
 
-/// What a mark was drawn for: marks of one source in two frames show the same thing.
+/// The source of a mark: marks of one source in two frames show the same thing.
 struct MarkSource {
   enum class Kind : char { page, background, still, moving, label, caption };
   Kind kind = Kind::page;
   std::size_t panel = 0;
-  std::size_t item = 0;  ///< in the panel's drawing, or in the frame's
+  std::size_t item = 0;  ///< index in the panel's drawing, or in the frame's drawing
 
   auto operator<=>(const MarkSource&) const = default;
 };
 
-/// A mark of one frame. It is drawn from the time `appears` on, see Item.
+/// A mark of one frame. It is drawn from the time `appears` on; see Item.
 struct FrameMark {
   PaperMark mark;
   MarkSource source;
@@ -77,11 +78,11 @@ struct PageLayout {
   std::vector<PaperMark> title;
 };
 
-/// Lays the figure out. Each panel has room for the items of all frames, which every panel shows
-/// beside its own drawing. Throws Error as compose() does.
+/// Lays the figure out. Each panel has room for the items of all frames, because every panel shows
+/// them beside its own drawing. Throws Error as compose() does.
 PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames = {});
 
-/// Draws one frame; null: the figure without any.
+/// Draws one frame; with null, the figure without a frame.
 std::vector<FrameMark> frame_marks(const PageLayout& layout, const Drawing* frame);
 
 }  // namespace beeline::internal

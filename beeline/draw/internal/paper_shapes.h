@@ -20,7 +20,7 @@ PaperStroke line_stroke(const PaperPoint& from, const PaperPoint& to, const Colo
 /// A rectangle on paper.
 struct PaperBox {
   PaperPoint low = PaperPoint::Constant(1e300),
-             high = PaperPoint::Constant(-1e300);  ///< empty at first
+             high = PaperPoint::Constant(-1e300);  ///< the rectangle is empty at first
 
   void include(const PaperPoint& p, const PaperPoint& around = PaperPoint::Zero());
   PaperPoint size() const { return high - low; }

@@ -47,8 +47,8 @@ std::vector<Vector3> polyline_of(const ToolPath& path) {
   return points;
 }
 
-/// Path parameters at which a waypoint may be: ends and middles of segments; on an arc, whose first
-/// waypoint is anywhere, 32 of them.
+/// Returns path parameters at which a waypoint may be: ends and middles of segments, and 32 points
+/// of an arc, whose first waypoint may be anywhere.
 std::vector<double> waypoint_candidates(const ToolPath& path) {
   std::vector<double> candidates{0};
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
@@ -72,7 +72,7 @@ PlacedWaypoints placed_waypoints(const FollowedPath& followed) {
     }
     return placed;
   }
-  constexpr double window = 2.5;  // segments: a line and the blends at its ends, an arc's half
+  constexpr double window = 2.5;  // segments: a line and the blends at its ends, or half of an arc
   const std::vector<double> candidates = waypoint_candidates(path);
   std::size_t next = 0;
   for (const Pose& waypoint : followed.waypoints) {
@@ -146,7 +146,7 @@ PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const Followe
     trace.has_pure_rotation = trace.has_pure_rotation || length < rotation_length;
     begin += ranges.back().length;
   }
-  std::size_t on = path.segments.size();  // the segment before
+  std::size_t on = path.segments.size();  // the previous segment
   for (std::size_t k = 1; k < path_parameters.size(); ++k) {
     for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
                                                    path_parameters[k - 1], path_parameters[k])) {

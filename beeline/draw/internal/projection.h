@@ -15,7 +15,7 @@ struct Projection {
   double pen = 1;                          ///< factor on the sizes that a drawing gives in points
 
   PaperPoint operator()(const Vector3& p) const;
-  PaperPoint direction(const Vector3& d) const;  ///< of a world direction; not longer than d
+  PaperPoint direction(const Vector3& d) const;  ///< image of a world direction; not longer than d
   double depth(const Vector3& p) const { return view.row(2).dot(p); }
 };
 

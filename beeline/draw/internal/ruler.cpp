@@ -53,7 +53,8 @@ std::vector<Polyline> floor_grid(const Drawing& drawing, std::span<const Drawing
   const double size = std::max((high - low).maxCoeff(), 1e-9 * largest);
   if (size < 1e-12) return {};
   const double step = round_step(size / 8);
-  // At least a third of the size, so that the grid of an upright or flat arm is not a narrow strip.
+  // The grid has at least a third of the size, so that it is not a narrow strip for an upright or
+  // flat arm.
   const double min_half = size / 3;
   const auto first = [&](int axis) {
     return std::floor(std::min(low[axis], (low[axis] + high[axis]) / 2 - min_half) / step - 0.1);

@@ -16,10 +16,10 @@ double distance_from_chord(const Point& p, const Point& a, const Point& b) {
   return (p - a - t * chord).norm();
 }
 
-/// Returns the points, of first..last, that stay when no other is farther than `tolerance` from the
-/// line between its kept neighbours: `distance(i, a, b)` is that of point i from the line from a to
-/// b. The ends stay. Douglas & Peucker, "Algorithms for the reduction of the number of points"
-/// (1973).
+/// Returns the points of first..last to keep, such that no other point is farther than `tolerance`
+/// from the line between its kept neighbours. `distance(i, a, b)` is the distance of point i from
+/// the line from a to b. The ends are kept. Douglas & Peucker, "Algorithms for the reduction of the
+/// number of points" (1973).
 std::vector<std::size_t> simplified(std::size_t first, std::size_t last, double tolerance,
                                     const auto& distance) {
   std::vector<std::size_t> kept{first};

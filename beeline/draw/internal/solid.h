@@ -11,7 +11,7 @@ struct ProjectedAxis {
   PaperPoint along;  ///< unit direction on paper
   double flat;       ///< length on paper of the unit axis, in [0, 1]
   double towards;    ///< component towards the viewer, in [0, 1]
-  double sign;       ///< -1 when the axis was reversed to point towards the viewer
+  double sign;       ///< -1 if the axis was reversed to point towards the viewer
 };
 ProjectedAxis projected_axis(const Vector3& axis, const Projection& projection);
 

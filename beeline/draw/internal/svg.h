@@ -6,8 +6,8 @@
 
 namespace beeline::internal {
 
-/// Returns the drawing as an SVG file: shapes to a hundredth of a point, texts as text in the
-/// typeface or, where a viewer lacks it, in Verdana, which is as wide, or another sans serif.
+/// Returns the drawing as an SVG file. Shapes are rounded to a hundredth of a point. Texts are text
+/// in the typeface; a viewer that lacks it uses Verdana, which is as wide, or another sans serif.
 /// Throws Error for a coordinate that is not finite or above 1e9 points.
 std::string svg_of(const Picture& picture);
 

@@ -11,11 +11,11 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double half_height = 0.95;  // of a joint's cylinder, relative to its radius
+constexpr double half_height = 0.95;  // half height of a joint's cylinder, relative to its radius
 constexpr double box_length = 1.45;   // half length of a prismatic joint's box, in radii
 constexpr double box_width = 0.9;
 constexpr double plate_radius = 15, plate_height = 5;
-constexpr double foot_width = 15, foot_height = 19;  // of a planar arm's base
+constexpr double foot_width = 15, foot_height = 19;  // size of a planar arm's base
 
 struct Painter {
   const Projection& projection;
@@ -53,7 +53,7 @@ struct Painter {
       for (std::size_t k = 1; k < corners.size(); ++k) path.line(projection(corners[k]));
       path.close();
     }
-    constexpr double overlap = 0.3;  // points: no seams between tiles
+    constexpr double overlap = 0.3;  // overlap in points, without seams between tiles
     marks.emplace_back(PaperStroke{path, tiles.colour, tiles.colour, overlap, {}});
   }
 

@@ -7,7 +7,7 @@ namespace beeline::internal {
 /// Draws a primitive on paper, except labels, which place_labels() draws.
 void draw(const Primitive& shape, const Projection& projection, std::vector<PaperMark>& marks);
 
-/// A point of a primitive, and the size on paper that the primitive has around it at any scale.
+/// A point of a primitive, and the size on paper of the primitive around it at any scale.
 struct Footprint {
   Vector3 at = Vector3::Zero();
   PaperPoint around = PaperPoint::Zero();  ///< half size, points

@@ -15,11 +15,11 @@ PaperPoint text_size(const std::string& text, double size, bool bold = false);
 std::string drawable(std::string_view text);
 
 /// Breaks the text at spaces and line feeds into lines of at most `width` points. A wider word is
-/// cut and ends in an ellipsis, as does the twelfth line when there are more.
+/// cut and ends in an ellipsis, as does the twelfth line if there are more.
 std::vector<std::string> wrapped(const std::string& text, double size, double width,
                                  bool bold = false);
 
-/// The same in as few lines, each as short as that number of lines allows, so that no last line
+/// Breaks the text into the same number of lines, each as short as possible, so that no last line
 /// holds a single word.
 std::vector<std::string> balanced(const std::string& text, double size, double width,
                                   bool bold = false);

@@ -19,8 +19,8 @@ constexpr std::array<std::uint16_t, 95> basic_latin{
     1024, 1255, 1300, 1126, 1300, 1260, 721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253,
     1300, 1300, 842,  1067, 803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
 
-/// Characters of one width, in units of the font size: that of most of them, or a little more, so
-/// that texts which contain them do not overlap.
+/// Characters of one width, in units of the font size. It is the width of most of them, or a little
+/// more, so that texts that contain them do not overlap.
 struct CharacterRange {
   char32_t first, last;
   double width;
@@ -57,7 +57,7 @@ double advance(char32_t character) {
 double text_width(std::string_view text, double size, bool bold) {
   double width = 0;
   while (!text.empty()) width += advance(take_character(text).code());
-  constexpr double bold_width = 1.13;  // of the regular one, on average
+  constexpr double bold_width = 1.13;  // ratio to the regular width, on average
   return width * size * (bold ? bold_width : 1);
 }
 

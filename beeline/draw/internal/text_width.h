@@ -8,8 +8,8 @@ namespace beeline::internal {
 constexpr const char* typeface = "DejaVu Sans";
 
 /// Returns about the width of a line of UTF-8 text in the typeface, points: the sum of its
-/// characters' advance widths times the font size. Basic Latin is exact; other characters count as
-/// most of their script do, and bold text as 1.13 times the regular one.
+/// characters' advance widths times the font size. Basic Latin is exact. Other characters have the
+/// width of most characters of their script, and bold text has 1.13 times the regular width.
 double text_width(std::string_view text, double size, bool bold);
 
 }  // namespace beeline::internal

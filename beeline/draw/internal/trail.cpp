@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t min_trail_points = 2000, max_trail_points = 20'000;
 
-/// Keeps of each group of neighbours the first point and the extremes along each axis.
+/// Keeps the first point of each group of neighbours, and its extremes along each axis.
 ToolTrail grouped(const ToolTrail& all) {
   const std::size_t size = 1 + 7 * all.points.size() / max_trail_points;
   ToolTrail few;
@@ -36,7 +36,7 @@ ToolTrail grouped(const ToolTrail& all) {
   return few;
 }
 
-/// Adds a line through the points, and over it its parts below the floor.
+/// Adds a line through the points, and over it the parts below the floor.
 void add_line(Drawing& drawing, const Arm& arm, const std::vector<Vector3>& points,
               double appears) {
   drawing.add(Layer::trail, Polyline{points, amber, 0.8}, appears);
@@ -57,7 +57,7 @@ void add_line(Drawing& drawing, const Arm& arm, const std::vector<Vector3>& poin
   }
 }
 
-/// Returns the points that matter to the eye, at most 2500: more make a blot.
+/// Returns the visible points, at most 2500: more would merge.
 ToolTrail visible_part(const ToolTrail& trail) {
   constexpr std::size_t max_kept = 2500;
   const auto off = [&](std::size_t i, std::size_t a, std::size_t b) {

@@ -16,21 +16,22 @@ struct ToolTrail {
 };
 
 /// Returns the positions of the tool along the motion that the columns mean: at every sample and
-/// between them, 2000 or more in all. Of more than 20,000 the extremes along each axis stay of each
-/// group of neighbours, so that no spike is lost. The trajectory is in the arm's joint order.
+/// between them, 2000 or more in all. If there are more than 20,000, only the extremes along each
+/// axis of each group of neighbours are kept, so that no spike is lost. The trajectory is in the
+/// arm's joint order.
 ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory);
 
-/// The diagonal of the box around points, metres.
+/// Returns the diagonal of the box around points, metres.
 double extent(const std::vector<Vector3>& points);
 
 struct TrailStyle {
-  std::size_t dots = 81;  ///< at equal times, whose spacing shows the speed
-  bool growing = false;   ///< every part appears when the tool has passed it (Item::appears)
+  std::size_t dots = 81;  ///< number of dots at equal times, whose spacing shows the speed
+  bool growing = false;  ///< whether every part appears when the tool has passed it (Item::appears)
 };
 
-/// Adds the trail of the tool: a thin line through its points, less those that do not matter to the
-/// eye, and dots. Where the drawing has a floor and the arm stands upright on it, the parts below
-/// it are drawn in their own colour.
+/// Adds the trail of the tool: a thin line through its points, without points that are not visible,
+/// and dots. If the drawing has a floor and the arm stands upright on it, the parts below the floor
+/// are drawn in their own colour.
 void add_trail(Drawing& drawing, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style = {});
 
@@ -38,10 +39,11 @@ void add_trail(Drawing& drawing, const Arm& arm, const Trajectory& trajectory,
 /// world's. Then the plane of its base is the ground or a table.
 bool stands_upright(const Arm& arm);
 
-constexpr Colour below_ground{0.45, 0.10, 0.55};  ///< of parts of a trail below the floor
+constexpr Colour below_ground{0.45, 0.10,
+                              0.55};  ///< colour of the parts of a trail below the floor
 
-/// Adds a ring and a small frame at each pose, labelled by its name, or without names by its number
-/// from 1.
+/// Adds a ring and a small frame at each pose, labelled by its name or, without names, by its
+/// number from 1.
 void add_poses(Drawing& drawing, const std::vector<Pose>& poses,
                const std::vector<std::string>& names = {});
 

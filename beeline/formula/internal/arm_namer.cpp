@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// Rotations that follow each other have different letters: those of roll, pitch and yaw, or of
-/// Euler angles.
+/// Returns a letter for a rotation. Consecutive rotations have different letters: of roll, pitch
+/// and yaw, or of Euler angles.
 std::string letter_of(const std::vector<AxisRotation>& rotations, std::size_t i) {
   constexpr const char* letters[] = {"alpha", "beta", "gamma"};
   const bool again = i == 2 && rotations[0].axis == rotations[2].axis;
@@ -22,7 +22,7 @@ bool is_small_integer(double value) {
   return value == std::round(value) && value != 0 && std::abs(value) <= 9;
 }
 
-/// The axis of the frame that a unit vector lies along, with its sign; -1 for another vector.
+/// Returns the axis of the frame along a unit vector, with its sign; -1 for another vector.
 std::pair<int, int> frame_axis(const Vector3& direction, double tolerance) {
   Eigen::Index index = 0;
   direction.cwiseAbs().maxCoeff(&index);
@@ -86,9 +86,10 @@ int ArmNamer::mimic_symbol(std::size_t i) {
 
 void ArmNamer::rotate(int axis, double angle, const std::string& letter,
                       const std::string& subscript, const std::string& meaning) {
-  if (const std::optional<int> exact = fifteenths(angle, named_.options.angle_tolerance)) {
+  if (const std::optional<int> exact =
+          multiple_of_15_degrees(angle, named_.options.angle_tolerance)) {
     named_.rounding = std::max(named_.rounding, std::abs(angle - *exact * std::numbers::pi / 12));
-    if (*exact % 24 != 0) add({.axis = axis, .fifteenths = *exact % 24});
+    if (*exact % 24 != 0) add({.axis = axis, .multiple_of_15_degrees = *exact % 24});
     return;
   }
   add({.axis = axis,
@@ -178,9 +179,9 @@ void ArmNamer::move_about_screw(std::size_t i) {
     rotate(1, tilt, "phi", index, "inclination of the joint's axis to z");
     const std::size_t end = named_.transforms.back().size();
     move(i, 2);
-    for (std::size_t k = end; k-- > begin;) {  // the inverse of the two
+    for (std::size_t k = end; k-- > begin;) {  // the inverse of the two transforms
       ElementaryTransform inverse = named_.transforms.back()[k];
-      inverse.fifteenths *= -1;
+      inverse.multiple_of_15_degrees *= -1;
       inverse.multiple *= -1;
       add(inverse);
     }

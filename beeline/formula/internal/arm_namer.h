@@ -8,14 +8,14 @@
 namespace beeline::internal {
 
 /// Builds a SymbolicArm: names each number of an arm as its transforms are added, in their order.
-/// Zero lengths and angles are left out, see zero_length and SymbolicArm::dropped_length.
+/// Zero lengths and angles are omitted, see zero_length and SymbolicArm::dropped_length.
 class ArmNamer {
  public:
   ArmNamer(const Arm& arm, const SymbolicOptions& options);
 
   SymbolicArm& arm() { return named_; }
 
-  /// Lengths of equal magnitude have one symbol from now on.
+  /// Gives lengths of equal magnitude one symbol from now on.
   void share_lengths() { shares_lengths_ = true; }
 
   void begin_transform() { named_.transforms.emplace_back(); }
@@ -24,18 +24,18 @@ class ArmNamer {
   void translate(int axis, double length, const std::string& letter, const std::string& subscript,
                  const std::string& meaning);
 
-  /// A constant pose: translations along x, y and z, then rotations. `before` and `after` are the
-  /// axes of the joints on both sides, see axis_rotations().
+  /// Adds a constant pose: translations along x, y and z, then rotations. `before` and `after` are
+  /// the axes of the joints on both sides, see axis_rotations().
   void place(const Pose& pose, const std::string& subscript, int before, int after);
 
-  /// The motion of joint i (from 0) about or along an axis of the current frame.
+  /// Adds the motion of joint i (from 0) about or along an axis of the current frame.
   void move(std::size_t i, int axis, int sign = 1);
 
-  /// The motion of joint i about its screw, wherever that is in the frame of link i.
+  /// Adds the motion of joint i about its screw, at any position in the frame of link i.
   void move_about_screw(std::size_t i);
 
-  /// The axis (0, 1, 2) of joint i (from 1) in its link frame; 2 if it is no axis of the frame, or
-  /// there is no such joint.
+  /// Returns the axis (0, 1, 2) of joint i (from 1) in its link frame. Returns 2 if it is no axis
+  /// of the frame, or there is no such joint.
   int axis_of(std::size_t i) const;
 
   /// Returns the arm with the symbols of the rates.
@@ -51,7 +51,7 @@ class ArmNamer {
 
   const Arm& source_;
   SymbolicArm named_;
-  std::set<std::string> names_;  ///< of the symbols
+  std::set<std::string> names_;  ///< names of the symbols
   double unit_ = 1;              ///< length_unit()
   bool shares_lengths_ = false;
 };

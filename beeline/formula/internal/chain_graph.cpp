@@ -42,8 +42,8 @@ GraphNumber ChainGraph::symbol(int index) {
   return product + number(symbol.value);
 }
 
-/// The sum of an angle's multiples. The previous sum is continued where it begins this one, as the
-/// angles of parallel joints do.
+/// Returns the sum of an angle's multiples. If the previous sum is the beginning of this one, it is
+/// continued, as for the angles of parallel joints.
 GraphNumber ChainGraph::sum(const Angle& angle) {
   const auto& last = last_angle_.multiples;
   const auto& multiples = angle.multiples;
@@ -60,7 +60,7 @@ GraphNumber ChainGraph::sum(const Angle& angle) {
   return result;
 }
 
-/// c12, c_theta3, or c_sum9 for the sum of many angles.
+/// Returns c12, c_theta3, or c_sum9 for the sum of many angles.
 std::string ChainGraph::trig_name(const Trig& trig, ComputationGraph::Id sum) const {
   constexpr std::size_t most = 9;
   const std::string letter = trig.sine ? "s" : "c";
@@ -77,7 +77,7 @@ std::string ChainGraph::trig_name(const Trig& trig, ComputationGraph::Id sum) co
   return name;
 }
 
-/// The cosine or sine of an angle. That of constants is a constant.
+/// Returns the cosine or sine of an angle. For constant angles it is a constant.
 GraphNumber ChainGraph::trig(const Trig& trig) {
   bool varies = false;
   double constant_angle = 0;
@@ -102,7 +102,7 @@ GraphNumber ChainGraph::expression(const Expression& expression) {
   });
 }
 
-/// A column of the constant rotation behind the sum of rotations.
+/// Returns a column of the constant rotation after the sum of rotations.
 GraphVector ChainGraph::constant_column(int axis) {
   GraphVector column{};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -118,14 +118,16 @@ GraphRotation ChainGraph::axis_rotation(int axis, const Angle& angle) {
   return internal::axis_rotation(axis, c, s, number(0), number(1));
 }
 
-/// The rotation up to the end of the sum, in the world, without the constant one behind it.
+/// Returns the rotation up to the end of the sum, in the world, without the constant rotation after
+/// it.
 GraphRotation ChainGraph::turned() {
   if (axis_ < 0) return closed_;
   return closed_ * axis_rotation(axis_, angle_);
 }
 
-/// Translations at the end of a sum are along columns of the rotation, which are needed anyway;
-/// those before are added up in the frame before the sum, where they are in a plane.
+/// Returns the current position. Translations at the end of a sum are along columns of the
+/// rotation, which are needed anyway. Translations before it are added up in the frame before the
+/// sum, in which they are planar.
 GraphVector ChainGraph::current_position() {
   const GraphVector inside = closed_ * open_position_;
   const GraphVector end = turned() * end_position_;
@@ -145,7 +147,8 @@ void ChainGraph::close() {
   angle_ = {};
 }
 
-/// Adds the translations at the end of the sum to those before, as the sum continues.
+/// Adds the translations at the end of the sum to the translations before it, when the sum
+/// continues.
 void ChainGraph::move_end() {
   const GraphVector end = axis_ < 0 ? end_position_ : axis_rotation(axis_, angle_) * end_position_;
   const GraphNumber zero = number(0);
@@ -155,7 +158,8 @@ void ChainGraph::move_end() {
 
 void ChainGraph::append_rotation(const ElementaryTransform& transform) {
   if (transform.symbol < 0) {
-    const ExpressionRotation exact = exact_rotation(transform.axis, transform.fifteenths);
+    const ExpressionRotation exact =
+        exact_rotation(transform.axis, transform.multiple_of_15_degrees);
     constant_ = constant_ * exact;
     return;
   }
@@ -181,7 +185,7 @@ void ChainGraph::append_translation(const ElementaryTransform& transform) {
   end_position_ = end_position_ + expression(transform.distance) * column;
 }
 
-/// The motions of a transform for unit rates of the coordinates that it depends on.
+/// Adds the motions of a transform for unit rates of its coordinates.
 void ChainGraph::add_motions(const ElementaryTransform& transform) {
   const auto add_motion = [&](const Symbol& symbol, GraphNumber rate) {
     motions_.push_back({symbol.coordinate, transform.rotation, rate,

@@ -12,35 +12,35 @@
 
 namespace beeline::internal {
 
-/// The kinematics of an arm as a graph. Its variables are the symbols' names; those of the
-/// coordinates are q[0], q[1], ..., of the rates dq[0], ...
+/// The kinematics of an arm as a graph. Its variables are the symbols' names; coordinates are q[0],
+/// q[1], ..., and rates are dq[0], ...
 class ChainGraph {
  public:
-  /// `numbers`: constants are numbers, not variables.
+  /// With `numbers`, constants are numbers instead of variables.
   ChainGraph(const SymbolicArm& arm, bool numbers);
   ChainGraph(const ChainGraph&) = delete;  // its numbers refer to its graph
 
   ComputationGraph& graph() { return graph_; }
   const ComputationGraph& graph() const { return graph_; }
 
-  /// The values of the constants that are variables, by name.
+  /// Returns the values of the constants that are variables, by name.
   const std::map<std::string, double>& constants() const { return constants_; }
 
-  /// The 16 entries of the tool's pose in the world, row by row.
+  /// Returns the 16 entries of the tool's pose in the world, row by row.
   std::vector<ComputationGraph::Id> pose();
 
-  /// The entries of the Jacobian, 6 x dof, row by row; and of its time derivative.
+  /// Return the entries of the Jacobian and of its time derivative, 6 x dof, row by row.
   std::vector<ComputationGraph::Id> jacobian(Frame frame);
   std::vector<ComputationGraph::Id> derivative(Frame frame);
 
-  GraphNumber expression(const Expression& expression);  ///< as factored() writes it
+  GraphNumber expression(const Expression& expression);  ///< in the form that factored() writes
 
  private:
   /// The motion of a joint: its axis and a point of it in the world.
   struct Motion {
     int coordinate = 0;
     bool rotates = true;
-    GraphNumber rate = {};  ///< of the motion for unit rate of the coordinate
+    GraphNumber rate = {};  ///< rate of the motion for unit rate of the coordinate
     GraphVector axis = {}, point = {};
   };
   struct Twist {
@@ -73,16 +73,17 @@ class ChainGraph {
   bool numbers_;
   ComputationGraph graph_;
   std::map<std::string, double> constants_;
-  // As in SymbolicPose; the position of a sum of rotations is added up in its own frame.
+  // These members are as in SymbolicPose. The position of a sum of rotations is added up in its own
+  // frame.
   GraphRotation closed_{};
   GraphVector position_{}, open_position_{}, end_position_{};
   ExpressionRotation constant_ = identity_rotation();
   int axis_ = -1;
   Angle angle_ = {};
-  Angle last_angle_ = {};  ///< the sum that was formed last
+  Angle last_angle_ = {};  ///< the last sum that was formed
   GraphNumber last_sum_ = {};
   std::vector<Motion> motions_;
-  GraphRotation rotation_{};  ///< of the tool
+  GraphRotation rotation_{};  ///< rotation of the tool
 };
 
 }  // namespace beeline::internal

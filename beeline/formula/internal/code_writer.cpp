@@ -7,13 +7,13 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t longest_inline = 60;  // characters of an operation that gets no name
+constexpr std::size_t longest_inline = 60;  // max characters of an operation without a name
 
 bool is_ascii_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// A name for functions: other characters become underscores.
+/// Returns a name for functions: other characters become underscores.
 std::string identifier(const std::string& name) {
   std::string result;
   for (const char c : name.substr(0, 60)) result += is_ascii_name(c) ? c : '_';
@@ -21,13 +21,13 @@ std::string identifier(const std::string& name) {
   return begins_with_letter ? result : "arm_" + result;
 }
 
-/// The number with all digits, as a floating-point literal.
+/// Returns the number with all digits, as a floating-point literal.
 std::string literal(double value) {
   const std::string text = shortest_digits(value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// Whether an operand needs brackets behind a minus sign or in a product.
+/// Whether an operand needs brackets after a minus sign or in a product.
 bool is_sum(const std::string& text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -97,7 +97,8 @@ std::string CodeWriter::text_of(const ComputationGraph::Node& node) const {
   return "";
 }
 
-/// The constants that occur, and in C and C++ what keeps unused parameters from being warned of.
+/// Writes the constants that occur and, in C and C++, statements that prevent warnings about unused
+/// parameters.
 std::string CodeWriter::head(const std::vector<int>& uses, bool rates) const {
   std::string text;
   bool uses_q = false, uses_dq = false;
@@ -207,7 +208,7 @@ void CodeWriter::function(const std::string& suffix, const std::string& purpose,
                 name + '(' + parameters + ") {\n" + body(outputs, rates) + "}\n";
 }
 
-/// With an include guard in C and C++, named after the functions.
+/// Adds an include guard in C and C++, named after the functions.
 GeneratedCode CodeWriter::finish() {
   if (language_ != CodeLanguage::python) {
     std::string guard = "BEELINE_FORMULA_" + prefix_;

@@ -39,8 +39,8 @@ class CodeWriter {
   const ComputationGraph& graph_;
   const std::map<std::string, double>& constants_;
   CodeLanguage language_;
-  std::string prefix_;             ///< of the functions' names
-  std::vector<std::string> text_;  ///< of each node where it is used: a name, or an operation
+  std::string prefix_;             ///< prefix of the functions' names
+  std::vector<std::string> text_;  ///< text of each node at its uses: a name, or an operation
   GeneratedCode code_;
 };
 

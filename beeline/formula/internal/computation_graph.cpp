@@ -90,9 +90,10 @@ ComputationGraph::Id ComputationGraph::multiply(Id a, Id b) {
 std::vector<int> ComputationGraph::uses(const std::vector<Id>& outputs) const {
   std::vector<int> count(nodes_.size(), 0);
   for (const Id output : outputs) ++count[static_cast<std::size_t>(output)];
-  for (std::size_t i = nodes_.size(); i-- > 0;) {  // operands come before
+  for (std::size_t i = nodes_.size(); i-- > 0;) {  // operands precede their operation
     if (count[i] == 0) continue;
-    const int times = nodes_[i].operation == Operation::negate ? count[i] : 1;  // signs get no name
+    const int times =
+        nodes_[i].operation == Operation::negate ? count[i] : 1;  // signs have no name
     if (nodes_[i].a >= 0) count[static_cast<std::size_t>(nodes_[i].a)] += times;
     if (nodes_[i].b >= 0) ++count[static_cast<std::size_t>(nodes_[i].b)];
   }

@@ -10,16 +10,15 @@
 
 namespace beeline::internal {
 
-/// A computation without branches as a graph, in which each value is computed once. Sums and
-/// products with 0, 1 and -1 are not formed; signs move outwards, so that a - b and b - a share a
-/// node.
+/// A computation without branches as a graph that computes each value once. Sums and products with
+/// 0, 1 and -1 are simplified. Signs move outwards, so that a - b and b - a share a node.
 class ComputationGraph {
  public:
   enum class Operation { number, variable, cosine, sine, negate, add, subtract, multiply };
   struct Node {
     Operation operation = Operation::number;
     double number = 0;
-    std::string name = {};  ///< of a variable; of a cosine or sine: c12
+    std::string name = {};  ///< name of a variable, or of a cosine or sine, such as c12
     int a = -1, b = -1;     ///< operands
   };
   using Id = int;
@@ -35,8 +34,8 @@ class ComputationGraph {
 
   const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// How often each node is an operand or an output; 0 for those that no output depends on. A node
-  /// behind a sign is used as often as the sign.
+  /// Returns how often each node is an operand or an output; 0 for nodes that no output depends on.
+  /// A node behind a sign is used as often as the sign.
   std::vector<int> uses(const std::vector<Id>& outputs) const;
 
  private:
@@ -48,7 +47,7 @@ class ComputationGraph {
   bool is_negation(Id id) const {
     return nodes_[static_cast<std::size_t>(id)].operation == Operation::negate;
   }
-  /// The other operand, if `part` is one of the sum's.
+  /// Returns the other operand, if `part` is an operand of the sum.
   std::optional<Id> without(Id sum, Id part) const;
   int operand(Id id) const { return nodes_[static_cast<std::size_t>(id)].a; }
 
@@ -56,14 +55,14 @@ class ComputationGraph {
   std::map<Key, Id> known_;
 };
 
-/// The number of operations; a sign is none.
+/// The number of operations. A sign is not an operation.
 struct OperationCount {
   int multiplications = 0, additions = 0, trigonometric = 0;
 };
 OperationCount count_operations(const ComputationGraph& graph,
                                 const std::vector<ComputationGraph::Id>& outputs);
 
-/// A node of a graph, with which one computes as with a number.
+/// A node of a graph with the arithmetic of a number.
 struct GraphNumber {
   ComputationGraph* graph = nullptr;
   ComputationGraph::Id id = 0;

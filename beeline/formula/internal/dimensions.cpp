@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Yaw, pitch and roll where the pitch is 90 degrees up to rounding: then roll is 0.
+/// Returns yaw, pitch and roll for a pitch of 90 degrees up to rounding; roll is then 0.
 std::vector<AxisRotation> gimbal_locked(const Rotation& r) {
   const double yaw = std::atan2(-r(0, 1), r(1, 1));
   return {{2, yaw}, {1, std::copysign(std::numbers::pi / 2, -r(2, 0))}};
@@ -19,11 +19,11 @@ std::vector<AxisRotation> euler_rotations(const Rotation& r, int first, int midd
   return {{first, angles[0]}, {middle, angles[1]}, {last, angles[2]}};
 }
 
-/// Angles that are exact become so, zeros are left out.
+/// Replaces angles near exact ones by them, and omits zeros.
 std::vector<AxisRotation> snapped(const std::vector<AxisRotation>& rotations, double tolerance) {
   std::vector<AxisRotation> result;
   for (AxisRotation rotation : rotations) {
-    const std::optional<int> exact = fifteenths(rotation.angle, tolerance);
+    const std::optional<int> exact = multiple_of_15_degrees(rotation.angle, tolerance);
     if (exact) rotation.angle = *exact * std::numbers::pi / 12;
     if (!exact || *exact % 24 != 0) result.push_back(rotation);
   }
@@ -33,7 +33,7 @@ std::vector<AxisRotation> snapped(const std::vector<AxisRotation>& rotations, do
 int cost(const std::vector<AxisRotation>& rotations, int before, int after, double tolerance) {
   int sum = 0;
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    const bool exact = fifteenths(rotations[i].angle, tolerance).has_value();
+    const bool exact = multiple_of_15_degrees(rotations[i].angle, tolerance).has_value();
     const bool joins_neighbour = (i == 0 && rotations[i].axis == before) ||
                                  (i + 1 == rotations.size() && rotations[i].axis == after);
     sum += exact ? 1 : joins_neighbour ? 10 : 100;
@@ -51,7 +51,7 @@ Rotation product(const std::vector<AxisRotation>& rotations) {
   return result;
 }
 
-std::optional<int> fifteenths(double angle, double tolerance) {
+std::optional<int> multiple_of_15_degrees(double angle, double tolerance) {
   const double step = std::numbers::pi / 12;
   const double multiple = std::round(angle / step);
   if (!(std::abs(angle - multiple * step) <= tolerance)) return std::nullopt;

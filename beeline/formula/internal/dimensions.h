@@ -16,20 +16,20 @@ std::optional<DhRow> planar_row(const Joint& joint, double tolerance, double uni
 /// A rotation about an axis of the current frame: 0, 1, 2 for x, y, z.
 struct AxisRotation {
   int axis = 2;
-  double angle = 0;  ///< rad
+  double angle = 0;  ///< angle, rad
 };
 
-/// Writes a rotation as at most three rotations about axes of the current frame, with as few as
-/// possible angles that are not multiples of 15 degrees. Preferred are yaw, pitch and roll;
-/// otherwise the first rotation is about `before` and the last about `after`, the axes of the
-/// joints on both sides.
+/// Writes a rotation as at most three rotations about axes of the current frame, with as few angles
+/// as possible that are not multiples of 15 degrees. Yaw, pitch and roll are preferred. Otherwise
+/// the first rotation is about `before` and the last about `after`, the axes of the joints on both
+/// sides.
 std::vector<AxisRotation> axis_rotations(const Rotation& rotation, int before, int after,
                                          double tolerance);
 
-/// The product of rotations about axes of the current frame.
+/// Returns the product of rotations about axes of the current frame.
 Rotation product(const std::vector<AxisRotation>& rotations);
 
-/// The multiple of 15 degrees within `tolerance` of an angle, or nothing.
-std::optional<int> fifteenths(double angle, double tolerance);
+/// Returns k if the angle is within `tolerance` of k * 15 degrees, otherwise nothing.
+std::optional<int> multiple_of_15_degrees(double angle, double tolerance);
 
 }  // namespace beeline::internal

@@ -21,7 +21,7 @@ void collect(const Tree& tree, std::set<int>& symbols, std::set<Trig>& trigs) {
 
 }  // namespace
 
-/// The expression as it is written, with the constants as numbers if they are wanted so.
+/// Returns the expression as a tree, with the constants as numbers if the style requests it.
 Tree DocumentWriter::tree(const Expression& expression) {
   return factored(style_.numbers ? with_numbers(expression, arm_) : expression);
 }
@@ -113,12 +113,12 @@ std::string DocumentWriter::transform(const std::string& below, const std::strin
 std::string DocumentWriter::angle(const PlanarAngle& angle) {
   std::string text = angle.angle.is_zero() ? "" : notation_.angle(angle.angle);
   for (const auto& [number, multiple] : angle.angle.multiples) symbols_.insert(number);
-  if (angle.fifteenths == 0) return text.empty() ? "0" : text;
+  if (angle.multiple_of_15_degrees == 0) return text.empty() ? "0" : text;
   const char* minus = style_.latex ? "-" : "−";
-  const std::string degrees =
-      std::to_string(std::abs(angle.fifteenths) * 15) + (style_.latex ? "^{\\circ}" : "°");
-  const std::string sign = angle.fifteenths < 0 ? minus : "+";
-  if (text.empty()) return (angle.fifteenths < 0 ? minus : "") + degrees;
+  const std::string degrees = std::to_string(std::abs(angle.multiple_of_15_degrees) * 15) +
+                              (style_.latex ? "^{\\circ}" : "°");
+  const std::string sign = angle.multiple_of_15_degrees < 0 ? minus : "+";
+  if (text.empty()) return (angle.multiple_of_15_degrees < 0 ? minus : "") + degrees;
   return text + ' ' + sign + ' ' + degrees;
 }
 

@@ -11,10 +11,10 @@
 
 namespace beeline::internal {
 
-/// An angle in degrees, without the rounding of the conversion where it shows.
+/// Returns an angle in degrees, without visible rounding of the conversion.
 double in_degrees(double radians);
 
-/// Writes expressions, and remembers which symbols and abbreviations occur.
+/// Writes expressions, and records the symbols and abbreviations that occur.
 class DocumentWriter {
  public:
   DocumentWriter(const SymbolicArm& arm, const FormulaStyle& style)
@@ -26,24 +26,24 @@ class DocumentWriter {
   std::string angle(const PlanarAngle& angle);
   std::string theta() const { return subscripted("theta", "", style_.latex); }
 
-  /// The name of a transform: T with indices below and above.
+  /// Writes the name of a transform: T with indices below and above.
   std::string transform(const std::string& below, const std::string& above) const;
 
-  /// The matrix of a pose; in the plane the 3 x 3 one.
+  /// Writes the matrix of a pose; for planar arms the 3 x 3 matrix.
   WrittenFormula pose(const std::string& left, const ExpressionMatrix& pose);
 
-  /// Rows of a Jacobian, or of its time derivative.
+  /// Writes rows of a Jacobian, or of its time derivative.
   WrittenFormula jacobian(const ExpressionMatrix& rows, const std::vector<std::string>& names,
                           bool derivative);
 
-  /// The steps of a derivation, with its explanations.
+  /// Writes the steps of a derivation, with its explanations.
   std::vector<WrittenFormula> derivation(const InverseDerivation& derivation);
 
   std::vector<std::string> remarks(const InverseDerivation& derivation) const;
 
-  /// The constants that have occurred, and the variables of mimic joints.
+  /// Returns the constants that have occurred, and the variables of mimic joints.
   std::vector<WrittenSymbol> symbols() const;
-  /// The abbreviations that have occurred, with their meanings.
+  /// Returns the abbreviations that have occurred, with their meanings.
   std::vector<std::pair<std::string, std::string>> abbreviations() const;
 
  private:

@@ -19,12 +19,12 @@ struct Factor {
   }
 };
 
-/// A product of powers with a coefficient. Unlike in a Monomial, several cosines and sines may be
-/// of one group.
+/// A product of powers with a coefficient. Unlike in a Monomial, several cosines and sines may
+/// belong to one group.
 struct Product {
   Coefficient coefficient;
   std::map<Factor, int> factors = {};
-  std::size_t place = 0;  ///< among the terms of the expression
+  std::size_t place = 0;  ///< position among the terms of the expression
 };
 using Products = std::vector<Product>;
 
@@ -41,7 +41,7 @@ Products products_of(const Expression& expression) {
   return products;
 }
 
-/// Half of an angle, if its multiples are even.
+/// Returns half of an angle, if its multiples are even.
 std::optional<Angle> half(Angle angle) {
   for (auto& multiple : angle.multiples) {
     if (multiple.second % 2 != 0) return std::nullopt;
@@ -52,11 +52,12 @@ std::optional<Angle> half(Angle angle) {
 
 /// A product as a cosine or sine times the rest; a zero angle stands for cos 0 = 1.
 struct Split {
-  std::size_t product = 0;  ///< its number
+  std::size_t product = 0;  ///< number of the product
   Trig trig = {};
   Coefficient coefficient;
 };
-using Splits = std::map<std::map<Factor, int>, std::vector<Split>>;  ///< by the factors of the rest
+using Splits =
+    std::map<std::map<Factor, int>, std::vector<Split>>;  ///< keys are the factors of the remainder
 
 void multiply(Product& product, Trig trig) {
   if (trig.angle.is_zero()) return;  // cos 0; sin 0 does not arise
@@ -67,8 +68,8 @@ void multiply(Product& product, Trig trig) {
   ++product.factors[{.trig = trig}];
 }
 
-/// The product form of rest * (cos u + sign cos v) or rest * (sin u + sign sin v), if the half sum
-/// and half difference of the angles are integer combinations.
+/// Returns the product form of rest * (cos u + sign cos v) or rest * (sin u + sign sin v), if the
+/// half sum and half difference of the angles are integer combinations.
 std::optional<Product> as_product(const Split& a, const Split& b,
                                   const std::map<Factor, int>& rest) {
   const Trig &u = a.trig, &v = b.trig;
@@ -87,7 +88,8 @@ std::optional<Product> as_product(const Split& a, const Split& b,
   return product;
 }
 
-/// Each way to take one cosine or sine out of a product, and the product itself as 1 times it.
+/// Adds each split that takes one cosine or sine out of a product, and the product itself as 1
+/// times it.
 void add_splits(Splits& splits, const Product& product, std::size_t number) {
   for (const auto& [factor, exponent] : product.factors) {
     if (factor.symbol >= 0) continue;
@@ -127,7 +129,7 @@ void combine_pairs(Products& products) {
   if (!may_combine(products)) return;
   Splits splits;
   for (std::size_t i = 0; i < products.size(); ++i) add_splits(splits, products[i], i);
-  constexpr std::size_t most = 64;  // of terms that share a rest: their pairs are compared
+  constexpr std::size_t most = 64;  // max terms with a common remainder whose pairs are compared
   std::vector<bool> used(products.size(), false);
   Products combined;
   for (const auto& [rest, terms] : splits) {
@@ -169,7 +171,7 @@ Tree tree_of(const Product& product) {
   return tree;
 }
 
-/// The factor that the most terms have, at least two; of several the first.
+/// Returns the factor that the most terms have, at least two; the first of several.
 std::optional<Factor> most_common(const Products& products) {
   std::map<Factor, int> count;
   for (const Product& product : products) {
@@ -189,7 +191,8 @@ bool is_power_of(const Tree& tree, const Factor& factor) {
   return base.kind == Tree::Kind::trig && factor.symbol < 0 && base.trig == factor.trig;
 }
 
-/// factor * (sum of the quotients), with factors of the sum's own product before its bracket.
+/// Returns factor * (sum of the quotients), with factors of the sum's own product before its
+/// bracket.
 Tree with_factor(const Factor& factor, const Products& quotients) {
   Tree inner = sum_of(quotients, true);
   Tree product{.kind = Tree::Kind::product, .parts = {tree_of(factor, 1)}};
@@ -209,8 +212,8 @@ Tree with_factor(const Factor& factor, const Products& quotients) {
   return product;
 }
 
-/// The coefficient that all terms share up to its sign; in a sum that is a factor with the sign of
-/// the first term, so that equal brackets look equal.
+/// Returns the coefficient that all terms share up to its sign. For a sum that is a factor it has
+/// the sign of the first term, so that equal brackets look equal.
 Coefficient content(const Products& products, bool is_factor) {
   const Coefficient& first = products.front().coefficient;
   bool all_equal = true, all_negative = true;
@@ -236,7 +239,7 @@ Products divided(Products products, const Coefficient& coefficient) {
   return products;
 }
 
-/// A positive term comes first, if there is one.
+/// Returns a sum that begins with a positive term, if there is one.
 Tree sum_tree(std::vector<Tree> parts) {
   const auto negative = [](const Tree& part) {
     return part.kind == Tree::Kind::product && part.coefficient.is_negative();
@@ -255,7 +258,7 @@ Tree sum_of(Products products, bool is_factor) {
     inner.coefficient = inner.coefficient * common;
     return inner;
   }
-  std::map<std::size_t, Tree> parts;  // by the place of their first term
+  std::map<std::size_t, Tree> parts;  // keys are the positions of their first terms
   while (const std::optional<Factor> factor = most_common(products)) {
     Products with, without;
     for (Product& product : products) {

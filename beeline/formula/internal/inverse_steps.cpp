@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Adds one elementary transform to a link; false if a planar link has no such transform.
+/// Adds one elementary transform to a link; returns false if a planar link has no such transform.
 bool add_to(PlanarLink& link, const SymbolicArm& arm, const ElementaryTransform& transform) {
   const auto coordinate = [&](int symbol) {
     return arm.symbols[static_cast<std::size_t>(symbol)].coordinate;
@@ -28,7 +28,7 @@ bool add_to(PlanarLink& link, const SymbolicArm& arm, const ElementaryTransform&
   }
   if (transform.axis != 2) return false;
   if (transform.symbol < 0) {
-    link.fifteenths += transform.fifteenths;
+    link.multiple_of_15_degrees += transform.multiple_of_15_degrees;
   } else if (coordinate(transform.symbol) < 0) {
     const int group = arm.groups[static_cast<std::size_t>(transform.symbol)];
     link.bend = link.bend + Angle{group, {{transform.symbol, transform.multiple}}};
@@ -54,13 +54,17 @@ double value_of(const Tree& tree, const std::vector<double>& symbols, double bra
 }  // namespace
 
 Expression PlanarLink::bend_cosine() const {
-  return Expression::cosine(bend) * Coefficient::cosine(fifteenths) -
-         Expression::sine(bend) * Coefficient::sine(fifteenths);
+  return Expression::cosine(bend) *
+             Coefficient::cosine_of_multiple_of_15_degrees(multiple_of_15_degrees) -
+         Expression::sine(bend) *
+             Coefficient::sine_of_multiple_of_15_degrees(multiple_of_15_degrees);
 }
 
 Expression PlanarLink::bend_sine() const {
-  return Expression::sine(bend) * Coefficient::cosine(fifteenths) +
-         Expression::cosine(bend) * Coefficient::sine(fifteenths);
+  return Expression::sine(bend) *
+             Coefficient::cosine_of_multiple_of_15_degrees(multiple_of_15_degrees) +
+         Expression::cosine(bend) *
+             Coefficient::sine_of_multiple_of_15_degrees(multiple_of_15_degrees);
 }
 
 std::vector<PlanarLink> planar_links(const SymbolicArm& arm) {
@@ -173,15 +177,15 @@ Expression InverseSteps::define(const std::string& letter, const std::string& su
   return Expression::symbol(symbol);
 }
 
-/// The bend of a link, times a sign, in rad.
+/// Returns the bend of a link, times a sign, in rad.
 Tree InverseSteps::bend_of(const PlanarLink& link, int sign) const {
   std::vector<Tree> parts;
   for (const auto& [symbol, multiple] : link.bend.multiples) {
     parts.push_back(factored(Expression(sign * multiple) * Expression::symbol(symbol)));
   }
-  if (link.fifteenths != 0) {
-    parts.push_back(
-        {.kind = Tree::Kind::angle, .coefficient = Coefficient(sign * link.fifteenths)});
+  if (link.multiple_of_15_degrees != 0) {
+    parts.push_back({.kind = Tree::Kind::angle,
+                     .coefficient = Coefficient(sign * link.multiple_of_15_degrees)});
   }
   return sum(std::move(parts));
 }
@@ -210,7 +214,7 @@ void InverseSteps::define_last_angle(const std::vector<PlanarLink>& links, std::
   Expression angle = Expression::symbol(derivation_.theta);
   PlanarLink bends;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    bends.fifteenths += links[i].fifteenths;
+    bends.multiple_of_15_degrees += links[i].multiple_of_15_degrees;
     bends.bend = bends.bend + links[i].bend;
     if (links[i].revolute && i != last) angle += -Expression::symbol(links[i].symbol);
   }
@@ -227,8 +231,8 @@ void InverseSteps::define_last_angle(const std::vector<PlanarLink>& links, std::
 
 namespace {
 
-/// The values with lengths near 1 m: the steps hold for any lengths, but rounding is large where
-/// they differ by orders of magnitude.
+/// Returns the values with lengths near 1 m. The steps hold for any lengths, but rounding is large
+/// if they differ by orders of magnitude.
 std::vector<double> with_plain_lengths(const SymbolicArm& arm, std::vector<double> values) {
   for (std::size_t i = 0; i < arm.symbols.size(); ++i) {
     if (arm.symbols[i].kind != SymbolKind::length) continue;

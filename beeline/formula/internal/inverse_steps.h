@@ -8,22 +8,23 @@
 
 namespace beeline::internal {
 
-/// A link of a planar arm: R is a rotation by the coordinate plus the bend, then the length along
-/// x; P a rotation by the bend, then the coordinate plus the length along x.
+/// A link of a planar arm. R is a rotation by the coordinate plus the bend, then the length along
+/// x. P is a rotation by the bend, then the coordinate plus the length along x.
 struct PlanarLink {
   bool revolute = true;
-  int symbol = -1;  ///< the coordinate
+  int symbol = -1;  ///< symbol of the coordinate
   Expression length = {};
-  Angle bend = {};     ///< named part of the bend
-  int fifteenths = 0;  ///< exact part
+  Angle bend = {};                 ///< named part of the bend
+  int multiple_of_15_degrees = 0;  ///< exact part of the bend, in multiples of 15 degrees
 
-  bool bends() const { return fifteenths != 0 || !bend.is_zero(); }
+  bool bends() const { return multiple_of_15_degrees != 0 || !bend.is_zero(); }
   Expression bend_cosine() const;
   Expression bend_sine() const;
 };
 
-/// The links of an arm with NamingConvention::planar, the tool's offset along x in the last one's
-/// length. None if the base is not the world, a joint is coupled, or the tool is beside the link.
+/// Returns the links of an arm with NamingConvention::planar. The tool's offset along x is part of
+/// the last link's length. Returns none if the base is not the world, a joint is coupled, or the
+/// tool is beside the link.
 std::vector<PlanarLink> planar_links(const SymbolicArm& arm);
 
 Tree atan2(Tree y, Tree x);
@@ -43,10 +44,10 @@ class InverseSteps {
   Expression theta_cosine() const { return Expression::cosine(theta_angle()); }
   Expression theta_sine() const { return Expression::sine(theta_angle()); }
 
-  /// Cosine and sine of theta, turned by the bend of a link times a sign.
+  /// Returns cosine and sine of theta plus the bend of a link times a sign.
   std::pair<Expression, Expression> turned(const PlanarLink& link, int sign) const;
 
-  /// The components of a point along and across the direction of the first slide.
+  /// Returns the components of a point along and across the direction of the first slide.
   std::pair<Expression, Expression> in_slide_axes(const PlanarLink& link, const Expression& u,
                                                   const Expression& v);
 
@@ -54,7 +55,7 @@ class InverseSteps {
   Expression define(const std::string& letter, const std::string& subscript, Tree right,
                     const std::string& explanation = "");
 
-  /// Defines the coordinate of a rotation from the angle that includes its bend, of a slide.
+  /// Defines the coordinate of a slide, or of a rotation from the angle that includes its bend.
   void define_angle(const PlanarLink& link, Tree right, const std::string& explanation = "");
   void define_slide(const PlanarLink& link, Tree right, const std::string& explanation = "");
 

@@ -2,7 +2,8 @@
 
 namespace beeline::internal {
 
-/// The twist of the tool's origin, or of the world's for Frame::space, in the world's axes.
+/// Returns the twist of the tool's origin, or of the world's origin for Frame::space, in the
+/// world's axes.
 ChainGraph::Twist ChainGraph::twist(const Motion& motion, Frame frame) {
   const GraphNumber zero = number(0);
   const GraphVector axis = motion.rate * motion.axis;
@@ -11,13 +12,13 @@ ChainGraph::Twist ChainGraph::twist(const Motion& motion, Frame frame) {
   return {cross(axis, position_ - motion.point), axis};
 }
 
-/// From the world's axes to those of the frame.
+/// Rotates from the world's axes to the axes of the frame.
 ChainGraph::Twist ChainGraph::in_axes(const Twist& twist, Frame frame) {
   if (frame != Frame::tool) return twist;
   return {rotate_back(rotation_, twist.linear), rotate_back(rotation_, twist.angular)};
 }
 
-/// The entries of a matrix whose columns are the sums of the twists of each coordinate.
+/// Returns the entries of a matrix whose columns are the sums of the twists of each coordinate.
 std::vector<ComputationGraph::Id> ChainGraph::matrix(const std::vector<Twist>& twists) {
   const auto dof = static_cast<std::size_t>(arm_.dof);
   std::vector<ComputationGraph::Id> entries(6 * dof, graph_.number(0));
@@ -41,13 +42,14 @@ GraphNumber ChainGraph::rate(const Motion& motion) {
   return node(graph_.variable("dq[" + std::to_string(motion.coordinate) + ']'));
 }
 
-/// The time derivatives of the twists in the world's axes. The axis and the point of motion i move
-/// with the angular velocity of all motions before it; the point's velocity is that of the point of
-/// motion i - 1, plus the velocity of the one relative to the other.
+/// Returns the time derivatives of the twists in the world's axes. The axis and the point of motion
+/// i move with the angular velocity of all motions before it. The point's velocity is the velocity
+/// of the point of motion i - 1 plus their relative velocity.
 std::vector<ChainGraph::Twist> ChainGraph::rates_of_twists(Frame frame) {
   const GraphNumber zero = number(0);
   GraphVector angular{zero, zero, zero}, linear{zero, zero, zero};
-  std::vector<GraphVector> angular_before, velocities;  // velocities of points, the tool last
+  std::vector<GraphVector> angular_before,
+      velocities;  // velocities of points; the tool's velocity is last
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     angular_before.push_back(angular);
     velocities.push_back(linear);

@@ -21,7 +21,7 @@ class Notation {
   std::string angle(const Angle& angle) const;  ///< q1 + q2
   std::string trig(const Trig& trig) const;     ///< c12, or cos(2 q1 + q2)
 
-  /// What c12 stands for, `cos(q1 + q2)`; empty if trig() says it already.
+  /// Returns the expression that c12 stands for, `cos(q1 + q2)`; empty if trig() writes it in full.
   std::string meaning(const Trig& trig) const;
 
  private:
@@ -37,14 +37,14 @@ class Notation {
 
   const std::vector<Symbol>& symbols_;
   bool latex_;
-  bool many_joints_;  ///< indices may have two digits, so c12 would be ambiguous
+  bool many_joints_;  ///< whether indices may have two digits, so that c12 would be ambiguous
 };
 
 /// A decimal number with up to 15 significant digits.
 std::string decimal(double value);
 
-/// Text of LaTeX: characters with a meaning of their own are escaped. Letters outside of ASCII,
-/// which need fonts that not every system has, become question marks.
+/// Escapes text for LaTeX. Letters outside of ASCII, which need fonts that not every system has,
+/// become question marks.
 std::string escaped_latex(const std::string& text);
 
 /// A name with its subscript: a2 as text with Unicode subscripts, or as LaTeX.

@@ -6,7 +6,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The cosine or sine with the values of constant angles: cos(a + k) = cos a cos k - sin a sin k.
+/// Returns the cosine or sine with the values of constant angles: cos(a + k) = cos a cos k - sin a
+/// sin k.
 Expression inserted(const Trig& trig, const SymbolicArm& arm) {
   Angle variable{trig.angle.group, {}};
   double constant = 0;
@@ -63,13 +64,13 @@ namespace {
 
 Tree number_tree(double value) { return {.coefficient = Coefficient::plain(value)}; }
 
-/// A product whose numbers are in its coefficient, or a sum whose numbers are one.
+/// Returns a product whose numbers are in its coefficient, or a sum whose numbers are one number.
 Tree collected(Tree tree) {
   const bool is_sum = tree.kind == Tree::Kind::sum;
   if (!is_sum && tree.kind != Tree::Kind::product) return tree;
   Coefficient number = is_sum ? Coefficient(0) : tree.coefficient;
   std::vector<Tree> rest;
-  std::optional<std::size_t> place;  // of the first number
+  std::optional<std::size_t> place;  // position of the first number
   for (Tree& part : tree.parts) {
     if (part.kind != Tree::Kind::number) {
       rest.push_back(std::move(part));

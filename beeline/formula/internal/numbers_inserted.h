@@ -7,11 +7,11 @@
 
 namespace beeline::internal {
 
-/// The expression with the values of all constants in place of their symbols. Terms that cancel up
-/// to rounding are left out.
+/// Returns the expression with the values of all constants in place of their symbols. Terms that
+/// cancel up to rounding are omitted.
 Expression with_numbers(const Expression& expression, const SymbolicArm& arm);
 
-/// The same of a tree, without sums and products of numbers alone.
+/// Returns the tree with the values of all constants, without sums and products of numbers alone.
 Tree with_numbers(const Tree& tree, const std::vector<Symbol>& symbols);
 
 }  // namespace beeline::internal

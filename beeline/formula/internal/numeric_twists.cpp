@@ -16,7 +16,7 @@ Pose numeric(const ElementaryTransform& transform, std::span<const double> symbo
   }
   const double angle =
       transform.symbol < 0
-          ? transform.fifteenths * std::numbers::pi / 12
+          ? transform.multiple_of_15_degrees * std::numbers::pi / 12
           : transform.multiple * symbols[static_cast<std::size_t>(transform.symbol)];
   pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   return pose;
@@ -84,9 +84,10 @@ void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
 
 std::vector<Configuration> check_configurations(const SymbolicArm& arm, int count) {
   std::mt19937_64 engine(20240229);
-  const auto uniform = [&engine](double size) {  // the same with each standard library
-    return size * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
-  };
+  const auto uniform =
+      [&engine](double size) {  // the numbers are the same with each standard library
+        return size * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
+      };
   std::vector<Configuration> configurations;
   for (int i = 0; i < count; ++i) {
     Configuration q(arm.dof);

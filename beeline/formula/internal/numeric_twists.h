@@ -21,17 +21,17 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const std::vector<Pose>& places, std::span<const double> symbols,
                         const TwistFrame& frame);
 
-/// The sum of all constant lengths, plus 1 for each displacement: the scale of rounding errors of
-/// positions.
+/// Returns the sum of all constant lengths, plus 1 for each displacement: the scale of rounding
+/// errors of positions.
 double length_scale(const SymbolicArm& arm);
 
-/// Throws Error, calling the formula `what`, if its numbers differ by more than rounding from those
-/// of the transforms. Rounding is relative to `scale`.
+/// Throws Error, which names the formula `what`, if its numbers differ by more than rounding from
+/// the numbers of the transforms. Rounding is relative to `scale`.
 void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
                    const Eigen::MatrixXd& expected, double scale, const std::string& what);
 
-/// Configurations at random, the same for each arm and call, for checks of formulas: angles within
-/// +-3 rad, displacements within +-1 m.
+/// Returns random configurations for checks of formulas, the same for each arm and call: angles
+/// within +-3 rad, displacements within +-1 m.
 std::vector<Configuration> check_configurations(const SymbolicArm& arm, int count);
 
 }  // namespace beeline::internal

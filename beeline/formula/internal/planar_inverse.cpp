@@ -7,7 +7,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Two joints that bring a point to (u, v).
+/// Solves for two joints that bring a point to (u, v).
 void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two,
                const Expression& u, const Expression& v) {
   if (one.revolute && two.revolute) {
@@ -19,7 +19,7 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
     steps.define_angle(
         one,
         difference(atan2(factored(v), factored(u)), atan2(factored(b * s), factored(a + b * c))),
-        "The first angle is that of the point, less that of the point in link 1:");
+        "The first angle is the direction of the point minus its direction in link 1:");
     steps.remark(
         "There is a solution if @ is from -1 to 1; two, by the sign of @, with the elbow on either "
         "side.",
@@ -63,7 +63,8 @@ void solve_two(InverseSteps& steps, const PlanarLink& one, const PlanarLink& two
   }
 }
 
-/// The last joint rotates: the others bring the point where it is, given the orientation.
+/// Solves for an arm whose last joint rotates: the other joints bring its axis to the point that
+/// the orientation determines.
 void solve_wrist(InverseSteps& steps, const std::vector<PlanarLink>& links) {
   Expression u = steps.x(), v = steps.y();
   if (!links[2].length.is_zero()) {
@@ -75,12 +76,12 @@ void solve_wrist(InverseSteps& steps, const std::vector<PlanarLink>& links) {
   steps.define_last_angle(links, 2, "The angles add up to the orientation:");
 }
 
-/// The last joint slides along the tool's x axis, which the orientation gives.
+/// Solves for an arm whose last joint slides along the tool's x axis, which the orientation gives.
 void solve_slide(InverseSteps& steps, const std::vector<PlanarLink>& links) {
   const PlanarLink &one = links[0], &two = links[1], &three = links[2];
   const Expression ct = steps.theta_cosine(), st = steps.theta_sine();
   if (one.revolute && two.revolute) {
-    const auto [c, s] = steps.turned(three, -1);  // of the orientation of link 2
+    const auto [c, s] = steps.turned(three, -1);  // cosine and sine of the orientation of link 2
     const Expression u =
         steps.define("u", "", factored(steps.x() - two.length * c),
                      "Without link 2, whose orientation is known, the point is at:");
@@ -99,7 +100,8 @@ void solve_slide(InverseSteps& steps, const std::vector<PlanarLink>& links) {
   } else if (one.revolute) {
     steps.define_last_angle(links, 0, "The slides do not rotate the tool:");
     const auto [c2, s2] = std::pair(two.bend_cosine(), two.bend_sine());
-    const auto [c1, s1] = steps.turned(three, -1);  // of the second slide's predecessor
+    const auto [c1, s1] =
+        steps.turned(three, -1);  // cosine and sine of the orientation before the second slide
     // The slides are along (c1, s1) and (ct, st), link 1 along the first turned back by bend 2.
     const Expression u =
         steps.define("u", "", factored(steps.x() - one.length * (c1 * c2 + s1 * s2)),
@@ -114,7 +116,7 @@ void solve_slide(InverseSteps& steps, const std::vector<PlanarLink>& links) {
     steps.remark("There is one solution.");
   } else {
     steps.define_last_angle(links, 1, "The slides do not rotate the tool:");
-    const auto [c, s] = steps.turned(three, -1);  // of the orientation of link 2
+    const auto [c, s] = steps.turned(three, -1);  // cosine and sine of the orientation of link 2
     const Expression u = steps.define("u", "", factored(steps.x() - two.length * c),
                                       "Without link 2 the point is at:");
     const Expression v = steps.define("v", "", factored(steps.y() - two.length * s));
@@ -134,7 +136,7 @@ std::string letters(const std::vector<PlanarLink>& links) {
   return text;
 }
 
-/// The links of an arm that has a derivation; none for others.
+/// Returns the links of an arm that has a derivation; none for others.
 std::vector<PlanarLink> links_with_derivation(const SymbolicArm& arm) {
   std::vector<PlanarLink> links = planar_links(arm);
   const std::string kind = letters(links);

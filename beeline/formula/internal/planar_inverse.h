@@ -10,7 +10,7 @@ namespace beeline::internal {
 
 /// A step of a derivation: the quantity `symbol` equals `right`.
 struct InverseStep {
-  std::string explanation;  ///< a sentence that introduces it; empty: none
+  std::string explanation;  ///< sentence that introduces the step; may be empty
   int symbol = -1;
   Tree right;
 };
@@ -24,10 +24,13 @@ struct InverseRemark {
 /// The inverse kinematics of a planar arm in steps. Its functions are `sqrt`, `branch` (+-sqrt) and
 /// `atan2`.
 struct InverseDerivation {
-  std::vector<Symbol> symbols;     ///< of the arm, then x, y, theta and intermediate quantities
-  int x = -1, y = -1, theta = -1;  ///< the pose that is asked for; theta is -1 where it is free
+  std::vector<Symbol>
+      symbols;  ///< symbols of the arm, then x, y, theta and intermediate quantities
+  int x = -1, y = -1,
+      theta = -1;  ///< symbols of the given pose; theta is -1 if the orientation is free
   std::vector<InverseStep> steps = {};
-  std::vector<InverseRemark> remarks = {};  ///< when there is a solution, and how many
+  std::vector<InverseRemark> remarks =
+      {};  ///< conditions for a solution, and the number of solutions
 };
 
 /// Whether the arm is planar, its links are named as planar ones, and it is RR, RP, PR, PP (for a

@@ -10,8 +10,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The zeros of a factor: `angle` has one of the values, which are pi apart; or a displacement the
-/// first.
+/// The zeros of a factor: `angle` has one of the values, which are pi apart, or a displacement has
+/// the first value.
 struct Zeros {
   Angle angle = {};
   int displacement = -1;
@@ -35,7 +35,7 @@ double constant_value(const SymbolicArm& arm, const Expression& constant) {
   return constant.value(symbol_values(arm, Configuration::Zero(arm.dof)));
 }
 
-/// A cos + B sin of one angle, with constant A and B.
+/// The function A cos + B sin of one angle, with constant A and B.
 std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expression& factor,
                                          const Notation& notation, bool degrees) {
   Zeros zeros;
@@ -86,7 +86,7 @@ std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expressio
   return zeros;
 }
 
-/// A displacement plus a constant.
+/// The function displacement plus constant.
 std::optional<Zeros> linear_zeros(const SymbolicArm& arm, const Expression& factor,
                                   const Notation& notation) {
   Zeros zeros;
@@ -118,8 +118,8 @@ std::optional<Zeros> linear_zeros(const SymbolicArm& arm, const Expression& fact
   return zeros;
 }
 
-/// The configuration with its last joint of the angle, or its displacement, changed so that the
-/// factor is zero.
+/// Returns the configuration whose last joint in the angle, or whose displacement, is changed so
+/// that the factor is zero.
 Configuration at_zero(const SymbolicArm& arm, const Zeros& zeros, double value, Configuration q) {
   if (zeros.displacement >= 0) {
     q[arm.symbols[static_cast<std::size_t>(zeros.displacement)].coordinate] = value;

@@ -7,9 +7,9 @@
 
 namespace beeline::internal {
 
-/// Where a factor of the determinant is zero, as sentences such as "s3 = 0: q3 = 0 or ±π; ...". A
-/// sentence says what the arm looks like there only if that holds at random configurations with
-/// this factor zero, and at none of others.
+/// Returns the zeros of the factors of the determinant as sentences such as "s3 = 0: q3 = 0 or ±π;
+/// ...". A sentence describes the arm at these zeros only if the description holds at random
+/// configurations with this factor zero, and at no others.
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
                                        const FormulaStyle& style);

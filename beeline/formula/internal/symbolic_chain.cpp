@@ -25,9 +25,9 @@ class Sets {
 
 }  // namespace
 
-ExpressionRotation exact_rotation(int axis, int fifteenths) {
-  return axis_rotation<Expression>(axis, Coefficient::cosine(fifteenths),
-                                   Coefficient::sine(fifteenths));
+ExpressionRotation exact_rotation(int axis, int k) {
+  return axis_rotation<Expression>(axis, Coefficient::cosine_of_multiple_of_15_degrees(k),
+                                   Coefficient::sine_of_multiple_of_15_degrees(k));
 }
 
 int sign_along(const ExpressionVector& v, int axis) {
@@ -45,7 +45,7 @@ void SymbolicPose::append(const ElementaryTransform& transform) {
     }
     position_ = position_ + closed_ * step;
   } else if (transform.symbol < 0) {
-    constant_ = constant_ * exact_rotation(transform.axis, transform.fifteenths);
+    constant_ = constant_ * exact_rotation(transform.axis, transform.multiple_of_15_degrees);
   } else {
     rotate(transform.axis, transform.symbol, transform.multiple);
   }
@@ -95,7 +95,7 @@ void assign_groups(SymbolicArm& arm) {
     for (const ElementaryTransform& transform : transforms) {
       if (!transform.rotation) continue;
       if (transform.symbol < 0) {
-        constant = constant * exact_rotation(transform.axis, transform.fifteenths);
+        constant = constant * exact_rotation(transform.axis, transform.multiple_of_15_degrees);
         continue;
       }
       const auto about = static_cast<std::size_t>(transform.axis);

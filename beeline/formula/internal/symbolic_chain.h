@@ -19,7 +19,7 @@ class SymbolicPose {
   ExpressionRotation rotation() const;
   const ExpressionVector& position() const { return position_; }
 
-  /// The completed rotations, which grow by each rotation about another axis.
+  /// The completed rotations. Each rotation about another axis adds one.
   const ExpressionRotation& closed() const { return closed_; }
 
  private:
@@ -27,21 +27,21 @@ class SymbolicPose {
 
   const SymbolicArm* arm_;
   ExpressionRotation closed_ = identity_rotation();  ///< the product of all completed rotations
-  int axis_ = -1;     ///< of the rotation that is being summed, in the frame of closed_; -1: none
-  Angle angle_ = {};  ///< its angle
-  ExpressionRotation constant_ = identity_rotation();  ///< the exact rotation behind it
+  int axis_ = -1;  ///< axis of the rotation that is being summed, in the frame of closed_; -1: none
+  Angle angle_ = {};                                   ///< angle of this rotation
+  ExpressionRotation constant_ = identity_rotation();  ///< exact rotation after it
   ExpressionVector position_ = {};
 };
 
-/// The pose of frame `to` in frame `from`, the product of the transforms from <= i < to: frame 0 is
-/// the world, frame i + 1 link i, frame n + 2 the tool. Throws Error when the entries have more
-/// than `options.max_symbols` symbols.
+/// Returns the pose of frame `to` in frame `from`, the product of the transforms from <= i < to.
+/// Frame 0 is the world, frame i + 1 link i, frame n + 2 the tool. Throws Error when the entries
+/// have more than `options.max_symbols` symbols.
 SymbolicPose pose_between(const SymbolicArm& arm, std::size_t from, std::size_t to);
 
-/// The rotation about an axis by a multiple of 15 degrees.
-ExpressionRotation exact_rotation(int axis, int fifteenths);
+/// Returns the rotation about an axis by k * 15 degrees.
+ExpressionRotation exact_rotation(int axis, int k);
 
-/// 1 or -1 if v is that multiple of the unit vector along the axis, else 0.
+/// Returns 1 or -1 if v is that multiple of the unit vector along the axis, else 0.
 int sign_along(const ExpressionVector& v, int axis);
 
 /// Sets SymbolicArm::groups.

@@ -11,9 +11,9 @@ struct Block {
   std::vector<int> rows, columns;
 };
 
-/// The block-triangular form of a square pattern of zeros (Duff & Reid, 1978): the determinant of
-/// the matrix is `sign` times the product of those of the blocks. No blocks if the pattern makes it
-/// zero.
+/// The block-triangular form of a square pattern of zeros (Duff & Reid, 1978). The determinant of
+/// the matrix is `sign` times the product of the determinants of the blocks. There are no blocks if
+/// the pattern makes it zero.
 struct BlockForm {
   std::vector<Block> blocks = {};
   int sign = 1;
@@ -24,7 +24,7 @@ struct BlockForm {
 using Pattern = std::vector<std::vector<bool>>;  ///< pattern[row][column]: not zero
 BlockForm block_form(const Pattern& pattern);
 
-/// The determinant of a block, by expansion along the row with the fewest symbols.
+/// Returns the determinant of a block, by expansion along the row with the fewest symbols.
 Expression block_determinant(const SymbolicArm& arm, const ExpressionMatrix& matrix,
                              const Block& block);
 

@@ -6,7 +6,8 @@
 namespace beeline::internal {
 namespace {
 
-/// Ad(transform) or, if `inverse`, its inverse; translations are left out unless `moves_origin`.
+/// Returns Ad(transform) or, if `inverse`, its inverse; translations are omitted unless
+/// `moves_origin`.
 void carry(SymbolicTwist& twist, const SymbolicArm& arm, const ElementaryTransform& transform,
            bool inverse, bool moves_origin) {
   if (!transform.rotation) {
@@ -17,8 +18,8 @@ void carry(SymbolicTwist& twist, const SymbolicArm& arm, const ElementaryTransfo
     twist.linear = twist.linear + cross(step, twist.angular);
     return;
   }
-  Expression c = Coefficient::cosine(transform.fifteenths);
-  Expression s = Coefficient::sine(transform.fifteenths);
+  Expression c = Coefficient::cosine_of_multiple_of_15_degrees(transform.multiple_of_15_degrees);
+  Expression s = Coefficient::sine_of_multiple_of_15_degrees(transform.multiple_of_15_degrees);
   if (transform.symbol >= 0) {
     const int group = arm.groups[static_cast<std::size_t>(transform.symbol)];
     const Angle angle{group, {{transform.symbol, transform.multiple}}};

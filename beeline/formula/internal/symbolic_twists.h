@@ -20,26 +20,26 @@ struct TransformList {
 };
 TransformList transform_list(const SymbolicArm& arm);
 
-/// A variable that a transform depends on, and its twist in the frame before the transform for unit
-/// rate of the variable's coordinate.
+/// A variable of a transform, and its twist in the frame before the transform for unit rate of the
+/// variable's coordinate.
 struct OwnTwist {
   int coordinate = 0;
   SymbolicTwist twist = {};
 };
 std::vector<OwnTwist> own_twists(const SymbolicArm& arm, const ElementaryTransform& transform);
 
-/// The variables that a distance depends on.
+/// Returns the variables in a distance.
 std::vector<int> variables_of(const SymbolicArm& arm, const Expression& distance);
 
-/// The place in `list` where the velocity is taken, and the place whose axes it is expressed in.
+/// A place in `list` where the velocity is taken, and a place whose axes express it.
 struct TwistFrame {
   std::size_t origin = 0;
   std::size_t axes = 0;
 };
 
-/// The twist for unit rate of each coordinate: of the point of the last link at the origin of a
-/// place, in the axes of a place. Each twist is carried from its joint's frame through one
-/// transform after another, so its size is that of the result.
+/// Returns the twist for unit rate of each coordinate: of the point of the last link at the origin
+/// of a place, in the axes of a place. Each twist is moved from its joint's frame through one
+/// transform after another, so its size is the size of the result.
 std::vector<SymbolicTwist> symbolic_twists(const SymbolicArm& arm, const TransformList& list,
                                            const TwistFrame& frame);
 

@@ -13,10 +13,10 @@ struct Tree {
     number,       ///< coefficient
     symbol,       ///< symbol
     trig,         ///< cosine or sine
-    sum,          ///< of the parts
+    sum,          ///< sum of the parts
     product,      ///< coefficient times the parts
     power,        ///< first part to the power `exponent`
-    quotient,     ///< first part over second part
+    quotient,     ///< first part divided by the second part
     arctangent,   ///< atan2 of the first part, y, and the second, x
     signed_root,  ///< plus or minus the square root of the first part: the branches of an inverse
     angle         ///< coefficient * 15 degrees
@@ -32,12 +32,12 @@ struct Tree {
   bool is_zero() const { return kind == Kind::number && coefficient.is_zero(); }
 };
 
-/// Writes an expression with common factors before brackets, the factor of most terms first
-/// (a multivariate Horner form), and sums of cosines that are products as products.
+/// Writes an expression with common factors before brackets, beginning with the factor of the most
+/// terms (a multivariate Horner form). Sums of cosines that equal products are written as products.
 Tree factored(const Expression& expression);
 
-/// The value of a tree. `leaf(tree)` is that of a tree that is no sum, product or power, and
-/// `number(coefficient)` that of a coefficient.
+/// Returns the value of a tree. `leaf(tree)` is the value of a tree that is no sum, product or
+/// power, and `number(coefficient)` is the value of a coefficient.
 template <class Value>
 Value evaluated(const Tree& tree, const auto& number, const auto& leaf) {
   const auto part = [&](const Tree& each) { return evaluated<Value>(each, number, leaf); };
@@ -59,7 +59,8 @@ Value evaluated(const Tree& tree, const auto& number, const auto& leaf) {
   return tree.kind == Tree::Kind::number ? Value(number(tree.coefficient)) : leaf(tree);
 }
 
-/// The expression that a tree of numbers, symbols, cosines, sums, products and powers writes.
+/// Returns the expression that a tree of numbers, symbols, cosines, sums, products and powers
+/// writes.
 Expression expression_of(const Tree& tree);
 
 }  // namespace beeline::internal

@@ -25,9 +25,9 @@ using internal::PieperRequest;
 // Bit 0 of the lane number is the sign of the third root.
 alignas(64) constexpr double third_sign[8] = {1, -1, 1, -1, 1, -1, 1, -1};
 
-/// The rotation that takes the direction (ax, ay) to (bx, by). Where a length vanishes every
-/// rotation does: the result is the identity, and `free` is set. Sets `weak` where the lengths are
-/// so small that the rotation is badly determined.
+/// Returns the rotation that takes the direction (ax, ay) to (bx, by). If a length vanishes, every
+/// rotation does: the result is the identity, and `free` is set. Sets `weak` if the lengths are so
+/// small that the rotation is badly determined.
 HWY_INLINE CosSine rotation_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, double zero,
                                     LaneMask& free, double small = 0, LaneMask* weak = nullptr) {
   const Lanes c = fma(ax, bx, ay * by), s = fma(ax, by, -(ay * bx));
@@ -38,7 +38,7 @@ HWY_INLINE CosSine rotation_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, doub
   return {choose(free, Lanes(1), c * scale), choose(free, Lanes(0), s * scale)};
 }
 
-/// The K that depends on the goal: tool * goal^-1 * base.
+/// Returns the K that depends on the goal: tool * goal^-1 * base.
 HWY_INLINE RigidMotion closing_motion(const PieperLoop& loop, const double* goal) {
   RigidMotion inverse{}, part, whole;
   for (int i = 0; i < 3; ++i) {
@@ -79,7 +79,8 @@ HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, L
   const Lanes vx = Lanes(sc) * joint[1].s;
   const Lanes vy = -fma(Lanes(ca * sc), joint[1].c, Lanes(sa * cc));
   LaneMask free;
-  constexpr double singular = 1e-12;  // sine between axes a and c below which only a + c counts
+  constexpr double singular =
+      1e-12;  // sine between axes a and c below which only a + c is determined
   joint[0] = rotation_between(vx, vy, to.z.x, to.z.y, singular * singular, free);
   joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
   status.free[3] = status.free[3] | (free & status.found);
@@ -87,7 +88,7 @@ HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, L
   LanePose reached = rotated_z(LanePose::identity(), joint[0]);
   reached = rotated_z(rotated_x(reached, ca, sa), joint[1]);
   reached = rotated_x(reached, cc, sc);
-  // Joint c from the whole rotation: exact also where axes a and c are nearly parallel.
+  // Joint c follows from the whole rotation. It is exact also if axes a and c are nearly parallel.
   const Lanes c = dot(reached.x, to.x) + dot(reached.y, to.y);
   const Lanes s = dot(reached.y, to.x) - dot(reached.x, to.y);
   joint[2] = normalised(c * Lanes(0.5), s * Lanes(0.5));
@@ -132,9 +133,9 @@ HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
       times(k[2], joint_times(equations.p, joint[2], loop.prismatic[2], points), points);
   const Vector to = inverse_times(
       k[1], joint_inverse_times(equations.x, joint[0], loop.prismatic[0], points), points);
-  // Relative distances from axis e: where it vanishes, and where it determines the angle to no
-  // better than about 1e-6 rad, as at the workspace boundary of an arm whose wrist lies on the
-  // axis.
+  // Distances from axis e relative to the size. Below the first one the distance vanishes. Below
+  // the second one it determines the angle to no better than about 1e-6 rad, as at the workspace
+  // boundary of an arm whose wrist lies on the axis.
   LaneMask free;
   const double zero = points ? 1e-12 * loop.size : 1e-12;
   const double small = points ? 1e-5 * loop.size : 1e-5;
@@ -144,7 +145,7 @@ HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
   status.free[1] = free & status.found;
 }
 
-/// Solves all joints; `preferred` are the values of those that are free.
+/// Solves all joints. `preferred` has the values of free joints.
 HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
                              const PieperEquations& equations, const CosSine* preferred,
                              CosSine* joint, LaneStatus& status) {
@@ -164,8 +165,8 @@ HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
   }
 }
 
-/// Joint angles to coordinates: adds the multiple of 2 pi that is nearest to the seed within
-/// limits; where none is within them, that which exceeds them least.
+/// Converts joint angles to coordinates: adds the multiple of 2 pi that is nearest to the seed
+/// within limits. If none is within the limits, adds the one that violates them least.
 HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& request,
                                const CosSine* joint, PieperBranches& branches) {
   Lanes distance(0), excess(0);
@@ -180,7 +181,7 @@ HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& requ
     if (request.wraps[k]) {
       const Lanes highest = floor((upper + Lanes(rounding) - q) * Lanes(1 / internal::revolution));
       const Lanes lowest = ceil((lower - Lanes(rounding) - q) * Lanes(1 / internal::revolution));
-      // Where no multiple is within limits, `lowest` is `highest` + 1, and is taken.
+      // If no multiple is within limits, `lowest` is `highest` + 1, and is used.
       const Lanes revolutions =
           max(min(round((seed - q) * Lanes(1 / internal::revolution)), highest), lowest);
       q = fma(revolutions, Lanes(internal::revolution), q);

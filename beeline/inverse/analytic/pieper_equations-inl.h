@@ -16,17 +16,18 @@ namespace beeline::HWY_NAMESPACE {
 using internal::PieperLoop;
 
 /// The two equations w[i] . w + u[i] . u + constant[i] = 0 of one goal (see PieperLoop::First), and
-/// the vectors that joints f and d move: the common point of axes a, b, c or their direction.
+/// the vectors that joints f and d move: the common point of axes a, b, c or their common
+/// direction.
 struct PieperEquations {
   double w[2][2], u[2][2], constant[2];
   double p[3];  ///< seen from joint f, before J_f
   double x[3];  ///< seen from joint d, as the base sees it
 };
 
-/// k[0] to k[3]: K_d, K_e, K_f, K_a. Let y = J_d^-1 x and s = J_f p. The loop closes where
-/// J_e K_f s = K_e^-1 y. J_e leaves the height along axis e and the length of that vector
-/// unchanged: the first equation compares the heights, the second half the squared lengths (points)
-/// or the heights of the parallel links (directions).
+/// Fills in the equations; k[0] to k[3] are K_d, K_e, K_f, K_a. Let y = J_d^-1 x and s = J_f p. The
+/// loop closes if J_e K_f s = K_e^-1 y. J_e leaves the height along axis e and the length of that
+/// vector unchanged. The first equation compares the heights. The second compares half the squared
+/// lengths (points) or the heights of the parallel links (directions).
 HWY_INLINE PieperEquations pieper_equations(const PieperLoop& loop, const RigidMotion* k) {
   PieperEquations equations;
   const bool points = loop.family == PieperLoop::Family::intersecting;

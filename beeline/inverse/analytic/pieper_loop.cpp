@@ -18,7 +18,7 @@ bool parallel(const JointAxis& a, const JointAxis& b) {
   return a.direction.cross(b.direction).norm() < special;
 }
 
-/// The intersection of two axes; nothing where they are parallel or skew.
+/// Returns the intersection of two axes; nothing if they are parallel or skew.
 std::optional<Vector3> intersection(const JointAxis& a, const JointAxis& b, double size) {
   const Vector3 normal = a.direction.cross(b.direction);
   const double sine = normal.norm();
@@ -31,7 +31,7 @@ std::optional<Vector3> intersection(const JointAxis& a, const JointAxis& b, doub
   return a.point + along * a.direction;
 }
 
-/// The common point of three consecutive axes.
+/// Returns the common point of three consecutive axes.
 std::optional<Vector3> intersection(const JointAxis& a, const JointAxis& b, const JointAxis& c,
                                     double size) {
   const auto ab = intersection(a, b, size), bc = intersection(b, c, size);
@@ -45,17 +45,17 @@ double size_of(const std::vector<JointAxis>& axes, const Pose& tool) {
   return size > 0 ? size : 1;
 }
 
-/// The combination weight[0] (1) + weight[1] (2) of the two equations that is free of an unknown,
-/// and the equation that gives this unknown afterwards.
+/// Sets the combination weight[0] (1) + weight[1] (2) of the two equations that is free of an
+/// unknown, and the equation that gives this unknown afterwards.
 void decouple_by(PieperLoop& loop, double weight_1, double weight_2, int second) {
   loop.weight[0] = weight_1;
   loop.weight[1] = weight_2;
   loop.second = second;
 }
 
-/// Finds the combination that is free of a revolute joint, whose coefficients in equation i are the
-/// length v_i times (cos, sin) of the joint, rotated by a constant angle; v_2 is a length. It
-/// exists where v_1 and v_2 are parallel vectors of the plane.
+/// Finds the combination that is free of a revolute joint. The joint's coefficients in equation i
+/// are the length v_i times (cos, sin) of the joint, rotated by a constant angle; v_2 is a length.
+/// The combination exists if v_1 and v_2 are parallel vectors of the plane.
 bool decouple_revolute(PieperLoop& loop, const Eigen::Vector2d& v1, const Eigen::Vector2d& v2) {
   if (v1.norm() < special) {
     decouple_by(loop, 1, 0, 1);
@@ -67,8 +67,9 @@ bool decouple_revolute(PieperLoop& loop, const Eigen::Vector2d& v1, const Eigen:
   return true;
 }
 
-/// The same for a prismatic joint. The first equation contains its displacement times `cosine` (not
-/// at all in the parallel family, where it compares directions), the second also its square.
+/// Finds the combination that is free of a prismatic joint. The first equation contains its
+/// displacement times `cosine` (not at all in the parallel family, which compares directions), the
+/// second also its square.
 bool decouple_prismatic(PieperLoop& loop, double cosine) {
   decouple_by(loop, 1, 0, 1);
   return loop.family == PieperLoop::Family::parallel || std::abs(cosine) < special;
@@ -104,7 +105,7 @@ void decouple(PieperLoop& loop) {
   }
 }
 
-/// The loop that starts at joint `d`.
+/// Returns the loop that starts at joint `d`.
 PieperLoop loop_from(const Chain& chain, PieperLoop::Family family, int d, double size) {
   PieperLoop loop;
   loop.family = family;
@@ -137,15 +138,15 @@ PieperLoop loop_from(const Chain& chain, PieperLoop::Family family, int d, doubl
   return loop;
 }
 
-/// Lower is better: a loop without a quartic, then one whose constants K_e, K_f do not depend on
-/// the goal.
+/// Returns the cost of a loop; lower is better. A loop without a quartic comes first, then one
+/// whose constants K_e, K_f do not depend on the goal.
 int cost(const PieperLoop& loop) {
   const bool goal_inside = loop.goal_index == 1 || loop.goal_index == 2;
   return (loop.first == PieperLoop::First::neither ? 2 : 0) + (goal_inside ? 1 : 0);
 }
 
-/// Joint e must be revolute. Without a decoupled equation d or f must be revolute, for the quartic
-/// comes from cos^2 + sin^2 = 1 of one of them.
+/// Whether the loop can be solved. Joint e must be revolute. Without a decoupled equation d or f
+/// must be revolute, because the quartic comes from cos^2 + sin^2 = 1 of one of them.
 bool solvable(const PieperLoop& loop) {
   if (loop.prismatic[1]) return false;
   return loop.first != PieperLoop::First::neither || !(loop.prismatic[0] && loop.prismatic[2]);

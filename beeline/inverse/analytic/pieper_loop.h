@@ -22,34 +22,34 @@ struct PieperLoop {
   Family family = Family::intersecting;
   std::array<int, 6> order{};           ///< the arm's joint numbers of d, e, f, a, b, c
   std::array<RigidMotion, 6> before{};  ///< K_d to K_c; the entry at `goal_index` is not used
-  int goal_index = 0;                   ///< 0 to 3: the K that depends on the goal. It is
-  RigidMotion tool{}, base{};           ///< tool * goal^-1 * base
-  std::array<bool, 3> prismatic{};      ///< joints d, e, f; e is revolute
-  std::array<double, 6> sign{};         ///< joint angle or displacement = sign * q + offset
+  int goal_index = 0;               ///< 0 to 3: the index of the K that depends on the goal. It is
+  RigidMotion tool{}, base{};       ///< tool * goal^-1 * base
+  std::array<bool, 3> prismatic{};  ///< whether joints d, e, f are prismatic; e is revolute
+  std::array<double, 6> sign{};     ///< joint angle or displacement = sign * q + offset
   std::array<double, 6> offset{};
-  double sin_alpha[2] = {0, 0};  ///< intersecting: angles from axis a to b and from b to c
+  double sin_alpha[2] = {0, 0};  ///< intersecting axes: angles from axis a to b and from b to c
   double cos_alpha[2] = {1, 1};
-  double height = 0;  ///< parallel: of the origin of c above that of a, metres
+  double height = 0;  ///< parallel axes: height of the origin of c above the origin of a, metres
   double size = 1;    ///< extent of the loop, metres; lengths are compared with it
 
-  /// The unknown that a combination of the two equations is free of, for every goal. The equations
-  /// are b_i . w + a_i . u + k_i = 0, i = 0, 1, with u = (cos, sin) of joint d and w = (cos, sin)
-  /// of joint f; for a prismatic joint (displacement, its square). With `first` = w the equation
-  /// weight[0] (1) + weight[1] (2) has no u: it gives w, and equation `second` then gives u. With
-  /// `first` = u the roles are exchanged. With `neither` a quartic has to be solved.
+  /// The unknown that one combination of the two equations does not contain, for every goal. The
+  /// equations are b_i . w + a_i . u + k_i = 0, i = 0, 1, with u = (cos, sin) of joint d and w =
+  /// (cos, sin) of joint f; a prismatic joint has (displacement, its square). With `first` = w the
+  /// combination weight[0] (1) + weight[1] (2) has no u and gives w; equation `second` then gives
+  /// u. With `first` = u the roles are exchanged. With `neither` a quartic has to be solved.
   enum class First { w, u, neither };
   First first = First::neither;
   double weight[2] = {0, 0};
   int second = 0;
 };
 
-/// Returns the loop of a chain of six links, or nothing where no three consecutive axes intersect
-/// or are parallel. Each link is revolute or prismatic and has a coordinate of its own.
+/// Returns the loop of a chain of six links, or nothing if no three consecutive axes intersect or
+/// are parallel. Each link is revolute or prismatic and has a coordinate of its own.
 std::optional<PieperLoop> pieper_loop(const Chain& chain);
 
-/// Such as `three axes meet (joints 4, 5, 6)` or, of an arm with `joints` below six, which virtual
-/// joints complete, `three axes meet (joint 4 and 2 virtual at the tool)`. With a locked coordinate
-/// of a longer arm, joints are numbered as in that arm.
+/// Returns a description such as `three axes meet (joints 4, 5, 6)`. If virtual joints complete an
+/// arm with `joints` below six, it is such as `three axes meet (joint 4 and 2 virtual at the
+/// tool)`. With a locked coordinate of a longer arm, joints are numbered as in that arm.
 std::string description(const PieperLoop& loop, int joints = 6,
                         std::optional<int> locked = std::nullopt);
 

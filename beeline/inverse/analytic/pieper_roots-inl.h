@@ -17,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// A root counts as zero where its radicand is at most this much below zero, relative. At the
-/// workspace boundary rounding determines the sign, especially where several boundaries meet. The
+/// A root counts as zero if its radicand is at most this much below zero, relative. At the
+/// workspace boundary rounding determines the sign, especially if several boundaries meet. The
 /// check of the residual rejects a root that does not exist, so this may be generous.
 inline constexpr double root_slack = 1e-6;
 
@@ -34,13 +34,13 @@ struct LaneStatus {
   LaneMask far;      ///< an equation has no solution, by much more than rounding
   Lanes residual;    ///< error of the loop-closure equation, metres plus radians
 
-  /// Some joint is free.
+  /// Returns the lanes in which some joint is free.
   HWY_INLINE LaneMask continuum() const { return free[0] | free[1] | free[2] | free[3]; }
 };
 
 /// Solves n . (cos, sin) + k = 0 (subproblem: rotation to a given height) for the solution of the
-/// given sign. Where n and k vanish, with `unit` the scale of n, every angle solves it: the result
-/// is `preferred`, and `free` is set. Sets `twin` where both signs give nearly the same angle.
+/// given sign. If n and k vanish relative to `unit`, the scale of n, every angle solves it: the
+/// result is `preferred`, and `free` is set. Sets `twin` if both signs give nearly the same angle.
 /// Returns the lanes with a solution.
 HWY_INLINE LaneMask solve_rotation(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
                                    const CosSine& preferred, CosSine& unknown, LaneMask& free,
@@ -64,7 +64,7 @@ HWY_INLINE LaneMask solve_rotation(Lanes nx, Lanes ny, Lanes k, Lanes sign, doub
   return free | ((radicand >= Lanes(-root_slack) * nn) & !vanishes);
 }
 
-/// Solves n1 t + n2 t^2 + k = 0 for the displacement t, as (t, t^2). Where n2 = 0 there is one
+/// Solves n1 t + n2 t^2 + k = 0 for the displacement t, as (t, t^2). If n2 = 0 there is one
 /// solution, found in the lanes of positive sign. Returns the lanes with a solution.
 HWY_INLINE LaneMask solve_displacement(Lanes n1, Lanes n2, Lanes k, Lanes sign, CosSine& unknown,
                                        LaneMask& twin) {
@@ -142,8 +142,8 @@ inline void angle_roots(const double (*m)[2], const double* n, double det, Quart
   const auto value = [&](double x, double y) HWY_ATTR {
     return k0 + k1 * x + k2 * y + k3 * (x * x - y * y) + 2 * k4 * x * y;
   };
-  // The half angle's tangent is infinite at pi. The angle is measured from that one of five
-  // directions whose opposite is farthest from a root: a quartic has four roots.
+  // The half angle's tangent is infinite at pi. The angle is measured from one of five directions,
+  // the one whose opposite is farthest from a root: a quartic has four roots.
   constexpr double directions[5][2] = {
       {1, 0}, {0.28, 0.96}, {-0.8, 0.6}, {-0.8, -0.6}, {0.28, -0.96}};
   const double* zero = directions[0];
@@ -166,8 +166,8 @@ inline void angle_roots(const double (*m)[2], const double* n, double det, Quart
   }
 }
 
-/// Solves both equations where neither is free of an unknown. They give the rotation `second` as a
-/// linear function of `first`; its length is one, which is a quartic in the displacement or in the
+/// Solves both equations if neither is free of an unknown. They give the rotation `second` as a
+/// linear function of `first`. Its length is one, which is a quartic in the displacement or in the
 /// tangent of the half angle of `first`.
 inline LaneMask solve_quartic(const double (*first)[2], bool prismatic, const double (*second)[2],
                               const double* constant, CosSine& one, CosSine& other,
@@ -211,7 +211,7 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, int joint, bool prism
   // Coefficients of a thousandth of their scale have lost three of sixteen digits.
   constexpr double beyond = 1e-5, small = 1e-3;
   const Lanes nn = fma(nx, nx, ny * ny);
-  // Where the other unknown is free, this equation may have a solution for another value of it.
+  // If the other unknown is free, this equation may have a solution for another value of it.
   status.far = status.far | ((fma(k, k, -nn) > Lanes(beyond) * nn) &
                              (nn > Lanes(small * small * unit * unit)) & !status.continuum());
   return found;
@@ -239,7 +239,7 @@ HWY_INLINE void solve_pieper_equations(const PieperLoop& loop, const PieperEquat
   CosSine& one = w_first ? w : u;
   CosSine& other = w_first ? u : w;
   const double length = loop.family == PieperLoop::Family::intersecting ? loop.size : 1;
-  const double unit[2] = {length, length * loop.size};  // of the two equations
+  const double unit[2] = {length, length * loop.size};  // units of the two equations
   const double l0 = loop.weight[0], l1 = loop.weight[1];
   const int e = loop.second;
   const LaneMask found = solve_one(

@@ -18,7 +18,7 @@ bool supported(const Arm& arm, const Chain& chain) {
   });
 }
 
-/// The rotation from a frame whose z axis is the given axis of the tool to the tool.
+/// Returns the rotation from a frame whose z axis is the given axis of the tool to the tool.
 Pose tool_T_axis(char axis) {
   Pose pose = Pose::Identity();
   if (axis == 'x') pose.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;
@@ -32,8 +32,8 @@ Chain with_virtual_joints(const Chain& chain, const std::string& axes) {
   Pose last_T_tool = chain.tool;
   for (const char axis : axes) {
     const Pose last_T_joint = last_T_tool * tool_T_axis(axis);
-    // Its rotation is Rot_z(first) Rot_x(alpha) Rot_z(theta_offset); the first is added to the link
-    // before.
+    // The rotation is Rot_z(first) Rot_x(alpha) Rot_z(theta_offset). Rot_z(first) is added to the
+    // link before.
     const Rotation r = last_T_joint.linear();
     const double alpha = std::atan2(std::hypot(r(0, 2), r(1, 2)), r(2, 2));
     const double first = std::atan2(r(0, 2), -r(1, 2));
@@ -56,12 +56,12 @@ Chain with_virtual_joints(const Chain& chain, const std::string& axes) {
 
 /// Virtual joints that complete an arm to six joints.
 struct VirtualJoints {
-  std::string axes;   ///< of the tool
-  bool free = false;  ///< any value solves the task; otherwise zero
+  std::string axes;   ///< axes of the tool
+  bool free = false;  ///< whether any value solves the task; otherwise the value is zero
 };
 
-/// The virtual joints that may be tried for a task, in order. A spherical wrist of all three
-/// virtual joints may be singular, which does not matter: its joints are free.
+/// Returns the virtual joints that may be tried for a task, in order. A spherical wrist of all
+/// three virtual joints may be singular, which does not matter: its joints are free.
 std::vector<VirtualJoints> virtual_joints(int dof, const Task& task) {
   const bool spatial = task.size() == 6;
   const Task roll_free{{true, true, true, true, true, false}, Frame::tool};
@@ -138,8 +138,8 @@ PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configur
                                     const Configuration& lower, const Configuration& upper,
                                     double tolerance) const {
   PieperRequest request{};
-  // About a thousand times the rounding of one pass: random configurations away from singularities
-  // stay below it, and a branch above it costs a refinement.
+  // This is about a thousand times the rounding of one pass. Random configurations away from
+  // singularities stay below it, and a branch above it costs a refinement.
   constexpr double rounding = 1e-12;
   request.max_residual = std::min(rounding * std::max(1.0, loop_.size), tolerance);
   constexpr double full_circle = 4;  // more than pi: any value of a free joint is within limits

@@ -18,19 +18,20 @@ namespace beeline::internal {
 /// - an arm of three joints with a position task gets a virtual wrist of three free joints.
 class PieperSolver {
  public:
-  /// Returns nothing where no loop is found, or where the arm has mimic or helical joints.
+  /// Returns nothing if no loop is found, or if the arm has mimic or helical joints.
   static std::optional<PieperSolver> make(const Arm& arm, const Task& task);
 
-  /// Such as `three axes meet (joints 4, 5, 6)`, see description(). Where the arm is a longer arm
-  /// with coordinate `removed` locked, joints are numbered as in the longer arm.
+  /// Returns a description such as `three axes meet (joints 4, 5, 6)`, see description(). If the
+  /// arm is a longer arm with coordinate `removed` locked, joints are numbered as in the longer
+  /// arm.
   std::string family(std::optional<int> removed = std::nullopt) const {
     return description(loop_, dof_, locked_ == 0 ? locked_ : removed);
   }
 
-  /// The coordinate of an arm of seven joints that is an input: the first or the last.
+  /// Returns the coordinate of an arm of seven joints that is an input: the first or the last.
   std::optional<int> locked() const { return locked_; }
 
-  /// Whether there are virtual joints. A continuum of solutions may then concern only these.
+  /// Whether there are virtual joints. If so, a continuum of solutions may concern only these.
   bool has_virtual_joints() const { return dof_ < 6; }
 
   /// Whether some virtual joints are free. Branches that differ only in these are one solution.
@@ -38,15 +39,15 @@ class PieperSolver {
     return std::find(free_.begin(), free_.end(), true) != free_.end();
   }
 
-  /// Joints d, e, f or a that are free in one of the lanes, as indices of PieperRequest::seed,
-  /// whose values they have taken.
+  /// Returns the joints d, e, f or a that are free in one of the lanes, as indices of
+  /// PieperRequest::seed. They have taken the values of the seed.
   std::vector<int> free_joints(const PieperBranches& found) const;
 
-  /// The extent of the loop, metres: lengths are rounded relative to it.
+  /// Returns the extent of the loop, metres: lengths are rounded relative to it.
   double size() const { return loop_.size; }
 
-  /// Returns a request with everything except the goal. Seed, weights and limits are those of the
-  /// arm's coordinates; max_residual is the rounding of the solver or, where less, `tolerance`.
+  /// Returns a request with everything except the goal. Seed, weights and limits belong to the
+  /// arm's coordinates. max_residual is the rounding of the solver or `tolerance` if that is less.
   PieperRequest request(const ConfigurationRef& seed, const Configuration& weights,
                         const Configuration& lower, const Configuration& upper,
                         double tolerance = 1e-10) const;
@@ -66,8 +67,9 @@ class PieperSolver {
   bool lock_first(const Chain& chain);
 
   PieperLoop loop_;
-  std::array<int, 6> coordinates_{};  ///< of the arm, or virtual_joint, for each of the loop
-  std::array<bool, 6> free_{};        ///< virtual joints that the task leaves free
+  std::array<int, 6>
+      coordinates_{};  ///< for each joint of the loop, its coordinate in the arm, or virtual_joint
+  std::array<bool, 6> free_{};  ///< for each joint of the loop, whether it is virtual and free
   int dof_ = 6;
   std::optional<int> locked_;
   Chain::Link locked_link_;

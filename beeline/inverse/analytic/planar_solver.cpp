@@ -14,14 +14,14 @@ using Complex = std::complex<double>;
 
 Complex in_plane(const Vector3& v) { return {v.x(), v.y()}; }
 
-/// The angle of the rotation about z that leaves the smallest remaining rotation (swing-twist
-/// decomposition). For a tilted pose it is the heading with zero task_error().
+/// Returns the angle of the rotation about z that leaves the smallest remaining rotation
+/// (swing-twist decomposition). For a tilted pose it is the heading with zero task_error().
 double heading(const Rotation& rotation) {
   const Quaternion q = quaternion(rotation);
   return 2 * std::atan2(q.qz, q.qw);
 }
 
-/// The arm's joints as motions of the world's xy plane at q = 0.
+/// Returns the arm's joints as motions of the world's xy plane at q = 0.
 std::vector<PlanarJoint> planar_joints(const Arm& arm, const Configuration& seed) {
   const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
   std::vector<PlanarJoint> joints;
@@ -43,9 +43,8 @@ std::vector<PlanarJoint> planar_joints(const Arm& arm, const Configuration& seed
 double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
 
 /// Refines a solution numerically. An arm counts as planar when its axes are parallel to 1e-9,
-/// which over long links can leave an error above the tolerance. A few steps suffice where the
-/// error is within a thousand times the tolerance; a larger one means that the pose is out of
-/// reach.
+/// which over long links can leave an error above the tolerance. A few steps suffice if the error
+/// is within a thousand times the tolerance. With a larger error the pose is out of reach.
 void refine(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance,
             PlanarSolution& solution) {
   if (largest(solution.error) <= tolerance || largest(solution.error) > 1000 * tolerance) return;
@@ -57,7 +56,7 @@ void refine(const Arm& arm, const Pose& world_T_tool, const Task& task, double t
   solution.error = run.error;
 }
 
-/// The candidates with their errors, refined.
+/// Returns the candidates with their errors, refined.
 std::vector<PlanarSolution> refined_candidates(const Arm& arm, const Pose& world_T_tool,
                                                const Task& task, const Configuration& seed,
                                                double tolerance) {

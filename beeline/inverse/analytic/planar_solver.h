@@ -13,21 +13,21 @@ bool has_planar_closed_form(const Arm& arm, const Task& task);
 
 struct PlanarSolution {
   Configuration q;
-  bool continuum = false;  ///< one of infinitely many: the one nearest to the seed
-  Deviation error;         ///< of the task at q
+  bool continuum =
+      false;        ///< whether the solution is one of infinitely many: the one nearest to the seed
+  Deviation error;  ///< task error at q
 };
 
-/// Returns planar_solutions() with their errors. For a pose out of reach, returns the
-/// configurations at the workspace boundary: the best of them has the least position error at the
-/// requested orientation.
+/// Returns planar_solutions() with their errors. For a pose out of reach, returns configurations at
+/// the workspace boundary. The best one has the least position error at the requested orientation.
 std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
                                                      const Task& task, const Configuration& seed,
                                                      double tolerance = 1e-9);
 
 /// Returns all configurations that bring the tool to `world_T_tool`, joint limits ignored, up to
-/// multiples of 2 pi: revolute coordinates are those nearest to `seed`. Where solutions form a
-/// continuum (parallel prismatic joints, a folded arm), the one nearest to the seed represents it.
-/// Empty when the pose is out of reach by more than `tolerance` (metres and radians).
+/// multiples of 2 pi: revolute coordinates are the representatives nearest to `seed`. If solutions
+/// form a continuum (parallel prismatic joints, a folded arm), the one nearest to the seed
+/// represents it. Empty if the pose is out of reach by more than `tolerance` (metres and radians).
 /// Throws Error unless has_planar_closed_form(arm, task).
 std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,
                                             const Task& task, const Configuration& seed,

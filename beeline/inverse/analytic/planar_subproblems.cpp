@@ -58,9 +58,9 @@ class PlanarChain {
         nearest_angle(joints_[joint].sign * std::arg(rho), preferred(joint));
   }
 
-  /// Sets revolute joints of which only the sum of angles is determined, arg(rho). The difference
-  /// to their preferred values is divided equally, among those without a preferred value if there
-  /// are any.
+  /// Sets revolute joints for which only the sum of angles is determined, arg(rho). The difference
+  /// to their preferred values is divided equally, among the joints without a preferred value if
+  /// there are any.
   void rotate_together(PlanarCandidate& candidate, const std::vector<std::size_t>& numbers,
                        Complex rho) const {
     double difference = std::arg(rho);
@@ -82,8 +82,8 @@ class PlanarChain {
     candidate.continuum = true;
   }
 
-  /// Solves the prismatic joints from sum q_k g_k = translation, with g_k their rotated directions;
-  /// of several solutions the one nearest to the preferred values (least norm).
+  /// Solves the prismatic joints from sum q_k g_k = translation, with g_k their rotated directions.
+  /// Of several solutions, it selects the one nearest to the preferred values (least norm).
   PlanarCandidate with_displacements(PlanarCandidate candidate, Complex translation) const {
     if (prismatic_.empty()) return candidate;
     Eigen::Matrix2Xd directions(2, prismatic_.size());
@@ -122,8 +122,8 @@ class PlanarChain {
   Complex goal() const { return t_ - axis(0) + r_ * axis(1); }
   Complex link() const { return axis(1) - axis(0); }
 
-  /// Sets rho_1 to rotate `from` to `to`, and rho_2 = r / rho_1. Where a vector vanishes only the
-  /// product counts.
+  /// Sets rho_1 to rotate `from` to `to`, and rho_2 = r / rho_1. If a vector vanishes, only the
+  /// product matters.
   PlanarCandidate with_rotations(PlanarCandidate candidate, Complex from, Complex to) const {
     if (vanishes(std::abs(from)) || vanishes(std::abs(to))) {
       rotate_together(candidate, {0, 1}, r_);
@@ -157,8 +157,9 @@ class PlanarChain {
     return result;
   }
 
-  /// All q with |start + q step| = radius, |step| = 1: two, or one where the line is tangent to the
-  /// circle. Where it misses the circle, the q of the point nearest to the centre.
+  /// Returns all q with |start + q step| = radius, |step| = 1: two, or one if the line is tangent
+  /// to the circle. If the line misses the circle, returns the q of the point nearest to the
+  /// centre.
   std::vector<double> line_circle_intersections(Complex start, Complex step, double radius) const {
     const Complex along = std::conj(step) * start;
     const double distance = std::abs(along.imag());
@@ -185,8 +186,8 @@ class PlanarChain {
     return result;
   }
 
-  /// The solution where a side of the triangle vanishes: two axes coincide, or the third axis
-  /// returns to the first. Only the sum of the others is then determined.
+  /// Returns the solution if a side of the triangle vanishes: two axes coincide, or the third axis
+  /// returns to the first. Only the sum of the other angles is then determined.
   PlanarCandidate degenerate_triangle(Complex b, Complex u, Complex v) const {
     PlanarCandidate candidate{zero(), false};
     const auto direction_to = [](Complex to, Complex from) {
@@ -210,8 +211,9 @@ class PlanarChain {
     return candidate;
   }
 
-  /// The angles between the links u and v at which the end is at distance b, by the half-angle form
-  /// of the law of cosines: it keeps its digits near the stretched and the folded arm.
+  /// Returns the angles between the links u and v for which the end is at distance b, by the
+  /// half-angle form of the law of cosines. This form keeps its digits near the stretched and the
+  /// folded arm.
   std::vector<double> elbow_angles(double u, double v, double b) const {
     const double to_stretched = u + v - b;
     const double to_folded = b - std::abs(u - v);

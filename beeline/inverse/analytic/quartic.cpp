@@ -7,8 +7,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The largest real root of x^3 + a x^2 + b x + c, by the formulas of Viete (three real roots) or
-/// Cardano (one), then two Newton steps.
+/// Returns the largest real root of x^3 + a x^2 + b x + c, by the formulas of Viete (three real
+/// roots) or Cardano (one), then two Newton steps.
 double largest_cubic_root(double a, double b, double c) {
   const double third = a / 3;
   const double p = b / 3 - third * third;
@@ -27,7 +27,7 @@ double largest_cubic_root(double a, double b, double c) {
   for (int i = 0; i < 2; ++i) {
     const double slope = (3 * x + 2 * a) * x + b;
     const double step = (((x + a) * x + b) * x + c) / slope;
-    // A longer step leads away: the slope vanishes at a double root.
+    // A longer step does not help: the slope vanishes at a double root.
     if (std::isfinite(step) && std::abs(step) < 1e-3 * (1 + std::abs(x))) x -= step;
   }
   return x;
@@ -45,7 +45,7 @@ int quadratic_roots(double b, double c, double slack, double* roots) {
   return 2;
 }
 
-/// Newton steps from x, as long as they make the value smaller: at a double root they may not.
+/// Newton steps from x, as long as they reduce the value. At a double root they may not reduce it.
 double refined_root(const std::array<double, 5>& c, double x) {
   const auto at = [&c](double t) { return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0]; };
   double value = at(x);

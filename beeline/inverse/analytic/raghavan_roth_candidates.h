@@ -5,8 +5,8 @@
 
 namespace beeline::internal {
 
-/// Configurations at the zeros of an elimination's determinant: one near every solution, and others
-/// that are not solutions.
+/// Configurations at the zeros of an elimination's determinant. One is near every solution, and
+/// others are not solutions.
 struct EliminationCandidates {
   static constexpr int max_count = 32 + 32 + 8;  ///< simple zeros, double zeros, padding
   int count = 0;

@@ -18,7 +18,8 @@ namespace {
 
 using internal::EliminationCandidates;
 
-/// The goal in the frame of the elimination: inverted if it is reversed, relative to its origin.
+/// Returns the goal in the frame of the elimination: inverted if it is reversed, relative to its
+/// origin.
 RigidMotion motion_of(const Elimination& e, const RigidMotion& goal) {
   RigidMotion m = goal;
   if (e.reversed) {
@@ -37,7 +38,8 @@ RigidMotion motion_of(const Elimination& e, const RigidMotion& goal) {
   return m;
 }
 
-/// The right side's line at three times three angles of u and v, one of its 14 numbers in a row.
+/// Computes the right side's line at three times three angles of u and v. Each row has one of its
+/// 14 numbers.
 void right_values(const Elimination& e, const RigidMotion& m, double (*values)[16]) {
   for (int k = 0; k < 9; k += lane_count) {
     Lanes line[6], by_goal[6], moved[6];
@@ -74,7 +76,7 @@ void right_values(const Elimination& e, const RigidMotion& m, double (*values)[1
   }
 }
 
-/// From values at 0, 1 and 2 quarter turns to the coefficients of 1, cos, sin.
+/// Converts values at 0, 1 and 2 quarter turns to the coefficients of 1, cos, sin.
 HWY_INLINE void to_circle(double& a, double& b, double& c) {
   const double constant = 0.5 * (a + c), cosine = 0.5 * (a - c), sine = b - constant;
   a = constant;
@@ -126,7 +128,7 @@ void eliminate(ReducedEquations& reduced) {
   }
 }
 
-/// The angle whose half tangent is the ratio of neighbouring entries of a null vector, in
+/// Returns the angle whose half tangent is the ratio of neighbouring entries of a null vector, in
 /// proportion v : u. The entries are the products (v^3, v^2 u, v u^2, u^3) of the first angle x (v
 /// v, u v, u u) of the second: neighbours are `stride` 3 or 1 apart. The line of best fit through
 /// all such pairs has the half angle's direction.
@@ -150,7 +152,7 @@ struct EliminationAngles {
   Lanes first, second, u, v;
 };
 
-/// The angles that belong to a value of the hidden angle and its null vector x.
+/// Returns the angles for a value of the hidden angle and its null vector x.
 EliminationAngles read_angles(const ReducedEquations& reduced, Lanes cosine, Lanes sine,
                               const Lanes* x) {
   Lanes c[2], s[2];
@@ -195,8 +197,8 @@ HWY_NOINLINE void write(const Elimination& e, const ReducedEquations& reduced, L
   Lanes(0).store(candidates.q[e.last] + begin);
 }
 
-/// Writes the candidates at simple zeros. The determinant loses digits that its matrix still has:
-/// Gauss-Newton corrections of the angle restore them.
+/// Writes the candidates at simple zeros. The determinant has lost digits that its matrix still
+/// has. Gauss-Newton corrections of the angle restore them.
 void write_simple(const Elimination& e, const ReducedEquations& reduced, TrigonometricZeros& zeros,
                   EliminationCandidates& candidates) {
   constexpr int max_corrections = 3;

@@ -26,8 +26,8 @@ constexpr int left_column = 8;  ///< the column where the left side begins
 constexpr int first_free_row = 8;
 
 /// The six equations at a value of the hidden angle, M w = 0 with w the nine products of the other
-/// two, and the twelve equations of the dialytic elimination, made triangular: M and M multiplied
-/// by one power of the first angle's half tangent.
+/// two angles, and the twelve equations of the dialytic elimination in triangular form: M, and M
+/// multiplied by one power of the first angle's half tangent.
 struct TriangularSystem {
   Lanes m[6][9];  ///< M
   Lanes a[12][12];
@@ -131,9 +131,9 @@ HWY_NOINLINE inline void null_vector(const TriangularSystem& t, const Lanes* kno
   }
 }
 
-/// Where the null space is spanned by x and y, two solutions share the hidden angle. They are the
-/// combinations whose entries one power of the half tangent apart are in proportion: eigenvectors
-/// of a 2x2 pencil. Replaces x and y by them.
+/// Replaces x and y, which span a null space, by the null vectors of the two solutions that share
+/// the hidden angle. These are the combinations whose entries one power of the half tangent apart
+/// are in proportion: eigenvectors of a 2x2 pencil.
 HWY_NOINLINE inline void separate(Lanes* x, Lanes* y) {
   const Lanes c(0.8), s(0.6);  // rotates the zero of the angle: pi has an infinite half tangent
   Lanes A[2][2] = {{0, 0}, {0, 0}}, B[2][2] = {{0, 0}, {0, 0}};
@@ -172,7 +172,7 @@ HWY_NOINLINE inline void separate(Lanes* x, Lanes* y) {
   }
 }
 
-/// The first-order correction of the hidden angle to where the matrix is singular: the Gauss-Newton
+/// Returns the first-order correction of the hidden angle to a singular matrix: the Gauss-Newton
 /// step of |A(angle) x| for a fixed x.
 HWY_NOINLINE inline Lanes angle_correction(const ReducedEquations& reduced,
                                            const TriangularSystem& t, Lanes cosine, Lanes sine,

@@ -11,7 +11,7 @@ struct Line {
   Vector3 direction;
 };
 
-/// The axes at q = 0 in frame 0, lengths in units.
+/// The axes at q = 0 in frame 0, with lengths in units.
 std::array<Line, 6> axes_at_zero(const Chain& chain, double unit) {
   std::array<Line, 6> axes;
   Pose pose = Pose::Identity();
@@ -36,7 +36,7 @@ Line transformed(const Pose& motion, const Line& line) {
   return {motion * line.point, motion.linear() * line.direction};
 }
 
-/// The 14 numbers of a line, see Elimination.
+/// Returns the 14 numbers of a line, see Elimination.
 using Features = Eigen::Matrix<double, 14, 1>;
 
 Features features(const Line& line) {
@@ -50,8 +50,8 @@ Features features(const Line& line) {
 const Eigen::Matrix3d to_circle{{0.5, 0, 0.5}, {0.5, 0, -0.5}, {-0.5, 1, -0.5}};  // 1, cos, sin
 const Eigen::Matrix3d to_halves{{1, 0, 0}, {-1, 2, -1}, {0, 0, 1}};               // vv, uv, uu
 
-/// How a loop is split: index % 2 is the direction, index / 2 % 3 the first joint of the left side
-/// (2, 1 or 0 in the loop's order), index / 6 the roles of its joints.
+/// How a loop is split. index % 2 is the direction, index / 2 % 3 the first joint of the left side
+/// (2, 1 or 0 in the loop's order), and index / 6 the roles of its joints.
 struct Split {
   int start;        ///< position of joint a in the loop; b and c follow, then d
   const int* role;  ///< positions of hidden, first and second among a, b, c

@@ -37,8 +37,8 @@ HWY_NOINLINE void forward(const RevoluteLinks& links, const Lanes* q, JointAxes&
 }
 
 /// Solves J dq = e by Householder reflections, which need no pivoting and hence no branches. Writes
-/// dq to e. Undamped, unlike the solver of the numerical method: the candidates start close to the
-/// solutions, and convergence has to be quadratic. `J[column][row]`.
+/// dq to e. It is undamped, unlike the solver of the numerical method, because the candidates start
+/// close to the solutions, and convergence has to be quadratic. `J[column][row]`.
 HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {
   Lanes diagonal[6];
   for (int k = 0; k < 6; ++k) {
@@ -63,8 +63,8 @@ HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {
   }
 }
 
-/// One Newton step from the given axes with the error e, at most max_step in each joint; none in
-/// the lanes that have converged.
+/// Takes one Newton step from the given axes with the error e, at most max_step in each joint.
+/// Lanes that have converged do not move.
 HWY_INLINE void step_towards(const JointAxes& axes, Lanes* e, LaneMask converged, Lanes* q) {
   // Radians. A longer step leaves the neighbourhood in which the linear model holds.
   constexpr double max_step = 0.3;
@@ -82,13 +82,13 @@ HWY_INLINE void step_towards(const JointAxes& axes, Lanes* e, LaneMask converged
   for (int i = 0; i < 6; ++i) q[i] = fma(scale, e[i], q[i]);
 }
 
-/// The sum of the cross products of the axes of two frames: 2 sin(angle) times the axis of the
-/// rotation from a to b.
+/// Returns the sum of the cross products of the axes of two frames: 2 sin(angle) times the axis of
+/// the rotation from a to b.
 HWY_INLINE Vector skew_part(const LanePose& a, const LanePose& b) {
   return cross(a.x, b.x) + cross(a.y, b.y) + cross(a.z, b.z);
 }
 
-/// The trace of the rotation from a to b: 1 + 2 cos(angle).
+/// Returns the trace of the rotation from a to b: 1 + 2 cos(angle).
 HWY_INLINE Lanes trace(const LanePose& a, const LanePose& b) {
   return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
 }
@@ -115,7 +115,7 @@ unsigned newton_kernel(const RevoluteLinks& links, const RigidMotion& goal_motio
     Lanes e[6] = {p.x, p.y, p.z, Lanes(0.5) * w.x, Lanes(0.5) * w.y, Lanes(0.5) * w.z};
     Lanes error(0);
     for (const Lanes& part : e) error = max(error, abs(part));
-    // The skew part vanishes for a rotation by pi too, whose trace is -1.
+    // The skew part vanishes also for a rotation by pi, whose trace is -1.
     const LaneMask same_side = trace(axes.last, goal) > Lanes(2);
     const LaneMask converged = (error < Lanes(tolerance)) & same_side;
     const LaneMask converging = (error < Lanes(near)) & !converged;

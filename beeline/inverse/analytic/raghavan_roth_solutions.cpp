@@ -38,12 +38,13 @@ void add_solutions(const RevoluteLinks& links, const Elimination& elimination,
                    const RigidMotion& goal, const RigidMotion& closure,
                    RaghavanRothSolutions& solutions) {
   constexpr double tolerance = 1e-13;  // units and radians: Newton's method ends at rounding
-  // Radians. A longer correction comes from a zero that rounding has moved far: near it are others,
-  // which may have become complex.
+  // Radians. A longer correction comes from a zero that rounding has moved far. Near such a zero
+  // there are others, which may have become complex.
   constexpr double max_correction = 3e-3;
   EliminationCandidates candidates;
   elimination_candidates(elimination, closure, candidates);
-  RaghavanRothSolutions found;  // by this elimination, whether or not another found them before
+  RaghavanRothSolutions
+      found;  // solutions of this elimination, also if another elimination found them before
   for (int begin = 0; begin < candidates.count; begin += 8) {
     EightConfigurations eight;
     for (int i = 0; i < 6; ++i) {

@@ -6,18 +6,21 @@
 
 namespace beeline::internal {
 
-/// The solutions of one goal found so far, and the evidence that they are all.
+/// The solutions of one goal found so far, and the evidence that there are no others.
 struct RaghavanRothSolutions {
   static constexpr int max_count = EliminationCandidates::max_count;
   int count = 0;
   double q[max_count][6];
-  double correction[max_count] = {};  ///< the distance Newton's method moved the candidate, rad
+  double correction[max_count] =
+      {};  ///< distance by which Newton's method moved the candidate, rad
   /// Whether the last elimination is consistent: each zero of its determinant led to a solution,
-  /// they are all solutions found so far, and their number is even.
+  /// these are all solutions found so far, and their number is even.
   bool consistent = false;
-  std::optional<int> consistent_count;  ///< the number of solutions when it last was, accurately
-  bool double_zeros = false;            ///< the last elimination had zeros that may be double
-  bool complete = false;  ///< one elimination without double zeros is consistent, or two agree
+  std::optional<int>
+      consistent_count;  ///< number of solutions when an accurate elimination was last consistent
+  bool double_zeros = false;  ///< whether the last elimination had zeros that may be double
+  bool complete =
+      false;  ///< whether one elimination without double zeros is consistent, or two agree
 };
 
 /// Adds the solutions of one elimination. `goal` is the pose of the last frame, `closure` is G of
@@ -26,7 +29,7 @@ void add_solutions(const RevoluteLinks& links, const Elimination& elimination,
                    const RigidMotion& goal, const RigidMotion& closure,
                    RaghavanRothSolutions& solutions);
 
-/// The index of a solution equal to q, to 1e-6 rad in each angle and modulo 2 pi.
+/// Returns the index of a solution equal to q, to 1e-6 rad in each angle and modulo 2 pi.
 std::optional<int> find_solution(const double* q, const RaghavanRothSolutions& solutions);
 
 }  // namespace beeline::internal

@@ -12,15 +12,16 @@ namespace {
 
 using SixAngles = Eigen::Matrix<double, 6, 1>;
 
-// More trials make the choice of the eliminations, and the constructor takes longer: these take a
-// few milliseconds. The choice affects the time of a solve; the solutions are checked in any case.
+// More trials improve the choice of the eliminations, and the constructor takes longer. These take
+// a few milliseconds. The choice affects the time of a solve; the solutions are checked in any
+// case.
 constexpr int trials_of_all = 24;        // for each elimination
 constexpr int trials_of_selected = 100;  // for each of the selected
 constexpr int trials_together = 300;     // for the selected together: reliable() is 1 % of these
 constexpr int trials_of_similar = 32;    // for the eliminations chosen for a similar arm
 constexpr int max_selected = 4;
 
-/// The product of all links, from frame 0 to the last.
+/// Returns the product of all links, from frame 0 to the last.
 Pose links_transform(const Chain& chain, const SixAngles& q) {
   Pose transform = Pose::Identity();
   for (int i = 0; i < 6; ++i) transform = transform * link_transform(chain.links[i], q[i]);
@@ -34,7 +35,7 @@ struct Sample {
   RigidMotion closure;  ///< G of the elimination
 };
 
-/// Random configurations of an arm, the same for the same arm.
+/// Returns random configurations of an arm, the same for the same arm.
 class Sampler {
  public:
   Sampler(const Chain& chain, const Pose& last_T_first_at_zero, double unit)
@@ -57,12 +58,12 @@ class Sampler {
   std::uniform_real_distribution<double> angle_{-3.14159265358979, 3.14159265358979};
 };
 
-/// The record of an elimination on random configurations.
+/// The results of an elimination on random configurations.
 struct Trial {
   Elimination elimination;
-  int missed = 0;        ///< configurations that were not found
-  int inconsistent = 0;  ///< goals that need a second elimination
-  int double_zeros = 0;  ///< goals with zeros that may be double
+  int missed = 0;        ///< number of configurations that were not found
+  int inconsistent = 0;  ///< number of goals that need a second elimination
+  int double_zeros = 0;  ///< number of goals with zeros that may be double
   double digits = 0;     ///< sum of the logarithms of the corrections
 };
 
@@ -111,8 +112,8 @@ std::vector<Trial> all_eliminations(const Chain& chain, Sampler& sampler) {
   return trials;
 }
 
-/// The best elimination of each hidden joint, up to max_selected: what one elimination determines
-/// badly another one of the same hidden joint does too.
+/// Returns the best elimination of each hidden joint, up to max_selected. If one elimination
+/// determines a solution badly, another one of the same hidden joint does too.
 std::vector<Trial> best_by_hidden_joint(const std::vector<Trial>& trials) {
   std::vector<Trial> selected;
   for (const Trial& trial : trials) {
@@ -124,7 +125,7 @@ std::vector<Trial> best_by_hidden_joint(const std::vector<Trial>& trials) {
   return selected;
 }
 
-/// Solves by one elimination after the other until the solutions are complete.
+/// Solves by successive eliminations until the solutions are complete.
 void solve_all(const RevoluteLinks& links, const std::vector<Elimination>& eliminations,
                const RigidMotion& goal, const RigidMotion& closure,
                RaghavanRothSolutions& solutions) {
@@ -134,7 +135,7 @@ void solve_all(const RevoluteLinks& links, const std::vector<Elimination>& elimi
   }
 }
 
-/// The number of random configurations that solve_all() does not find.
+/// Returns the number of random configurations that solve_all() does not find.
 int missed_by_all(const RevoluteLinks& links, const std::vector<Elimination>& eliminations,
                   int count, Sampler& sampler) {
   int missed = 0;

@@ -6,9 +6,9 @@
 
 namespace beeline::internal {
 
-/// All solutions of an arm with six revolute joints of general geometry, up to 16, joint limits
-/// ignored (see Elimination). The constructor chooses among the eliminations by trial on random
-/// configurations, in milliseconds. Where three consecutive axes intersect or are parallel the
+/// Computes all solutions of an arm with six revolute joints of general geometry, up to 16, joint
+/// limits ignored (see Elimination). The constructor chooses among the eliminations by trial on
+/// random configurations, in milliseconds. If three consecutive axes intersect or are parallel, the
 /// zeros of every determinant are double: use PieperSolver.
 class RaghavanRothSolver {
  public:
@@ -17,14 +17,14 @@ class RaghavanRothSolver {
   /// Throws Error unless the chain has six revolute links, link i with coordinate i.
   explicit RaghavanRothSolver(const Chain& chain);
 
-  /// The same, with the eliminations chosen for an arm of similar geometry, in a tenth of the time.
+  /// Uses the eliminations chosen for an arm of similar geometry, in a tenth of the time.
   RaghavanRothSolver(const Chain& chain, const RaghavanRothSolver& similar);
 
-  /// Whether at least 99 % of the random configurations were found; some of them may be singular.
+  /// Whether at least 99 % of the random configurations were found. Some of them may be singular.
   bool reliable() const { return reliable_; }
 
   struct Result {
-    int count = 0;  ///< solutions
+    int count = 0;  ///< number of solutions
     bool complete =
         false;  ///< every zero of the determinant led to a solution: there are no others
   };
@@ -42,7 +42,7 @@ class RaghavanRothSolver {
   Pose last_T_first_at_zero_;  ///< the inverse of the product of all links at q = 0
   RevoluteLinks links_;
   std::vector<Elimination>
-      eliminations_;  ///< best first; the others confirm or complete its result
+      eliminations_;  ///< best first; the others confirm or complete the result of the first
   bool reliable_ = false;
 };
 

@@ -19,7 +19,7 @@ HWY_INLINE double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// product = a b.
+/// Computes product = a b.
 HWY_INLINE void multiply(const RigidMotion& a, const RigidMotion& b, RigidMotion& product) {
   for (int i = 0; i < 3; ++i) {
     const double* row = a.rotation[i];
@@ -32,7 +32,7 @@ HWY_INLINE void multiply(const RigidMotion& a, const RigidMotion& b, RigidMotion
   }
 }
 
-/// The same motion in every lane.
+/// Returns the same motion in every lane.
 HWY_INLINE LanePose space(const RigidMotion& k) {
   const auto& r = k.rotation;
   const double* t = k.translation;
@@ -42,12 +42,12 @@ HWY_INLINE LanePose space(const RigidMotion& k) {
           {Lanes(t[0]), Lanes(t[1]), Lanes(t[2])}};
 }
 
-/// x a.x + y a.y + z a.z: the vector (x, y, z) of the frame a.
+/// Returns x a.x + y a.y + z a.z: the vector (x, y, z) of the frame a.
 HWY_INLINE Vector combined(const LanePose& a, double x, double y, double z) {
   return fma(Lanes(x), a.x, fma(Lanes(y), a.y, Lanes(z) * a.z));
 }
 
-/// The product a k.
+/// Returns the product a k.
 HWY_INLINE LanePose times(const LanePose& a, const RigidMotion& k) {
   const auto& r = k.rotation;
   const double* t = k.translation;
@@ -55,34 +55,34 @@ HWY_INLINE LanePose times(const LanePose& a, const RigidMotion& k) {
           combined(a, r[0][2], r[1][2], r[2][2]), combined(a, t[0], t[1], t[2]) + a.origin};
 }
 
-/// The frame a after a joint's motion about its z axis (revolute) or along it (prismatic).
+/// Returns the frame a after a joint's motion about its z axis (revolute) or along it (prismatic).
 HWY_INLINE LanePose after(const LanePose& a, const CosSine& joint, bool prismatic) {
   return prismatic ? translated_z(a, joint.c) : rotated_z(a, joint);
 }
 
-/// J v for a joint's motion J about or along z. v is a point, or a direction, which a translation
-/// leaves unchanged.
+/// Returns J v for a joint's motion J about or along z. v is a point, or a direction, which a
+/// translation leaves unchanged.
 HWY_INLINE Vector joint_times(const double* v, const CosSine& joint, bool prismatic, bool point) {
   if (prismatic) return {Lanes(v[0]), Lanes(v[1]), point ? Lanes(v[2]) + joint.c : Lanes(v[2])};
   return {fma(joint.c, Lanes(v[0]), -(joint.s * Lanes(v[1]))),
           fma(joint.s, Lanes(v[0]), joint.c * Lanes(v[1])), Lanes(v[2])};
 }
 
-/// J^-1 v.
+/// Returns J^-1 v.
 HWY_INLINE Vector joint_inverse_times(const double* v, const CosSine& joint, bool prismatic,
                                       bool point) {
   const CosSine inverse = prismatic ? CosSine{-joint.c, joint.s} : CosSine{joint.c, -joint.s};
   return joint_times(v, inverse, prismatic, point);
 }
 
-/// k v for a point or a direction v.
+/// Returns k v for a point or a direction v.
 HWY_INLINE Vector times(const RigidMotion& k, const Vector& v, bool point) {
   const LanePose a = space(k);
   const Vector rotated = fma(v.x, a.x, fma(v.y, a.y, v.z * a.z));
   return point ? rotated + a.origin : rotated;
 }
 
-/// k^-1 v.
+/// Returns k^-1 v.
 HWY_INLINE Vector inverse_times(const RigidMotion& k, const Vector& v, bool point) {
   const LanePose a = space(k);
   const Vector offset = point ? v - a.origin : v;

@@ -24,12 +24,13 @@ struct TrigonometricPolynomial {
   double cosine[TrigonometricTables::max_degree + 1], sine[TrigonometricTables::max_degree + 1];
 };
 
-/// Its zeros in [0, 2 pi), and the minima of its absolute value that may be double zeros.
+/// The zeros of a polynomial in [0, 2 pi), and the minima of its absolute value that may be double
+/// zeros.
 struct TrigonometricZeros {
   static constexpr int max_count = 32;
   int count = 0;
   double angle[max_count + lane_count];
-  int double_count = 0;  ///< zeros that are, or may be, double to rounding
+  int double_count = 0;  ///< number of zeros that are, or may be, double to rounding
   double double_angle[max_count / 2 + lane_count];
 };
 
@@ -52,9 +53,9 @@ HWY_INLINE void evaluate(const TrigonometricPolynomial& f, Lanes angle, Lanes* v
   }
 }
 
-/// Computes the coefficients from values at the sample angles, scaled to a largest one of 1.
-/// Returns the largest coefficient beyond `degree`, which would be zero without rounding, on that
-/// scale.
+/// Computes the coefficients from values at the sample angles, scaled so that the largest is 1.
+/// Returns the largest coefficient beyond `degree`, in this scale. Without rounding it would be
+/// zero.
 inline double interpolate(const SampleAngles& samples, const double* values, int degree,
                           TrigonometricPolynomial& f) {
   const int n = samples.count;
@@ -67,7 +68,8 @@ inline double interpolate(const SampleAngles& samples, const double* values, int
     }
     sum.store(coefficients + block);
   }
-  const double *cosine = coefficients, *sine = coefficients + n / 2;  // sine[0] is no sine's
+  const double *cosine = coefficients,
+               *sine = coefficients + n / 2;  // sine[0] is not the coefficient of a sine
   double largest = 1e-300, beyond = 0;
   for (int k = 0; k <= f.degree; ++k) {
     f.cosine[k] = cosine[k];  // NOLINT(clang-analyzer-core.uninitialized.Assign): all are stored
@@ -129,20 +131,20 @@ inline void fill_grid(const TrigonometricTables& tables, const TrigonometricPoly
 
 constexpr double cell_width = 6.283185307179586477 / GridValues::points;
 
-/// Adds the two zeros around a minimum of |f|, where f is approximated by value + curvature x^2 /
-/// 2: the real zeros where the parabola crosses zero. Where it does not, two zeros that rounding
-/// may have made complex: Newton's method on the arm's kinematics decides (candidates that are no
-/// solutions do not converge).
+/// Adds the two zeros around a minimum of |f|, with f approximated by value + curvature x^2 / 2. If
+/// the parabola crosses zero, they are its real zeros. Otherwise they are two zeros that rounding
+/// may have made complex: Newton's method on the arm's kinematics decides, because candidates that
+/// are no solutions do not converge.
 inline void add_zeros_at_minimum(double angle, double value, double curvature, double noise,
                                  TrigonometricZeros& zeros) {
   if (zeros.count + 2 > TrigonometricZeros::max_count) return;
   // Radians. Missing a solution is worse than a candidate too many, so these are generous.
-  constexpr double max_gap = 0.02;   // from zero, at which a pair is still tried
-  constexpr double separate = 1e-3;  // below, the null space has two vectors to rounding
-  constexpr double min_offset = 1e-6, max_offset = 0.01;  // from the minimum, of a pair tried
+  constexpr double max_gap = 0.02;   // max value at which a pair is still tried
+  constexpr double separate = 1e-3;  // for closer zeros, the null space has two vectors to rounding
+  constexpr double min_offset = 1e-6, max_offset = 0.01;  // offsets from the minimum of a pair
   const double steep = std::max(std::abs(curvature), 1e-300);
   const double gap = std::sqrt(2 * std::abs(value) / steep);
-  constexpr double rounding = 1e-15;  // of a sum with coefficients up to 1
+  constexpr double rounding = 1e-15;  // rounding of a sum with coefficients up to 1
   const double uncertainty = std::sqrt(2 * std::max(noise, rounding) / steep);
   const bool crosses = value * curvature < 0;
   if (!crosses && gap > std::max(max_gap, 3 * uncertainty)) return;
@@ -167,16 +169,16 @@ struct Brackets {
   }
 };
 
-/// Masks of eight intervals: those with a zero, those with a minimum of |f|, and those that may
-/// have more than one of either and have to be subdivided: near zero, with a derivative at an end
-/// far from the mean derivative.
+/// Masks of eight intervals: with a zero; with a minimum of |f|; and with possibly more than one of
+/// either, which must be subdivided. The last are near zero and have a derivative at an end far
+/// from the mean derivative.
 struct IntervalKinds {
   unsigned zero, minimum, unclear;
 };
 
-/// a, b: value and derivatives at the beginnings and the ends. A cubic whose end slopes are within
-/// 40 % of the mean slope is monotonic, since its slope, a parabola, then has no zero inside; the
-/// same bound one derivative higher makes the slope monotonic.
+/// Classifies the intervals; a and b are value and derivatives at their beginnings and ends. A
+/// cubic whose end slopes are within 40 % of the mean slope is monotonic, because its slope, a
+/// parabola, has no zero inside. The same bound one derivative higher makes the slope monotonic.
 HWY_INLINE IntervalKinds classify(const Lanes* a, const Lanes* b, Lanes width) {
   constexpr double monotonic = 0.4;
   const Lanes zero(0);
@@ -195,8 +197,8 @@ HWY_INLINE IntervalKinds classify(const Lanes* a, const Lanes* b, Lanes width) {
           bits((crosses & !one_zero) | ((!crosses) & near & !one_minimum))};
 }
 
-/// Classifies an interval in eight parts, and subdivides those that are unclear, up to `levels`
-/// times: each level is a factor of eight. Intervals that meet have the same values there: with
+/// Classifies an interval in eight parts, and subdivides unclear parts up to `levels` times. Each
+/// level is a factor of eight. Adjacent intervals have the same values at their common end: with
 /// values that differ by rounding, a zero or a minimum at that angle might be in neither.
 inline void bracket_within(const TrigonometricPolynomial& f, double begin, double width,
                            const SampledPoint& at_begin, const SampledPoint& at_end, int levels,
@@ -253,8 +255,9 @@ inline void bracket_all(const TrigonometricPolynomial& f, const GridValues& grid
   }
 }
 
-/// The zeros of the polynomial (order 0) or of its derivative (order 1) in eight brackets, by
-/// Newton's method with bisection where it would leave the bracket. `value`: as evaluate() there.
+/// Returns the zeros of the polynomial (order 0) or of its derivative (order 1) in eight brackets,
+/// by Newton's method, with bisection if a step would leave the bracket. `value` is as evaluate()
+/// returns it there.
 HWY_NOINLINE inline Lanes solve_brackets(const TrigonometricPolynomial& f, const Brackets& brackets,
                                          int first, int order, Lanes* value) {
   constexpr int steps = 5;  // from 0.025 rad, the errors of a simple zero square down to rounding

@@ -5,7 +5,7 @@
 namespace beeline::internal {
 namespace {
 
-/// 2 pi k index / count.
+/// Returns 2 pi k index / count.
 double angle(int k, int index, int count) {
   return 6.283185307179586477 * (k * index % count) / count;
 }

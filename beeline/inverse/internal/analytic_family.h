@@ -16,24 +16,26 @@ struct AnalyticFamily {
   /// value is an input of its formulas.
   bool (*applies)(SolverState& state);
 
-  /// Such as `three axes meet (joints 4, 5, 6)`.
+  /// Returns a description such as `three axes meet (joints 4, 5, 6)`.
   std::string (*name)(const SolverState& state);
 
-  /// Adds solutions, by CandidateSolutions. Sets evidence().complete to false where solutions may
-  /// be missing, and evidence().branches_complete where a whole branch may be.
+  /// Adds solutions, by CandidateSolutions. Sets evidence().complete to false if solutions may be
+  /// missing, and evidence().branches_complete to false if a whole branch may be missing.
   void (*solve)(SolverState& state, const Request& request, StageResult& found);
 
-  /// For control loops, or null: writes the solutions nearest to the seed, as many as fit, and
-  /// returns their number; nothing if the request needs solve(). Does not allocate.
+  /// Writes the solutions nearest to the seed for control loops, as many as fit, and returns their
+  /// number; nothing if the request needs solve(). Does not allocate. The pointer may be null.
   std::optional<int> (*solve_fast)(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, BudgetMeter& budget,
                                    Eigen::Ref<Eigen::MatrixXd> solutions) = nullptr;
 
-  /// For one solution the numerical stage is faster: the family then runs only if that finds none.
+  /// Whether the numerical stage is faster for one solution: the family then runs only if that
+  /// stage finds none.
   bool slower_than_search = false;
 };
 
-/// Whether an arm has so many coordinates, each that of one revolute joint, and the task all rows.
+/// Whether the task has all rows and the arm has this number of coordinates, each of one revolute
+/// joint.
 bool has_revolute_joints(const SolverState& state, int count);
 
 /// Planar arms of one to three joints: planar_solver.h.
@@ -42,8 +44,9 @@ extern const AnalyticFamily planar_family;
 /// Arms and tasks that PieperSolver covers: three axes of the closed loop meet or are parallel.
 extern const AnalyticFamily pieper_family;
 
-/// Arms of seven revolute joints, of which six remain with a closed form when one is locked. Only
-/// for all solutions, and for InverseMethod::closed_form: those on a grid of values of that joint.
+/// Arms of seven revolute joints that have a closed form when one is locked. The family applies
+/// only to all solutions and to InverseMethod::closed_form: it computes the solutions on a grid of
+/// values of that joint.
 extern const AnalyticFamily locked_joint_family;
 
 /// Six revolute joints of any geometry: raghavan_roth_solver.h.

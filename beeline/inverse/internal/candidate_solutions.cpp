@@ -11,7 +11,7 @@ namespace beeline::internal {
 namespace {
 
 /// Whether solutions far from q in the joints may differ from it by rounding in the pose, so that
-/// one of them may be within limits. Only where the arm has finitely many solutions.
+/// one of them may be within limits. This applies only if the arm has finitely many solutions.
 bool next_to_a_singularity(const Request& request, const Configuration& q) {
   if (request.arm.dof() > request.task.size()) return false;
   constexpr double near = 1e-5;  // least singular value, as a fraction of the largest
@@ -28,7 +28,7 @@ void CandidateSolutions::add(Configuration q, bool continuum) {
   }
   evidence().continuum = evidence().continuum || continuum;
   const double error = error_at(request_, q);
-  // Relative to the arm's size. A larger error is not rounding: a virtual joint is not at zero.
+  // Fraction of the arm's size. A larger error is not rounding: a virtual joint is not at zero.
   constexpr double not_a_solution = 1e-3;
   const double size = std::max(1.0, unit_of_length(request_.arm));
   if (!(error <= not_a_solution * size)) return;
@@ -44,7 +44,7 @@ void CandidateSolutions::add(Configuration q, bool continuum) {
     q = corrected.q;
   }
   evidence().consider(request_, q);
-  // One within limits is a solution, whatever is next to it.
+  // A solution within limits is valid, whatever is next to it.
   const bool outside =
       excess(request_.bounds,
              nearest_representative(request_.arm, q, request_.seed, request_.bounds)) > 0;

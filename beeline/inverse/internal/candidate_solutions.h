@@ -14,7 +14,7 @@ class CandidateSolutions {
 
   UnconstrainedResult& evidence() { return found_.unconstrained; }
 
-  /// `continuum`: q represents infinitely many solutions.
+  /// With `continuum`, q represents infinitely many solutions.
   void add(Configuration q, bool continuum);
 
  private:

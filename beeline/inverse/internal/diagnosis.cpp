@@ -36,7 +36,7 @@ NearestMiss nearest_miss(const Request& request, const Configuration& q) {
 /// its digits.
 Pose goal_within_digits(const Request& request) {
   const Arm::Reach& reach = request.arm.reach();
-  constexpr double far = 100;  // times the reach; costs two of sixteen digits
+  constexpr double far = 100;  // multiple of the reach; costs two of sixteen digits
   const Vector3 offset = request.goal.translation() - reach.centre;
   Pose goal = request.goal;
   if (offset.norm() > far * reach.radius) {
@@ -128,7 +128,7 @@ void set_not_found(const Request& request, const Configuration& q, Reason reason
   set_nearest(request, q, result);
 }
 
-/// The status of a request that the budget ended before it had a solution.
+/// Returns the status of a request that the budget ended before it had a solution.
 void set_ended_before_solution(const Request& request, const Configuration& q,
                                InverseResult& result) {
   set_ended(ReasonCode::ended_before_solution, request.budget.ending(), result);
@@ -235,14 +235,14 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   const Deviation& error = result.nearest->error;
   // At the boundary of the workspace the error is only determined to the square root of rounding,
   // so a smaller error does not show that the pose is outside.
-  constexpr double at_the_edge = 1e-6;  // radians, or of the arm's size
+  constexpr double at_the_edge = 1e-6;  // radians, or a fraction of the arm's size
   const bool has_position = position_part(request.task).size() > 0;
   const bool away =
       error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
     return set_unreachable(request, evidence, result);
   }
-  // The accuracy of nearest_orientation().
+  // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
   const bool searched =
       (result.restarts >= max_starts || evidence.range_examined) && error.orientation > clear;

@@ -20,7 +20,7 @@ bool rows(const Task& task, std::size_t first) {
   return task.rows[first] && task.rows[first + 1] && task.rows[first + 2];
 }
 
-/// The screws of the joints that can move, in the world at q = 0.
+/// Returns the screws of the joints that can move, in the world at q = 0.
 std::vector<Twist> screws(const Arm& arm) {
   const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
   std::vector<Twist> all;
@@ -33,8 +33,8 @@ std::vector<Twist> screws(const Arm& arm) {
 
 bool rotates(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
-/// For an arm whose joint axes are all parallel to `axis`. No joint changes the tilt relative to
-/// the axis, and none changes the height unless one moves along the axis.
+/// Checks the invariants of an arm whose joint axes are all parallel to `axis`. No joint changes
+/// the tilt relative to the axis, and none changes the height unless one moves along the axis.
 std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3& axis,
                                                    const std::vector<Twist>& motions,
                                                    const Pose& goal, const Task& task,
@@ -68,7 +68,8 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
   return std::nullopt;
 }
 
-/// For an arm of prismatic joints: the orientation is constant, and the position is linear in q.
+/// Checks the invariants of an arm of prismatic joints: the orientation is constant, and the
+/// position is linear in q.
 std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
                                             const Pose& goal, const Task& task, double tolerance) {
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));

@@ -17,8 +17,8 @@ struct Infeasibility {
 std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
                                           const Task& task, double tolerance);
 
-/// Whether beyond_reach() holds without joint limits too, so that no search is needed. Only for
-/// arms whose moving joints are all revolute: the reach of others depends on their limits.
+/// Whether beyond_reach() holds without joint limits too, so that no search is needed. This applies
+/// only to arms whose moving joints are all revolute: the reach of others depends on their limits.
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
 
 /// Whether the pose violates an invariant of the tool's motion. If all axes are parallel, the

@@ -16,10 +16,10 @@
 namespace beeline::internal {
 namespace {
 
-/// The joint that moves most in self-motion, so that each solution continues to other values of it:
-/// component k of the null vector of the Jacobian J is, but for its sign, the determinant of J
-/// without column k. Compares the lower quartiles over random configurations: the elbow of a
-/// shoulder-elbow-wrist arm does not move.
+/// Returns the joint that moves most in self-motion, so that each solution continues to other
+/// values of it. Component k of the null vector of the Jacobian J is, up to its sign, the
+/// determinant of J without column k. Compares the lower quartiles over random configurations: the
+/// elbow of a shoulder-elbow-wrist arm does not move.
 int redundant_joint(const Arm& arm) {
   constexpr int trials = 32;
   Splitmix random(1);
@@ -57,8 +57,8 @@ std::string locked_joint_name(const SolverState& state) {
   return "general six joints with joint " + std::to_string(state.grid_coordinate + 1) + " locked";
 }
 
-/// The grid over the joint's range, of which one revolution suffices. It does not depend on the
-/// seed, so that the solvers serve every request.
+/// Returns the grid over the joint's range; one revolution of it suffices. It does not depend on
+/// the seed, so that the solvers serve every request.
 std::vector<double> values_of(const SolverState& state) {
   const int k = state.grid_coordinate;
   LockedRange range = locked_range(state.arm, state.bounds, Configuration::Zero(7), k, 0);
@@ -71,7 +71,7 @@ std::vector<double> values_of(const SolverState& state) {
 /// Prepares the solvers of the remaining joints, unless the budget ends it. The middle value comes
 /// first: geometry at the ends of a range is more often special.
 void prepare(SolverState& state, BudgetMeter& budget) {
-  constexpr int few_restarts = 32;  // of a value without a closed form, or with a doubtful one
+  constexpr int few_restarts = 32;  // for a value without a closed form, or with a doubtful one
   InverseOptions options = state.options;
   options.all = true;
   options.every_turn = false;

@@ -17,8 +17,8 @@ double half_square(const Arm& arm, const Pose& goal, const Task& task, const Con
   return 0.5 * task_error(task, goal, forward_kinematics(arm, q)).squaredNorm();
 }
 
-/// The gradient -J^T e of half_square(): exact for the position, and for the orientation to first
-/// order in e.
+/// Returns the gradient -J^T e of half_square(): exact for the position, and for the orientation to
+/// first order in e.
 Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
   const Eigen::VectorXd error = task_error(task, goal, forward_kinematics(arm, q));
   return -task_jacobian(arm, q, task).transpose() * error;
@@ -113,7 +113,7 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     constexpr double converged = 1e-12;  // radians or metres
     if (change.norm() < converged) break;
   }
-  for (int step = 0; step < 2; ++step) {  // the position to rounding
+  for (int step = 0; step < 2; ++step) {  // brings the position error to rounding
     const Eigen::MatrixXd linear = task_jacobian(arm, best, task).topRows(positions);
     best += minimum_norm_solution(linear, error_at(best).head(positions)).x;
   }

@@ -6,7 +6,7 @@
 namespace beeline::internal {
 
 /// Returns the local minimum of |e|^2 / 2 that Newton's method with Levenberg's damping finds from
-/// q, e being the task's error in metres and radians. Limits are ignored.
+/// q. e is the task's error in metres and radians. Limits are ignored.
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q);
 

@@ -20,7 +20,7 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
                             .all = all,
                             .random_seed = request.options.random_seed,
                             .budget = request.budget};
-  // There may be very many, which the budget is to end with the search.
+  // There may be very many solutions, and the budget must also end their storage.
   if (all) {
     options.found = [&](const Configuration& q) { add_solution(request, q, result, &known); };
   }
@@ -56,8 +56,8 @@ int first_to_converge(SolverState& state, const NumericalProblem& problem, const
   return lanes.converged != 0 ? std::countr_zero(lanes.converged) : -1;
 }
 
-/// Searches without limits for a posture that has another representative within them, or from which
-/// Levenberg-Marquardt converges to a solution within them.
+/// Searches without limits for a posture that has another representative within them, or that is a
+/// start from which Levenberg-Marquardt converges to a solution within them.
 void search_without_limits(SolverState& state, const Request& request, StageResult& found) {
   if (!state.without_limits) {
     state.without_limits = prepared_search(request.arm, request.task, no_bounds(request.arm),
@@ -92,7 +92,8 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
 
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
                       BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
-  // Solves nearly all poses that have a solution. For the others the numerical stage begins anew.
+  // This solves nearly all poses that have a solution. For the others the numerical stage begins
+  // anew.
   constexpr int few_restarts = 64;
   const PreparedSearch& prepared = search_within_limits(state);
   multi_start(prepared.problem, prepared.seeds, goal, seed,

@@ -46,8 +46,8 @@ bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
   return true;
 }
 
-/// Whether an arm of six joints can move with the tool at rest from every configuration, as with
-/// the elbow of a shoulder-elbow-wrist arm locked. Its poses have no solution or infinitely many.
+/// Whether an arm of six joints can move with the tool at rest from every configuration, such as a
+/// shoulder-elbow-wrist arm with its elbow locked. Its poses have no solution or infinitely many.
 bool moves_with_tool_at_rest(const Arm& arm) {
   if (arm.dof() != 6) return false;
   constexpr double rounding = 1e-12;
@@ -150,7 +150,7 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
 }
 
 /// Adds a solution of every branch in the lanes that have a free joint. Returns whether there is
-/// one; otherwise all are outside the limits.
+/// one; if not, all are outside the limits.
 bool add_self_motions(const PieperSolver& form, const Request& request, PieperRequest loop,
                       const PieperBranches& at_seed, CandidateSolutions& candidates) {
   const std::vector<int> free = form.free_joints(at_seed);
@@ -190,11 +190,11 @@ void solve_branches(SolverState& state, const Request& request, CandidateSolutio
     lanes &= ~found.continuum;
   }
   add_branches(form, found, lanes, 0, request.arm.dof(), candidates);
-  // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
+  // The axis of a virtual joint may coincide with the axis of an arm's joint. Then only one of
   // infinitely many solutions was examined.
   candidates.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
-  // A grid over one free joint, refined between its points, represents every branch; over two it
-  // may miss a small one, and without a solution it shows nothing.
+  // A grid over one free joint, refined between its points, represents every branch. A grid over
+  // two may miss a small branch, and proves nothing without a solution.
   const bool represented = (lanes & found.continuum) == 0 && form.free_joints(found).size() == 1;
   candidates.evidence().branches_complete = found.continuum == 0 || represented;
   candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
@@ -219,7 +219,7 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
     if (state.options.pose_tolerance) return std::nullopt;
     return 0;
   }
-  constexpr int few = 9;  // the seed's, and two rounds of steps: see first_within()
+  constexpr int few = 9;  // the seed's value, and two rounds of steps: see first_within()
   const PieperSolver& form = *state.pieper;
   const LockedRange range =
       locked_range(state.arm, state.bounds, seed, *form.locked(), form.size());
@@ -252,7 +252,7 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
   return std::nullopt;
 }
 
-/// The lanes within limits, sorted by distance from the seed.
+/// Returns the lanes within limits, sorted by distance from the seed.
 struct OrderedLanes {
   int count = 0;
   int lane[8];
@@ -319,7 +319,7 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
   if (form.has_free_joints() || !state.pieper_verified) return std::nullopt;
   PieperRequest loop =
       form.request(seed, state.weights, state.bounds.lower, state.bounds.upper, options.tolerance);
-  double value = 0;  // of a locked joint
+  double value = 0;  // value of a locked joint
   if (options.lock) {
     check_lock(state, seed);
     value = seed[*options.lock];

@@ -19,7 +19,7 @@ std::string component(const Arm& arm, int k) {
   return arm.planar() ? planar_names[k] : spatial_names[k];
 }
 
-/// The components that may deviate, in the order of their joints.
+/// Returns the components that may deviate, in the order of their joints.
 std::vector<int> deviating(const Arm& arm, const Eigen::VectorXd& tolerance) {
   std::vector<int> components;
   const auto add = [&](const auto& order) {
@@ -44,7 +44,8 @@ Joint deviation_joint(const Arm& arm, int k, double tolerance) {
   return joint;
 }
 
-/// A deviation counts by its square, relative to its tolerance. The arm's own joints hardly count.
+/// The cost of a deviation is its square, relative to its tolerance. The arm's own joints have a
+/// negligible cost.
 Eigen::VectorXd weights_of(const Arm& arm, const Eigen::VectorXd& tolerance,
                            const std::vector<int>& components) {
   constexpr double least = 1e-6, most = 1e6;
@@ -58,7 +59,7 @@ Eigen::VectorXd weights_of(const Arm& arm, const Eigen::VectorXd& tolerance,
   return weights;
 }
 
-/// The solver of the arm with deviations.
+/// Returns the solver of the arm with deviations.
 SolverState tolerant_solver(const SolverState& state, const std::vector<int>& components) {
   const Eigen::VectorXd& tolerance = *state.options.pose_tolerance;
   InverseOptions options = state.options;
@@ -97,7 +98,7 @@ std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Re
   Configuration start = Configuration::Zero(n + static_cast<Eigen::Index>(components.size()));
   start.head(n) = request.seed;
   InverseResult result =
-      solve(state.tolerant.front(), request.goal, start, ReasonSearch::skipped, request.budget);
+      solve(state.tolerant.front(), request.goal, start, /*explain_failure=*/false, request.budget);
   if (result.solutions.empty()) return {};
   const Configuration found = result.solutions.front();
   result.solutions = {found.head(n)};

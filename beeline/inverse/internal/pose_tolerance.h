@@ -5,13 +5,13 @@
 
 namespace beeline::internal {
 
-/// The arm with a joint appended for each component in which the tool may deviate from the pose, so
-/// that its last frame is at the pose where the tool is within options.pose_tolerance of it. The
-/// coordinate of such a joint is the deviation. `limited`: whether the arm's own limits are kept.
+/// Returns the arm with a joint appended for each component in which the tool may deviate from the
+/// pose. The coordinate of such a joint is the deviation, so the last frame is at the pose if the
+/// tool is within options.pose_tolerance of it. `limited`: whether the arm's own limits are kept.
 Arm with_deviations(const Arm& arm, const Eigen::VectorXd& tolerance, bool limited);
 
-/// Searches for a solution within options.pose_tolerance of the goal; for one that is found,
-/// reduces the deviation, and returns the result.
+/// Searches for a solution within options.pose_tolerance of the goal, reduces its deviation, and
+/// returns the result.
 std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Request& request);
 
 }  // namespace beeline::internal

@@ -6,7 +6,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int intervals = 64;  // of the range, to examine it
+constexpr int intervals = 64;  // number of intervals of the examined range
 
 /// The branches over the range of the redundant joint, lane by lane.
 class RangeExamination {
@@ -31,11 +31,11 @@ class RangeExamination {
   }
 
  private:
-  /// The cost of each lane: its excess over the limits or, without a solution, `none` plus the
-  /// residual of the loop.
+  /// Returns the cost of each lane: its excess over the limits or, without a solution, `none` plus
+  /// the residual of the loop.
   struct Sample {
     double cost[8];
-    bool hidden;  ///< rounding may hide a solution
+    bool hidden;  ///< whether rounding may hide a solution
     bool found(int lane) const { return cost[lane] < none; }
   };
   static constexpr double none = 1e6;
@@ -67,7 +67,7 @@ class RangeExamination {
            (i == intervals || here < samples_[i + 1].cost[lane]);
   }
 
-  /// Whether a local minimum at value i may reach zero nearby: one below twice the step to a
+  /// Whether a local minimum at value i may reach zero nearby: it is below twice the step to a
   /// neighbour.
   bool may_reach_zero(int lane, int i) const {
     const bool found = samples_[i].found(lane);
@@ -103,7 +103,7 @@ class RangeExamination {
   void refine(int lane, int from, int to) {
     constexpr int sections = 13, more = 20;
     constexpr double small = 1e-2;         // radians or metres
-    constexpr double shorter = 0.0019201;  // 0.618^sections, of the interval
+    constexpr double shorter = 0.0019201;  // fraction of the interval, 0.618^sections
     // Beyond the end of a branch its solutions are hidden by rounding.
     const bool ends = samples_[from].found(lane) != samples_[to].found(lane);
     Sample sample{};

@@ -4,16 +4,17 @@
 
 namespace beeline::internal {
 
-/// What examine_range() has shown.
+/// The result of examine_range().
 struct ExaminedRange {
-  LockedBranch branch;      ///< one within limits, or lane -1
-  bool conclusive = false;  ///< else: whether every branch is outside them throughout the range
+  LockedBranch branch;      ///< a branch within limits, or lane -1
+  bool conclusive = false;  ///< without such a branch: whether every branch is outside the limits
+                            ///< throughout the range
 };
 
 /// Follows every branch over the whole range of the redundant joint: evaluates its excess over the
 /// limits on a grid and refines each local minimum that may reach zero by golden-section search.
-/// Inconclusive where rounding may hide a solution or where a branch comes near the limits. Does
-/// not allocate.
+/// The result is inconclusive if rounding may hide a solution or if a branch comes near the limits.
+/// Does not allocate.
 ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                             PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside);
 

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// A cost that is a sum over the joints: its value, first and second derivatives.
+/// A cost that is a sum over the joints, with its first and second derivatives.
 struct Cost {
   double value = 0;
   Configuration slope, curvature;
@@ -22,8 +22,9 @@ Cost squared_distance(const Request& request, const Configuration& q) {
   return {distance * distance / 2, request.weights.cwiseProduct(q - request.seed), request.weights};
 }
 
-/// The sum of x_k^8, where x_k in [-1, 1] is the position of coordinate k in its range: a smooth
-/// approximation of max |x_k|. A higher power approximates it better, but shortens Newton's steps.
+/// Returns the sum of x_k^8, where x_k in [-1, 1] is the position of coordinate k in its range: a
+/// smooth approximation of max |x_k|. A higher power approximates it better, but shortens Newton's
+/// steps.
 Cost nearness_to_limits(const Request& request, const Configuration& q) {
   constexpr int power = 8;
   constexpr double stiffness = 1e-3;  // keeps the Hessian regular in the middle of the ranges
@@ -72,7 +73,7 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
   }
 }
 
-/// The objective to be minimised: the distance from the seed, or minus the smallest margin.
+/// Returns the objective to be minimised: the distance from the seed, or minus the smallest margin.
 double objective(const Request& request, const Configuration& q) {
   if (request.options.redundancy == Redundancy::nearest) return distance_from_seed(request, q);
   double margin = 1;
@@ -82,9 +83,9 @@ double objective(const Request& request, const Configuration& q) {
   return -margin;
 }
 
-/// The scale of a Newton step: the Hessian of the cost lacks the curvature of the self-motion. It
-/// is estimated from how much of the last step, which was scaled by `applied`, is left (the secant
-/// method).
+/// The scale of a Newton step. The Hessian of the cost lacks the curvature of the self-motion. The
+/// scale is estimated from the remainder of the last step, which was scaled by `applied` (the
+/// secant method).
 double first_scale(const Configuration& last, double applied, const Configuration& step) {
   constexpr double least = 0.01, most = 100;
   if (last.isZero()) return 1;
@@ -113,7 +114,7 @@ Configuration optimised(const Request& request, const Configuration& q) {
   Cost cost = cost_at(request, best);
   constexpr int rounds = 100;          // Newton's method takes far fewer steps, except along bounds
   constexpr double negligible = 1e-8;  // radians or metres: the cost is flat to rounding there
-  Configuration last = Configuration::Zero(q.size());  // the step before
+  Configuration last = Configuration::Zero(q.size());  // the previous step
   double applied = 1;                                  // its scale
   for (int round = 0; round < rounds; ++round) {
     const Configuration step = null_space_step(request, best, cost);

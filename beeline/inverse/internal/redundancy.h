@@ -12,7 +12,7 @@ void optimise_redundancy(const Request& request, InverseResult& result);
 /// Moves a solution q by self-motion to a local optimum of request.options.redundancy:
 ///   minimise |q - seed|^2, or maximise the least margin to the limits (joints without do not
 ///   count) subject to the task and the bounds.
-/// Newton's method in the null space of the task's Jacobian, each step followed by
+/// Each step of Newton's method in the null space of the task's Jacobian is followed by
 /// levenberg_marquardt() back to the pose. Returns a solution within bounds, no worse than q.
 Configuration optimised(const Request& request, const Configuration& q);
 

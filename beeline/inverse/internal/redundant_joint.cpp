@@ -10,8 +10,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The objective to be minimised: the squared distance from the seed, or minus the smallest margin
-/// to a limit.
+/// Returns the objective to be minimised: the squared distance from the seed, or minus the smallest
+/// margin to a limit.
 double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
             const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
@@ -24,8 +24,9 @@ double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
   return -margin;
 }
 
-/// The indices of the local minima of a series, the lowest first, three at most: branches end at
-/// limits, so the global optimum need not be next to the lowest value. More take longer.
+/// Returns the indices of the local minima of a series, the lowest first, three at most. Branches
+/// end at limits, so the global optimum need not be next to the lowest value. More minima take
+/// longer.
 std::vector<std::size_t> lowest_minima(const std::vector<double>& costs) {
   constexpr std::size_t most = 3;
   std::vector<std::size_t> minima;
@@ -89,8 +90,9 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
   if (form.has_virtual_joints()) {
-    // Virtual joints may be zero only where other lanes are at the boundary of the workspace. Where
-    // the axis of one is nearly parallel to others, its value is lost with the digits of the lane.
+    // Virtual joints may be zero only if other lanes are at the boundary of the workspace. If the
+    // axis of a virtual joint is nearly parallel to others, its value is lost with the digits of
+    // the lane.
     const double badly_determined = 1e-3 * near;
     for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
       if (found.residual[std::countr_zero(rest)] > badly_determined) return true;

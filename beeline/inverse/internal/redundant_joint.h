@@ -12,21 +12,21 @@ namespace beeline::internal {
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
-  double weight = 1;     ///< of the coordinate, in distances
+  double weight = 1;     ///< weight of the coordinate in distances
   bool limited = false;  ///< whether both ends are limits
 };
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
                          int coordinate, double size);
 
-/// One branch, with the locked coordinate's value.
+/// A branch with the value of the locked coordinate.
 struct LockedBranch {
   double value = 0;
-  int lane = -1;  ///< of `found`; -1: none
+  int lane = -1;  ///< lane of `found`; -1: none
   PieperBranches found;
 };
 
-/// Returns the lane nearest to the seed among those within limits whose loops close; -1 if there is
-/// none.
+/// Returns the lane nearest to the seed among the lanes within limits whose loops close; -1 if
+/// there is none.
 int nearest_lane(const PieperRequest& loop, const PieperBranches& found);
 
 /// Whether a lane may have a solution that rounding hides.
@@ -37,15 +37,15 @@ struct LeastOutside {
   static constexpr int capacity = 8;
   int count = 0;
   double excess[capacity] = {};  ///< ascending
-  double q[capacity][7] = {};    ///< by coordinate
+  double q[capacity][7] = {};    ///< coordinates of each branch
 
-  /// Inserts a lane of the branch in the order of its excess, if it is one of the least.
+  /// Inserts a lane of the branch in the order of its excess, if its excess is among the least.
   void insert(const PieperSolver& form, const LockedBranch& branch, int lane);
 };
 
-/// Tries up to `tries` values of the redundant joint until a branch is within limits: the seed's
-/// value, then values at multiples of a quarter of the range from it, then of an eighth, and so on,
-/// nearest to the seed first, at least the first of them. Does not allocate.
+/// Tries values of the redundant joint until a branch is within limits, up to `tries` values: first
+/// the seed's value, then values at multiples of a quarter of the range from it, then of an eighth,
+/// and so on, nearest to the seed first. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                           int tries, PieperRequest& loop, BudgetMeter& budget,
                           LeastOutside& outside);

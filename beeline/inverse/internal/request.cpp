@@ -12,8 +12,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The rounding error of forward kinematics, metres: a few units in the last place of the arm's
-/// size, times the square root of the number of joints.
+/// Returns the rounding error of forward kinematics, metres: a few units in the last place of the
+/// arm's size, times the square root of the number of joints.
 double rounding_of(const Arm& arm, const Pose& goal) {
   const double reach = std::isfinite(arm.reach().radius) ? arm.reach().radius : 0;
   const double size = std::max(reach, goal.translation().norm());
@@ -52,7 +52,7 @@ void check_pose_tolerance(const Arm& arm, const Eigen::VectorXd& tolerance) {
   constexpr double farthest = 1e3;  // metres
   for (Eigen::Index k = 0; k < size; ++k) {
     const double most = k < lengths ? farthest : std::numbers::pi;
-    // As pi in degrees may be rounded.
+    // A limit of pi in degrees may be rounded.
     if (tolerance[k] >= 0 && tolerance[k] <= most * (1 + 1e-9)) continue;
     throw Error("", "pose_tolerance",
                 " has " + number(tolerance[k]) + "; lengths are 0 to " + number(farthest) +
@@ -70,7 +70,7 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   check_count("max_iterations", options.max_iterations, 0);
   check_count("max_restarts", options.max_restarts, 0);
   check_count("grid", options.grid, 2);
-  constexpr int finest = 10'000;  // a solution of each takes microseconds
+  constexpr int finest = 10'000;  // each value takes microseconds
   if (options.grid > finest) {
     throw Error("grid is " + std::to_string(options.grid) + "; it must be 10000 or less");
   }

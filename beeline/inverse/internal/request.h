@@ -15,8 +15,8 @@ struct Request {
   Pose goal;
   Task task;
   Configuration seed;
-  Bounds bounds;                 ///< the joint limits, or none where they are ignored
-  const Configuration& weights;  ///< of the coordinates, in distances
+  Bounds bounds;                 ///< the joint limits, or none if they are ignored
+  const Configuration& weights;  ///< weights of the coordinates in distances
   double tolerance;
   BudgetMeter& budget;
 };
@@ -28,7 +28,7 @@ void check_options(const Arm& arm, const InverseOptions& options);
 Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,
                      BudgetMeter& budget);
 
-/// The weighted distance of q from the seed.
+/// Returns the weighted distance of q from the seed.
 double distance_from_seed(const Request& request, const Configuration& q);
 
 /// Replaces the angles of joints without limits that are more than `beyond` from zero, radians, by

@@ -10,7 +10,8 @@
 namespace beeline::internal {
 namespace {
 
-/// Values of each free coordinate: 256, 24 or, of three and more, 8.
+/// Returns the number of values of each free coordinate: 256 for one, 24 for two, 8 for three and
+/// more.
 std::size_t grid_of(std::size_t free_coordinates) {
   constexpr std::size_t values[] = {256, 24, 8};
   return values[std::min(free_coordinates - 1, std::size_t{2})];
@@ -58,7 +59,7 @@ class SelfMotionBranches {
     return values;
   }
 
-  /// The next point along an axis of the grid, which is closed, or the previous one.
+  /// Returns the next point along an axis of the grid, which is closed, or the previous one.
   std::size_t neighbour(std::size_t point, std::size_t axis, bool next) const {
     std::size_t stride = 1;
     for (std::size_t i = 0; i < axis; ++i) stride *= per_axis_;
@@ -107,8 +108,9 @@ class SelfMotionBranches {
     }
   }
 
-  /// The solution nearest to the seed between the neighbours of a point of the grid. Where the
-  /// solutions of two signs end in one, that one belongs to both: then the point's own.
+  /// Returns the solution nearest to the seed between the neighbours of a point of the grid. If the
+  /// solutions of two signs end in one, that solution belongs to both, and the point's own is
+  /// returned.
   Configuration nearest_near(std::size_t point, std::size_t lane) {
     constexpr double end = 1e-5;  // radians
     const Configuration start = at(point, lane).q;
@@ -132,7 +134,7 @@ class SelfMotionBranches {
 
   struct Refined {
     double value = 0;  ///< of the free coordinate
-    Configuration q;   ///< empty: no solution within limits
+    Configuration q;   ///< empty if there is no solution within limits
   };
 
   /// Minimises a cost of solutions within limits between the neighbours of a value of the grid.
@@ -157,7 +159,7 @@ class SelfMotionBranches {
     return best;
   }
 
-  /// Adds branches that are shorter than the step of the grid: where a local minimum of `miss` is
+  /// Adds branches that are shorter than the step of the grid: local minima of `miss` that are
   /// zero.
   void add_narrow_branches(std::size_t lane) {
     for (std::size_t point = 0; point < points_.size(); ++point) {

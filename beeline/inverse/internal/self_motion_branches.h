@@ -9,14 +9,15 @@ namespace beeline::internal {
 
 /// One solution of a closed form at given values of the free coordinates.
 struct FreeSolution {
-  double miss = 0;    ///< 0: within limits; else the excess over them or, without a solution,
+  double miss = 0;    ///< 0 within limits; else the excess over the limits or, without a solution,
                       ///< no_solution plus the residual
   Configuration q{};  ///< the representative within limits, if `miss` is 0
 };
 inline constexpr double no_solution = 1e6;
 
-/// Evaluates a closed form at given values of its free coordinates: writes the solution of each
-/// sign of its roots, always the same number of them in the same order.
+/// A function that evaluates a closed form at given values of its free coordinates. It writes the
+/// solution for each combination of the signs of the roots, always the same number of them in the
+/// same order.
 using SolutionsAt =
     std::function<void(const std::vector<double>& values, std::vector<FreeSolution>& solutions)>;
 

@@ -9,9 +9,9 @@
 namespace beeline::internal {
 namespace {
 
-/// The rank of the task's Jacobian with lengths in units of the arm's reach.
+/// Returns the rank of the task's Jacobian with lengths in units of the arm's reach.
 int rank_at(const Arm& arm, const Task& task, const Configuration& q) {
-  constexpr double lost = 1e-6;  // of the largest singular value
+  constexpr double lost = 1e-6;  // fraction of the largest singular value
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, unit_of_length(arm)));
   const Eigen::VectorXd& sigma = svd.singularValues();
   return static_cast<int>((sigma.array() > lost * sigma[0]).count());

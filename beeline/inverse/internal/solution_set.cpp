@@ -10,10 +10,11 @@ namespace beeline::internal {
 namespace {
 
 /// Whether two solutions are one to the tolerance: the configuration halfway between them nearly
-/// solves the pose too. So it is where several solutions coincide.
+/// solves the pose too. This is the case if several solutions coincide.
 bool coincide(const Request& request, const Configuration& a, const Configuration& b) {
-  constexpr double near = 0.01;        // radians or metres
-  constexpr double of_tolerance = 10;  // the solutions themselves have up to one
+  constexpr double near = 0.01;  // radians or metres
+  constexpr double of_tolerance =
+      10;  // factor on the tolerance; the solutions themselves have errors up to 1
   if (!same_posture(request.arm, a, b, near)) return false;
   const Configuration beside = nearest_representative(request.arm, b, a, no_bounds(request.arm));
   return error_at(request, (a + beside) / 2) <= of_tolerance * request.tolerance;
@@ -30,7 +31,7 @@ void sort(const Request& request, std::vector<Configuration>& solutions) {
             });
 }
 
-/// Keeps the first of the solutions that coincide.
+/// Keeps the first of solutions that coincide.
 void merge(const Request& request, std::vector<Configuration>& solutions) {
   std::vector<Configuration> kept;
   for (Configuration& q : solutions) {

@@ -7,16 +7,16 @@
 
 namespace beeline::internal {
 
-/// The larger of the task's position and orientation error at q, by forward kinematics.
+/// Returns the larger of the task's position and orientation error at q, by forward kinematics.
 double error_at(const Request& request, const Configuration& q);
 
-/// The error up to which a solution of a closed form is left as it is: digits better than
-/// requested.
+/// Returns the error up to which a solution of a closed form is not corrected. It is smaller than
+/// the requested tolerance.
 inline double needs_no_correction(double tolerance) { return std::max(1e-13, tolerance / 100); }
 
 /// Adds the representative of the candidate q nearest to the seed to the solutions if it is within
-/// limits, forward kinematics confirms it, and it is not among them yet. Levenberg-Marquardt steps
-/// correct its last digits. `known`: an index of the solutions, for many calls; default: none.
+/// limits, forward kinematics confirms it, and it is new. Levenberg-Marquardt steps correct its
+/// last digits. `known`: an index of the solutions, for many calls; default: none.
 void add_solution(const Request& request, const Configuration& q, InverseResult& result,
                   PostureIndex* known = nullptr);
 

@@ -20,7 +20,7 @@ namespace {
 /// Solves for the arm with the locked coordinate fixed. Its solver is kept while the value stays
 /// the same.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
-                              const Configuration& seed, ReasonSearch diagnosis,
+                              const Configuration& seed, bool explain_failure,
                               BudgetMeter& budget) {
   check_configuration(state.arm, seed);
   check_lock(state, seed);
@@ -37,7 +37,7 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
     state.locked_value = value;
   }
   InverseResult result =
-      solve(state.locked.front(), world_T_tool, without(seed, k), diagnosis, budget);
+      solve(state.locked.front(), world_T_tool, without(seed, k), explain_failure, budget);
   for (Configuration& q : result.solutions) q = with(q, k, value);
   if (result.nearest) {
     result.nearest->q = with(result.nearest->q, k, value);
@@ -46,11 +46,11 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
   return result;
 }
 
-/// Whether the arm can move from the solution q with the tool at rest: a step along the direction
-/// in which the tool does not move leads to another solution.
+/// Whether the arm can move from the solution q with the tool at rest: a step in a direction that
+/// does not move the tool leads to another solution.
 bool has_self_motion(const Request& request, const Configuration& q) {
-  constexpr double rounding = 1e-8;  // of the singular values of a solution
-  constexpr double length = 0.1;     // of the step, radians or metres
+  constexpr double rounding = 1e-8;  // relative rounding of the singular values of a solution
+  constexpr double length = 0.1;     // length of the step, radians or metres
   const Eigen::MatrixXd j = task_jacobian(request.arm, q, request.task);
   if (j.rows() == 6 && j.cols() == 6) {
     // The least singular value is at least |det| / norm^5; the determinant takes a tenth of the
@@ -68,7 +68,7 @@ bool has_self_motion(const Request& request, const Configuration& q) {
   return back.converged && (back.q - q).norm() > length / 2;
 }
 
-/// Adds the solution that Redundancy::any gives, than which the optimum is to be no worse.
+/// Adds the Redundancy::any solution, so that the optimum is never worse than it.
 void add_any_solution(SolverState& state, const Request& request, InverseResult& result) {
   const Redundancy requested = std::exchange(state.options.redundancy, Redundancy::any);
   Configuration q(request.arm.dof());
@@ -80,8 +80,8 @@ void add_any_solution(SolverState& state, const Request& request, InverseResult&
   }
 }
 
-/// Whether the last search came so near that the searches of diagnose() may find a solution, which
-/// every caller is to get.
+/// Whether the last search came so near that the searches of diagnose() may find a solution. Every
+/// caller must get that solution.
 bool nearly_solved(const SolverState& state) {
   constexpr double near = 1e-3;  // metres and radians
   const NumericalResult& nearest = state.search.nearest;
@@ -89,15 +89,15 @@ bool nearly_solved(const SolverState& state) {
          std::max(nearest.error.position, nearest.error.orientation) < near;
 }
 
-/// Whether solve_fast_path() has searched for a solution with many restarts. Those that are left
-/// find few more, and take longer than a solution within options.pose_tolerance.
+/// Whether solve_fast_path() has searched for a solution with many restarts. The remaining restarts
+/// find few more solutions, and take longer than a solution within options.pose_tolerance.
 bool searched_fast(const SolverState& state) {
   const bool finitely_many = state.arm.dof() <= state.task.size();
   return !state.options.all && !(state.family && finitely_many);
 }
 
-/// The status and reason of solutions that the budget ended the search for; not of the only one
-/// that is requested.
+/// Sets the status and reason of solutions that the budget ended the search for, unless the only
+/// requested one was found.
 void set_incomplete(const Request& request, bool optimised, InverseResult& result) {
   const Ending ending = request.budget.ending();
   if (ending == Ending::complete || !(request.options.all || optimised)) return;
@@ -111,8 +111,9 @@ void set_incomplete(const Request& request, bool optimised, InverseResult& resul
 }  // namespace
 
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    ReasonSearch diagnosis, BudgetMeter& budget) {
-  if (state.options.lock) return solve_with_lock(state, world_T_tool, seed, diagnosis, budget);
+                    bool explain_failure, BudgetMeter& budget) {
+  if (state.options.lock)
+    return solve_with_lock(state, world_T_tool, seed, explain_failure, budget);
   check_configuration(state.arm, seed);
   Configuration wrapped = seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
@@ -127,7 +128,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   if (tolerant && !searched && result.solutions.empty()) {
     if (auto near = solve_within_tolerance(state, request)) return *near;
   }
-  if (result.solutions.empty() && (diagnosis == ReasonSearch::wanted || nearly_solved(state))) {
+  if (result.solutions.empty() && (explain_failure || nearly_solved(state))) {
     diagnose(state, request, unconstrained, result);
   }
   if (result.solutions.empty()) {

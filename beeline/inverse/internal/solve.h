@@ -4,13 +4,11 @@
 
 namespace beeline::internal {
 
-/// Whether a request without solutions is diagnosed, which takes longer than solving most requests.
-enum class ReasonSearch { wanted, skipped };
-
-/// Solves one pose: checks the request, runs the stages, then diagnoses a failure or resolves
-/// redundancy and sorts the solutions. The status is that of the budget if it ended a step that
-/// might have changed the solutions.
+/// Solves one pose: checks the request, runs the stages, then resolves redundancy and sorts the
+/// solutions. Without solutions, `explain_failure` diagnoses the request, which takes longer than
+/// solving most requests. If the budget ended a step that might have changed the solutions, the
+/// status is the ending of the budget.
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    ReasonSearch diagnosis, BudgetMeter& budget);
+                    bool explain_failure, BudgetMeter& budget);
 
 }  // namespace beeline::internal

@@ -35,7 +35,7 @@ std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& w
     return std::max(error.position, error.orientation);
   };
   state.search.iterations = state.search.restarts = 0;
-  // Next to a singularity the closed form may lose a solution to rounding. solve() keeps the seed.
+  // Next to a singularity the closed form may lose a solution to rounding. solve() adds the seed.
   const bool keeps_seed = options.redundancy != Redundancy::centred && !options.lock;
   if (keeps_seed && within(state.bounds, seed) && error_at(seed) <= options.tolerance) return {};
   Configuration q(state.arm.dof());

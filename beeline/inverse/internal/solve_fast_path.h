@@ -14,7 +14,7 @@ std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, BudgetMeter& budget,
                                    const Eigen::Ref<Eigen::MatrixXd>& solutions);
 
-/// The same for one solution, checked by forward kinematics, as a result. Nothing if solve() is
+/// Returns one solution, checked by forward kinematics, as a result. Returns nothing if solve() is
 /// needed.
 std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& world_T_tool,
                                                const ConfigurationRef& seed, BudgetMeter& budget);

@@ -12,26 +12,26 @@ namespace beeline::internal {
 
 struct AnalyticFamily;
 
-/// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
-/// their buffers.
+/// The private state of InverseSolver: the data of an arm for the stages, computed once, and their
+/// buffers.
 struct SolverState {
   Arm arm;
   InverseOptions options;
   Task task;
-  Bounds bounds;          ///< the joint limits, or none where they are ignored
+  Bounds bounds;          ///< the joint limits, or none if they are ignored
   Configuration middle;   ///< the default seed
   Configuration weights;  ///< options.weights, or ones
-  /// The family of closed forms that covers the arm and the task, or null.
+  /// The family of closed forms for the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
-  /// A family that is tried where the numerical stage fails, or null.
+  /// A family that is tried if the numerical stage fails, or null.
   const AnalyticFamily* fallback = nullptr;
   bool fallback_prepared = false;  ///< whether fallback->applies() was called
   std::optional<PieperSolver> pieper = std::nullopt;
   bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
   std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
-  const RaghavanRothSolver* similar = nullptr;  ///< of another arm; only while a family is selected
-  /// The coordinate that is locked at the values of a grid; the values, ascending, none until the
-  /// first request; and the solvers of the remaining joints, one for each value.
+  const RaghavanRothSolver* similar = nullptr;  ///< of another arm; only set during selection
+  /// The coordinate that is locked at the values of a grid, the values (ascending, empty until the
+  /// first request), and the solvers of the remaining joints, one for each value.
   int grid_coordinate = 0;
   std::vector<double> grid_values = {};
   std::vector<SolverState> grid_solvers = {};
@@ -39,9 +39,9 @@ struct SolverState {
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
   std::optional<int> removed_coordinate = std::nullopt;
-  std::vector<SolverState> locked = {};  ///< empty, or the solver of the arm with options.lock ...
-  double locked_value = 0;               ///< ... at this value
-  std::vector<SolverState> tolerant = {};  ///< empty, or the solver for options.pose_tolerance
+  std::vector<SolverState> locked = {};    ///< one solver of the arm with options.lock, or none
+  double locked_value = 0;                 ///< value of the locked coordinate of `locked`
+  std::vector<SolverState> tolerant = {};  ///< one solver for options.pose_tolerance, or none
   MultiStartBuffers buffers = {};
   SearchResult search = {};
 };
@@ -54,13 +54,13 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
 /// Sets state.within_limits and returns it.
 const PreparedSearch& search_within_limits(SolverState& state);
 
-/// The name of the method, such as "closed form: planar".
+/// Returns the name of the method, such as "closed form: planar".
 std::string method_name(const SolverState& state);
 
 /// Throws Error if options.lock fixes a coordinate outside its limits.
 void check_lock(const SolverState& state, const ConfigurationRef& seed);
 
-/// The fast path is used for seeds with angles up to this; larger angles lose too many digits (see
+/// Max angle of a seed for the fast path. Larger angles lose too many digits (see
 /// wrap_unlimited_angles()).
 inline constexpr double farthest_seed = 1e3;  // radians
 

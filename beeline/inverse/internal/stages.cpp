@@ -26,8 +26,8 @@ bool applies_to_all(const SolverState&, const Request& request, const StageResul
   return request.options.all;
 }
 
-/// Adds the seed if it is a solution: no other is nearer. Next to a singularity the closed form may
-/// lose it to rounding.
+/// Adds the seed if it is a solution, because no other one is nearer. Next to a singularity the
+/// closed form may lose it to rounding.
 void add_seed(SolverState&, const Request& request, StageResult& found) {
   if (!within(request.bounds, request.seed)) return;
   if (error_at(request, request.seed) > request.tolerance) return;
@@ -56,7 +56,7 @@ bool applies_analytic(const SolverState& state, const Request&, const StageResul
   return !found.unconstrained.violation && state.family != nullptr;
 }
 
-/// Whether solutions may be missing that a search can find.
+/// Whether a search may find solutions that are missing.
 bool applies_numerical(const SolverState& state, const Request& request, const StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
   const bool none = found.result.solutions.empty();
@@ -72,7 +72,7 @@ void run_family(SolverState& state, const Request& request, StageResult& found) 
   solve_analytic(*state.family, state, request, found);
 }
 
-/// Whether the search found nothing, which proves nothing, and a family is left.
+/// Whether the search found nothing, which proves nothing, and a family remains.
 bool applies_fallback(const SolverState& state, const Request& request, const StageResult& found) {
   return found.result.solutions.empty() && state.fallback &&
          applies_numerical(state, request, found);
@@ -85,7 +85,7 @@ void run_fallback(SolverState& state, const Request& request, StageResult& found
   if (state.fallback) solve_analytic(*state.fallback, state, request, found);
 }
 
-/// A new stage is added as a row here.
+/// New stages are added as rows here.
 constexpr Stage stages[] = {
     {applies_to_one, add_seed},       {always, check_invariants},
     {applies_analytic, run_family},   {applies_numerical, solve_numerical},

@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-/// The box lower <= q <= upper; infinite where there is no limit.
+/// The box lower <= q <= upper. A coordinate without a limit has an infinite bound.
 struct Bounds {
   Configuration lower;
   Configuration upper;
@@ -16,18 +16,18 @@ Bounds no_bounds(const Arm& arm);
 bool any_finite(const Bounds& bounds);
 bool within(const Bounds& bounds, const Configuration& q);
 
-/// The nearest point of the box.
+/// Returns the nearest point of the box.
 Configuration clamped(const Bounds& bounds, Configuration q);
 
-/// The sum over the coordinates of the distances of q from the interval between its bounds, radians
-/// and metres.
+/// Returns the sum over the coordinates of the distances of q from the interval between its bounds,
+/// radians and metres.
 double excess(const Bounds& bounds, const Configuration& q);
 
 /// Throws Error unless the task has rows, in the base or tool frame, and the bounds fit the arm.
 void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
 
-/// The length that is equivalent to one radian in sums of errors: the radius of the arm's reach, or
-/// 1 m if that is infinite or zero.
+/// Returns the length that is equivalent to one radian in sums of errors: the radius of the arm's
+/// reach, or 1 m if that is infinite or zero.
 double unit_of_length(const Arm& arm);
 
 }  // namespace beeline::internal

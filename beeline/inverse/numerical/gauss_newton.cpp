@@ -21,8 +21,8 @@ namespace {
 
 using namespace internal;
 
-// The tolerances are those of levenberg_marquardt_lanes.cpp. The damping is smaller: a start near
-// the pose needs it at singularities only.
+// The tolerances are equal to the tolerances in levenberg_marquardt_lanes.cpp. The damping is
+// smaller: a start near the pose needs it at singularities only.
 constexpr double min_damping = 1e-13;       // keeps J J^T regular at singularities
 constexpr double damping_factor = 0.01;     // damping over squared error
 constexpr double acceleration_from = 1e-6;  // squared error; a plain step suffices below
@@ -143,7 +143,7 @@ HWY_INLINE double along(const double* c, const double (&y)[6]) {
 
 /// Computes half the second derivative of the tool's motion along `near.move`,
 ///   1/2 sum_jk d2f / (dq_j dq_k) move_j move_k:
-/// a joint rotates its own column and those of all joints after it.
+/// A joint rotates its own column and the columns of all joints after it.
 HWY_INLINE void half_second_derivative(const GaussNewtonState& near, double (&half)[6]) {
   double rotation[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   for (size_t k = 0; k < near.move.size(); ++k) {
@@ -176,7 +176,7 @@ HWY_INLINE double step(const NumericalProblem& problem, bool accelerated, GaussN
     near.move[k] = along(near.column[k].lane, dual);
     longest = std::max(longest, std::abs(near.move[k]));
   }
-  if (accelerated) {  // geodesic acceleration: cubic convergence
+  if (accelerated) {  // geodesic acceleration gives cubic convergence
     half_second_derivative(near, dual);
     solve(near.normal, dual);
     for (size_t k = 0; k < near.q.size(); ++k) near.move[k] -= along(near.column[k].lane, dual);

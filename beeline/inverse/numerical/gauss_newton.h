@@ -4,18 +4,18 @@
 
 namespace beeline::internal {
 
-/// The state of one run of gauss_newton(). One for each thread; the first call sizes it.
+/// The state of one run of gauss_newton(). Each thread needs its own; the first call sizes it.
 struct GaussNewtonState {
   std::vector<double> q;  ///< in the coordinates' units, within the bounds
-  double error[6] = {};   ///< of the task at q; lengths in units
+  double error[6] = {};   ///< error of the task at q; lengths in units
   int iterations = 0;
   std::vector<double> before;  ///< q before the last step
   std::vector<double> move;    ///< the last step
   std::vector<char> free;      ///< whether a coordinate has not reached a bound
   std::vector<double> axes;    ///< eight numbers for each link: direction and origin
-  std::vector<EightNumbers> angle, sine, cosine;  ///< of the links, eight by eight
+  std::vector<EightNumbers> angle, sine, cosine;  ///< of the links, eight at a time
   double normal[6 * solver_lane_count] = {};      ///< the factors of J J^T, rows of eight
-  std::vector<EightNumbers> column;  ///< for each coordinate: the six numbers of its column
+  std::vector<EightNumbers> column;  ///< for each coordinate, the six numbers of its column
 };
 
 /// Solves a task with all six rows by Gauss-Newton with geodesic acceleration (Transtrum & Sethna

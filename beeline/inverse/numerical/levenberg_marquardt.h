@@ -6,9 +6,9 @@
 namespace beeline::internal {
 
 struct NumericalOptions {
-  double tolerance = 1e-10;           ///< of position and orientation error, metres and radians
+  double tolerance = 1e-10;           ///< max position and orientation error, metres and radians
   int max_iterations = 100;           ///< max steps
-  BudgetMeter& budget = unlimited();  ///< asked before each step
+  BudgetMeter& budget = unlimited();  ///< budget, which is checked before each step
 
   bool accepts(const Deviation& error) const {
     return error.position <= tolerance && error.orientation <= tolerance;
@@ -26,9 +26,9 @@ struct NumericalResult {
 /// Hanafusa 1986) from `start`, clamped to the bounds. Each step minimises
 ///   |J dq - e|^2 + damping |dq|^2   subject to the bounds,
 /// where e is the task's error and the damping is proportional to |e|^2, which keeps convergence
-/// quadratic (Sugihara 2011). Lengths, also those of prismatic joints, are in units of
-/// unit_of_length(). A step that does not reduce |e| is rejected and the damping increased, so |e|
-/// never grows and the result is always finite. Below the tolerance it iterates while each step
+/// quadratic (Sugihara 2011). Lengths, including the coordinates of prismatic joints, are in units
+/// of unit_of_length(). A step that does not reduce |e| is rejected and the damping increased, so
+/// |e| never grows and the result is always finite. Below the tolerance it iterates while each step
 /// still halves |e|; above, it ends early when |e|^2 has not halved in 8 steps. The cost of a step
 /// is linear in the number of joints.
 /// Throws Error when start or bounds do not fit the arm, the pose or an option is not finite or

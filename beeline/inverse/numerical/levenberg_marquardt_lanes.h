@@ -7,7 +7,7 @@
 namespace beeline::internal {
 
 struct LaneOptions {
-  double tolerance = 1e-10;  ///< of position and orientation error, metres and radians
+  double tolerance = 1e-10;  ///< max position and orientation error, metres and radians
   int max_iterations = 100;  ///< max steps of each lane
   bool polish = true;  ///< iterate below the tolerance, down to 1e-13 or the level of rounding
   bool first_is_enough = false;  ///< stop all lanes as soon as one has converged
@@ -16,10 +16,10 @@ struct LaneOptions {
 /// The state of eight runs of Levenberg-Marquardt that step together. Each thread needs its own.
 /// start_lane() sizes it for its first problem; later calls do not allocate.
 struct LevenbergMarquardtLanes {
-  unsigned active = 0;              ///< bit i: lane i still iterates
-  unsigned converged = 0;           ///< bit i: lane i has ended within the tolerance
-  unsigned coarse = 0;              ///< bit i: and stagnated there before it was polished
-  unsigned within = 0;              ///< bit i: lane i is within the tolerance
+  unsigned active = 0;     ///< bit i: lane i still iterates
+  unsigned converged = 0;  ///< bit i: lane i has ended within the tolerance
+  unsigned coarse = 0;     ///< bit i: lane i has converged, but stagnated before it was polished
+  unsigned within = 0;     ///< bit i: lane i is within the tolerance
   std::vector<EightNumbers> q;      ///< one for each coordinate, in its unit, within the bounds
   EightNumbers error[6];            ///< e, the task's error at q; lengths in units
   EightNumbers cost;                ///< |e|^2; infinite before the first evaluation

@@ -7,16 +7,16 @@
 
 namespace beeline::internal {
 
-/// A pose to be reached within bounds, and the units in which the solvers compute. Lengths, also
-/// those of prismatic joints, are in units of unit_of_length(), so that errors and steps have one
-/// unit.
+/// A pose to be reached within bounds, and the units of the solvers. Lengths, including the
+/// coordinates of prismatic joints, are in units of unit_of_length(), so that errors and steps have
+/// one unit.
 struct NumericalGoal {
   const Arm& arm;
   const Pose& world_T_tool;
   const Task& task;
   const Bounds& bounds;
   double length;          ///< metres
-  Eigen::VectorXd units;  ///< of each coordinate, radians or metres
+  Eigen::VectorXd units;  ///< unit of each coordinate, radians or metres
 };
 
 /// Throws Error when the pose is not finite, the start or the bounds do not fit, or an option is
@@ -70,8 +70,8 @@ struct BoundedStep {
     return stopped;
   }
 
-  Jacobian free;  ///< the columns of the joints that are not held
-  Twist error;    ///< that remains for them
+  Jacobian free;  ///< columns of the joints that are not held
+  Twist error;    ///< error that remains for these joints
   Eigen::VectorXd step;
   std::vector<char> held;
 };

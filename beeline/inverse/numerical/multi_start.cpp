@@ -14,8 +14,8 @@
 namespace beeline::internal {
 namespace {
 
-// Steps between two questions to the budget, which may be exceeded by as many. Most runs end within
-// this number, so the clock is rarely read.
+// Steps between two checks of the budget, which may be exceeded by this number. Most runs end
+// within it, so the clock is rarely read.
 constexpr int steps_per_check = 16;
 // Max restarts after a lane has stagnated within the tolerance, in search of one that converges to
 // rounding. Bounds the time that a nearly singular pose takes.
@@ -24,9 +24,9 @@ constexpr int restarts_for_fine = 256;
 // solution or a minimum just above zero; few of the latter should take time.
 constexpr double next_to_a_solution = 1e-3;
 constexpr int max_continued = 16;
-constexpr int restarts_before = 64;  // nearly all poses elsewhere are solved by then
+constexpr int restarts_before = 64;  // nearly all other poses are solved by then
 constexpr int slow_convergence = 3;  // steps at a singularity for each step elsewhere
-// Where two singularities meet, lanes stagnate farther away: the nearest of all are continued last.
+// Where two singularities meet, lanes stagnate farther away. The nearest of all are continued last.
 constexpr double near_a_solution = 1e-2;
 constexpr std::size_t max_nearest = 16;
 
@@ -104,7 +104,7 @@ class Run {
     return true;
   }
 
-  /// Tries the branch of a start near the pose, before lanes find another.
+  /// Tries the branch of a start near the pose, before lanes find another branch.
   bool converges_from_start() {
     constexpr double near = 0.1;  // radians, or units of length
     const Deviation off =
@@ -170,7 +170,7 @@ class Run {
     bool operator<(const Stagnated& other) const { return cost < other.cost; }
   };
 
-  /// Keeps the lane in q_, if it is one of those of least error.
+  /// Keeps the lane in q_, if its error is among the least.
   void keep(double cost) {
     if (!options_.continue_nearest || !(cost < near_a_solution * near_a_solution)) return;
     if (stagnated_.size() == max_nearest) {
@@ -213,7 +213,7 @@ class Run {
     return converges_at_singularity();
   }
 
-  /// The same, for any lane.
+  /// Continues any lane from q_ in the same way.
   bool converges_at_singularity() {
     const NumericalOptions options{.tolerance = options_.tolerance,
                                    .max_iterations = slow_convergence * options_.max_iterations,

@@ -10,23 +10,24 @@
 namespace beeline::internal {
 
 struct MultiStartOptions {
-  double tolerance = 1e-9;       ///< of position and orientation error, metres and radians
+  double tolerance = 1e-9;       ///< max position and orientation error, metres and radians
   int max_iterations = 100;      ///< max steps from one start
   int max_restarts = 1000;       ///< max starts after the first
   bool all = false;              ///< use all restarts, and collect the distinct solutions
   bool continue_nearest = true;  ///< without a solution, continue the runs of least error
   std::uint64_t random_seed = 1;
-  /// Asked every few steps; default: none. When it ends, the result holds what was found so far.
+  /// Budget, which is checked every few steps; default: none. When it ends, the result holds the
+  /// solutions found so far.
   BudgetMeter& budget = unlimited();
-  /// With `all`: called with each of the solutions when it is found; default: not called.
+  /// Function that is called with each solution when it is found, with `all`; default: not called.
   std::function<void(const Configuration&)> found = {};
 };
 
 struct SearchResult {
   std::vector<Configuration> solutions;  ///< within the bounds, no two of them the same posture
   NumericalResult nearest;               ///< the run of least error, solution or not
-  int iterations = 0;                    ///< over all starts
-  int restarts = 0;                      ///< starts after the first
+  int iterations = 0;                    ///< number of iterations over all starts
+  int restarts = 0;                      ///< number of starts after the first
 };
 
 /// Buffers that keep calls from allocating. Each thread needs its own.
@@ -50,8 +51,7 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
 /// again from a random configuration. Ends when a lane converges. If several converge in the same
 /// step, the solution is the one nearest to `start`. Lanes that have stagnated next to a solution
 /// are continued by singular_configuration() and singular_gauss_newton(): some at once, and if no
-/// lane converges those of least error. It is given as its representative nearest to
-/// `start`. The same seed table and random_seed give the same result if no time limit ends it.
+/// lane converges, the lanes of least error. The solution is the representative nearest to
 /// `result` is overwritten. Throws Error for a start or a pose that is not finite or does not fit,
 /// and for an option out of range.
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,

@@ -26,10 +26,10 @@ struct NumericalProblem {
   Chain chain;        ///< in units of length
   struct Coordinate {
     double unit = 1;                   ///< radians or metres
-    double lower = 0, upper = 0;       ///< the bounds in units
-    bool wraps = false;                ///< a step beyond a bound continues one turn away
-    double lowest = 0, highest = 0;    ///< the bounds of a step: infinite where it wraps
-    bool slides = false;               ///< prismatic
+    double lower = 0, upper = 0;       ///< the bounds, in units
+    bool wraps = false;                ///< whether a step beyond a bound continues one turn away
+    double lowest = 0, highest = 0;    ///< the bounds of a step: infinite if it wraps
+    bool slides = false;               ///< whether the joint is prismatic
     bool periodic = false;             ///< see is_periodic()
     int first_link = 0, end_link = 0;  ///< its links are links[first_link] to links[end_link - 1]
   };

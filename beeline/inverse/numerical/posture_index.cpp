@@ -7,11 +7,11 @@
 namespace beeline::internal {
 namespace {
 
-// Wider than the tolerance of same_posture(), so that equal postures are in the same cell or in
-// neighbours; a whole number of cells makes a revolution.
+// Cells are wider than the tolerance of same_posture(), so that equal postures are in the same cell
+// or in neighbouring cells. A whole number of cells makes a revolution.
 constexpr double cells_in_a_revolution = 2'000'000;
 constexpr double cell_width = revolution / cells_in_a_revolution;
-constexpr std::size_t few = 16;  // these are compared one by one
+constexpr std::size_t few = 16;  // this number is compared one by one
 
 double cell_of(double coordinate, bool periodic) {
   const double cell = std::floor(coordinate / cell_width);

@@ -7,18 +7,18 @@
 
 namespace beeline::internal {
 
-/// Tells whether a configuration is the same posture as one of many, without a comparison with all
-/// of them: only those whose first coordinate is near are compared. For any number of postures that
-/// are spread over the range of that coordinate, a question takes constant time.
+/// Finds whether a configuration is the same posture as one of many, without a comparison with all
+/// of them: only postures with a similar first coordinate are compared. A query takes constant time
+/// for any number of postures that are spread over the range of that coordinate.
 class PostureIndex {
  public:
   /// Whether q is the same_posture() as one of the first `count` configurations, which must begin
-  /// with those of earlier calls. `count` below that of the last call: begins anew.
+  /// with the configurations of earlier calls. A smaller `count` than in the last call starts anew.
   bool contains(const Arm& arm, const std::vector<Configuration>& known, std::size_t count,
                 const Configuration& q);
 
  private:
-  /// By cell of the first coordinate, as a whole number of cells.
+  /// Indices of postures by the cell of their first coordinate.
   std::unordered_multimap<double, std::size_t> cells_;
   std::size_t indexed_ = 0;
 };

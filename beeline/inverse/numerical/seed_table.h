@@ -30,11 +30,12 @@ class Splitmix {
 /// helical joint.
 void draw_configuration(const NumericalProblem& problem, double far, Splitmix& random, double* q);
 
-/// Random configurations and their tool poses, computed once for many goals. From those whose tool
-/// is nearest to the goal the solver needs fewer steps and converges more often.
+/// Random configurations and their tool poses, computed once for many goals. From the
+/// configurations whose tool is nearest to the goal, the solver needs fewer steps and converges
+/// more often.
 struct SeedTable {
-  int blocks = 0;                  ///< of eight configurations
-  std::vector<EightNumbers> q;     ///< block by block, one for each coordinate
+  int blocks = 0;                  ///< number of blocks of eight configurations
+  std::vector<EightNumbers> q;     ///< block by block, one entry for each coordinate
   std::vector<EightNumbers> tool;  ///< block by block: columns x, y, z and origin, 12 rows
 };
 /// Returns a table of `blocks` times eight seeds. More blocks reduce the solver's steps, but every

@@ -8,8 +8,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The columns of the derivative of J with respect to coordinate k, by a central difference. Its
-/// error, 1e-10, slows the convergence by as much.
+/// Returns the columns of the derivative of J with respect to coordinate k, by a central
+/// difference. Its error, 1e-10, slows the convergence by as much.
 Jacobian jacobian_change(const NumericalGoal& goal, const Configuration& q, int k) {
   constexpr double h = 1e-5;  // radians, or units of length
   LinearModel above(q.size()), below(q.size());
@@ -21,8 +21,8 @@ Jacobian jacobian_change(const NumericalGoal& goal, const Configuration& q, int 
   return (above.columns - below.columns) / (2 * h);
 }
 
-/// Newton's step, in the units of the goal. Singular values below this fraction of the largest
-/// count as lost.
+/// Returns Newton's step, in the units of the goal. Singular values below this fraction of the
+/// largest count as lost.
 Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
                             const LinearModel& at, double nearly_lost) {
   const Eigen::Index n = q.size();
@@ -52,7 +52,7 @@ Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
   return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(a).solve(b);
 }
 
-/// Newton's method with one choice of what counts as lost.
+/// Runs Newton's method with one threshold for lost singular values.
 NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start,
                            double nearly_lost, const NumericalOptions& options) {
   constexpr int max_steps = 12;  // a start that needs more is not near
@@ -87,7 +87,8 @@ NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool,
   const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, start, options);
   NumericalResult best;
   int iterations = 0;
-  // A small singular value may be of a second singularity nearby, which the solution has not.
+  // A small singular value may belong to a second singularity nearby that the solution does not
+  // have.
   for (const double nearly_lost : {0.02, 0.002}) {
     NumericalResult run = run_newton(goal, start, nearly_lost, options);
     iterations += run.iterations;

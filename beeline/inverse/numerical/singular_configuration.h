@@ -4,9 +4,9 @@
 
 namespace beeline::internal {
 
-/// Solves for a configuration at a pose at the boundary of the workspace, or at another pose where
-/// the Jacobian J = sum sigma_i u_i v_i^T loses rank. There the error is quadratic in some
-/// directions, and Gauss-Newton steps converge linearly or not at all. Newton's method on
+/// Solves for a configuration at a pose at the boundary of the workspace, or at another pose whose
+/// Jacobian J = sum sigma_i u_i v_i^T loses rank. The error is then quadratic in some directions,
+/// and Gauss-Newton steps converge linearly or not at all. Newton's method on
 ///   u_i . e = 0                   for the directions i in which the tool moves,
 ///   v_j . (u_i . J)^T = 0         for the others, over the v_j of those and of the null space,
 /// converges quadratically to the singular configuration from a `start` near it, because the second

@@ -4,9 +4,9 @@
 
 namespace beeline::internal {
 
-/// Solves for a configuration at the pose from a `start` near a singularity, where
-/// levenberg_marquardt() stagnates: its normal equations lose the singular values of the Jacobian
-/// below about 1e-7. This solver keeps them to rounding. With J = sum sigma_i u_i v_i^T, each step
+/// Solves for a configuration at the pose from a `start` near a singularity. levenberg_marquardt()
+/// stagnates there, because its normal equations lose the singular values of the Jacobian below
+/// about 1e-7. This solver keeps them to rounding. With J = sum sigma_i u_i v_i^T, each step
 /// is
 ///   dq = sum over i of clamp(u_i . e / sigma_i, +-0.3 rad) v_i,
 /// over the directions whose error u_i . e exceeds the tolerance, subject to the bounds. Steps are

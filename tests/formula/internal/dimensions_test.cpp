@@ -32,7 +32,7 @@ TEST(AxisRotations, FindMultiplesOf15Degrees) {
     for (AxisRotation& rotation : rotations) rotation.angle += random.uniform(-1e-11, 1e-11);
     const std::vector<AxisRotation> found = axis_rotations(product(rotations), 2, 2, 1e-9);
     for (const AxisRotation& rotation : found) {
-      EXPECT_TRUE(fifteenths(rotation.angle, 1e-15)) << rotation.angle;
+      EXPECT_TRUE(multiple_of_15_degrees(rotation.angle, 1e-15)) << rotation.angle;
     }
     EXPECT_LT((product(found) - exact).cwiseAbs().maxCoeff(), 1e-9);
   }
