@@ -36,7 +36,7 @@ class Error : public std::runtime_error {
 
  private:
   std::string argument_;
-  std::size_t position_ = std::string::npos;  ///< of the argument's name in the message
+  std::size_t position_ = std::string::npos;  ///< position of the argument's name in the message
 };
 
 /// Invalid input in a file. The message begins with `path:line: `, or with `path: ` if the line is

@@ -44,7 +44,7 @@ enum class ReasonCode {
   off_slides,         ///< an arm of prismatic joints cannot translate there
   self_motion,        ///< solved: there are infinitely many solutions
   singular_velocity,  ///< no joint rates move the tool along a part of the velocity
-  too_few_joints,     ///< the same at every configuration
+  too_few_joints,     ///< no configuration has joint rates along this part
   // Paths.
   would_pass_limits,    ///< one or several joints would pass a limit if the motion continued
   step_not_proved,      ///< no step keeps the tolerance

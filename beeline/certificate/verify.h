@@ -23,8 +23,8 @@ struct PathDeviation {
   Deviation bound;     ///< proved upper bound at all times
   /// Bound proved from each sample to the next: position, m, and orientation, rad, (N - 1, 2).
   std::vector<Deviation> interval_bounds;
-  Ending ending =
-      Ending::complete;  ///< how the computation ended; unless complete, `bound` is infinite
+  /// How the computation ended; unless complete, `bound` is infinite.
+  Ending ending = Ending::complete;
 };
 
 /// Measures and bounds the deviation of a trajectory from the path, for the motion that the columns

@@ -18,8 +18,8 @@ using namespace internal;
 namespace {
 
 constexpr double damped_below = 1e-2;  // fraction of the largest singular value
-constexpr double max_damped_step =
-    0.1;  // rad, max rotation of any joint; J changes fast next to a singularity
+// rad, max rotation of any joint; J changes fast next to a singularity.
+constexpr double max_damped_step = 0.1;
 constexpr double max_step = 1;    // rad, max rotation of any joint: range of the linear model
 constexpr double max_jump = 1.5;  // rad; solutions farther apart are on different branches
 

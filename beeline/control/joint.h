@@ -30,8 +30,8 @@ struct ControlledMotion {
 };
 
 struct SimulationOptions {
-  double tolerance =
-      1e-6;  ///< max error at a goal that counts as reached, metres and radians, above 0
+  /// Max error at a goal that counts as reached, metres and radians, above 0.
+  double tolerance = 1e-6;
   int max_steps = 100'000;  ///< max steps of the whole motion, 1 to 1e7; beyond it `not_converged`
   double time_step = 0.02;  ///< time step of the controller, seconds, above 0
   Budget budget = {};       ///< budget of the whole motion

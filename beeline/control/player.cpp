@@ -107,8 +107,8 @@ void Playback::sample_at(double time) {
 /// Returns the largest change of the speed s in one step. The joint acceleration a s² + v ṡ must be
 /// within the limits.
 double Playback::max_speed_change() const {
-  constexpr double min_rate =
-      0.05;  // fraction of the ramp's rate; a recording at its limits must be able to pause
+  // Fraction of the ramp's rate; a recording at its limits must be able to pause.
+  constexpr double min_rate = 0.05;
   double rate = 1 / options_.ramp;
   for (Eigen::Index k = 0; k < velocity_.size(); ++k) {
     const double limit = arm_.limits(k).acceleration;

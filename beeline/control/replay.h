@@ -26,8 +26,8 @@ struct ReplayOptions {
   std::optional<Configuration> start = std::nullopt;
   /// Target speeds at increasing times; empty: `speed` throughout.
   std::vector<SpeedChange> speed_at = {};
-  double ramp =
-      0.5;  ///< time in which the speed changes by 1, seconds, above 0; only for `speed_at`
+  /// Time in which the speed changes by 1, seconds, above 0; only for `speed_at`.
+  double ramp = 0.5;
   bool no_unwrap = false;  ///< whether to keep the jumps of continuous joints whose values wrap
   /// Fraction, 0 to 0.1, by which a recorded velocity may exceed its limit, for the rounding of
   /// other planners. The replay then keeps the recorded velocity as its limit, as it always does

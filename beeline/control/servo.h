@@ -20,10 +20,10 @@ struct ServoOptions {
   double time_step = 1e-3;  ///< time step of the control loop, seconds, above 0
   /// Decay rate of the error in step_towards(), 1/s, above 0 and at most 1 / time_step.
   double gain = 10;
-  double linear_speed =
-      Limits::none;  ///< max linear speed of the command in step_towards(), m/s, above 0
-  double angular_speed =
-      Limits::none;  ///< max angular speed of the command in step_towards(), rad/s, above 0
+  /// Max linear speed of the command in step_towards(), m/s, above 0.
+  double linear_speed = Limits::none;
+  /// Max angular speed of the command in step_towards(), rad/s, above 0.
+  double angular_speed = Limits::none;
 };
 
 /// The limit that determines the scale of a step.

@@ -39,8 +39,8 @@ std::string name(TrackerStatus status);
 /// One step of a Tracker: the configuration at its end.
 struct TrackerStep {
   Configuration q;  ///< configuration at the end of the step, rad or m, within the position limits
-  Configuration
-      velocity;  ///< joint velocity of the step, rad/s or m/s: (q - the last q) / time_step
+  /// Joint velocity of the step, rad/s or m/s: (q - the last q) / time_step.
+  Configuration velocity;
   TrackerStatus status = TrackerStatus::following;
   /// Error of the tool at q in the task's rows: the deviation from the commanded pose or, within a
   /// command period, from the pose on the line to it.

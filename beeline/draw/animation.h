@@ -13,8 +13,8 @@ namespace beeline {
 struct Animation {
   Figure figure;              ///< still part; Item::appears counts in the units of `times`
   std::vector<double> times;  ///< times of the frames, seconds, strictly increasing
-  std::vector<Drawing>
-      frames;  ///< for each time, the drawing that every panel shows beside its own
+  /// For each time, the drawing that every panel shows beside its own.
+  std::vector<Drawing> frames;
 };
 
 /// Playback of an animation: a loop of at most a day, at rest before it begins and after it ends.

@@ -48,8 +48,8 @@ struct ArmFigureOptions {
   bool jacobian = false;
   double azimuth = -0.87;   ///< azimuth of the viewer of a spatial arm, from x towards y, rad
   double elevation = 0.44;  ///< elevation of the viewer above the ground, rad
-  bool small_views =
-      true;        ///< whether to add small views from above and from the front (spatial arms)
+  /// Whether to add small views from above and from the front (spatial arms).
+  bool small_views = true;
   int ghosts = 3;  ///< number of earlier configurations of a motion, drawn faded, 0 to 1000
   /// Number of dots on the trail of a motion, at equal times, up to 100,000.
   std::size_t dots = 81;

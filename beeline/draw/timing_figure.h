@@ -28,8 +28,8 @@ struct FollowedPath {
 struct TimingFigureOptions {
   std::string title = {};                 ///< title; default: the arm's name and the duration
   std::optional<FollowedPath> path = {};  ///< path of the motion; adds the deviation from it
-  std::optional<Task> task =
-      std::nullopt;  ///< task of the condition number; default: the path's task, or default_task()
+  /// Task of the condition number; default: the path's task, or default_task().
+  std::optional<Task> task = std::nullopt;
   /// Times at which waypoints 1, 2, ... are passed, seconds; default: the times by the path.
   std::vector<double> waypoint_times = {};
 };

@@ -47,8 +47,8 @@ struct WrittenSymbol {
   double value = 0;       ///< value of a constant
   std::string unit;       ///< unit of the value
   std::string meaning;    ///< meaning in words
-  std::string formula =
-      {};  ///< formula of a mimic joint's variable, such as 0.3 − 2q₁; otherwise empty
+  /// Formula of a mimic joint's variable, such as 0.3 − 2q₁; otherwise empty.
+  std::string formula = {};
   std::string joint = {};  ///< joint that a mimic joint follows; otherwise empty
   double multiplier = 1;   ///< multiplier of the followed joint's coordinate
   double offset = 0;       ///< offset of the mimic joint, rad or m
@@ -59,8 +59,8 @@ struct FormulaDocument {
   std::string title;                        ///< title, which names the arm
   std::string convention;                   ///< sentence on the composition of the transforms
   std::vector<WrittenSymbol> symbols = {};  ///< constants that occur
-  std::vector<std::pair<std::string, std::string>> abbreviations =
-      {};  ///< abbreviations with their meanings, such as c12 and cos(q1 + q2)
+  /// Abbreviations with their meanings, such as c12 and cos(q1 + q2).
+  std::vector<std::pair<std::string, std::string>> abbreviations = {};
   std::vector<std::string> notes = {};        ///< sentences at the end
   bool latex = false;                         ///< whether the strings are LaTeX
   std::vector<WrittenSection> sections = {};  ///< sections in order
@@ -73,9 +73,9 @@ struct FormulaContent {
   bool tool = true;         ///< pose of the tool
   bool jacobian = false;    ///< Jacobian: the rows of the task, in its frame
   bool derivative = false;  ///< time derivative of the Jacobian
-  bool determinant =
-      false;             ///< determinant of the task's rows, and the singularities that it shows
-  bool inverse = false;  ///< inverse kinematics of a planar arm in steps
+  /// Determinant of the task's rows, and the singularities that it shows.
+  bool determinant = false;
+  bool inverse = false;       ///< inverse kinematics of a planar arm in steps
   Frame frame = Frame::base;  ///< frame of the Jacobian
   Task task =
       Task::spatial();  ///< task, whose rows the Jacobian has; Task::planar() for planar arms

@@ -79,8 +79,8 @@ struct Symbol {
 /// groups have no symbol in common.
 struct Angle {
   int group = 0;
-  std::vector<std::pair<int, int>> multiples =
-      {};  ///< pairs of a symbol and its multiple, which is not 0
+  /// Pairs of a symbol and its multiple, which is not 0.
+  std::vector<std::pair<int, int>> multiples = {};
 
   bool is_zero() const { return multiples.empty(); }
   bool operator==(const Angle&) const = default;
@@ -104,8 +104,8 @@ struct Trig {
 
 /// A product of powers of symbols and of at most one cosine or sine for each group.
 struct Monomial {
-  std::vector<std::pair<int, int>> powers =
-      {};                        ///< pairs of a symbol and its exponent, which is positive
+  /// Pairs of a symbol and its exponent, which is positive.
+  std::vector<std::pair<int, int>> powers = {};
   std::vector<Trig> trigs = {};  ///< cosines and sines in ascending order of groups
 
   bool operator==(const Monomial&) const = default;

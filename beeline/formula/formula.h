@@ -47,8 +47,8 @@ struct SymbolicOptions {
 /// the joints.
 struct SymbolicArm {
   std::string name;  ///< name of the arm
-  NamingConvention convention =
-      NamingConvention::offsets;              ///< composition and naming of the transforms
+  /// Composition and naming of the transforms.
+  NamingConvention convention = NamingConvention::offsets;
   bool planar = false;                        ///< whether the arm is planar
   int dof = 0;                                ///< number of coordinates
   std::vector<Symbol> symbols = {};           ///< constants, variables and rates
@@ -124,8 +124,8 @@ struct DeterminantFormula {
   std::vector<std::pair<Expression, int>> factors = {};  ///< pairs of a factor and its exponent
   std::string origin = {},
               axes = {};  ///< names of the frames of the origin and the axes: "link 3", "the tool"
-  std::size_t origin_frame =
-      0;  ///< index of the origin's frame: 0 the world, i + 1 link i, n + 2 the tool
+  /// Index of the origin's frame: 0 the world, i + 1 link i, n + 2 the tool.
+  std::size_t origin_frame = 0;
 
   double value(std::span<const double> symbols) const;
 };

@@ -47,8 +47,8 @@ struct InverseOptions {
   /// finds solutions in all restarts, and some may be missing. Arms of seven revolute joints
   /// without a closed form have one with a joint locked, for this option and a `grid` up to 256.
   bool all = false;
-  bool every_turn =
-      false;  ///< with `all`, whether to include solutions that differ by multiples of 2 pi
+  /// With `all`, whether to include solutions that differ by multiples of 2 pi.
+  bool every_turn = false;
   bool ignore_limits = false;  ///< whether to ignore the joint limits
   /// Index of a coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
   std::optional<int> lock = std::nullopt;
@@ -69,8 +69,8 @@ struct InverseOptions {
   double tolerance = 1e-10;
   int max_iterations = 100;  ///< max steps of the numerical solver from one start, 0 or more
   int max_restarts = 1000;   ///< max random starts after the first, 0 or more
-  std::uint64_t random_seed =
-      1;  ///< seed of the random numbers; the same value gives the same result
+  /// Seed of the random numbers; the same value gives the same result.
+  std::uint64_t random_seed = 1;
   /// Budget of one call. Closed forms for one value of a redundant joint are not interrupted: they
   /// take microseconds.
   Budget budget = {};
@@ -108,8 +108,8 @@ struct NearestMiss {
 struct SolutionGrid {
   int joint = 0;                    ///< index of the coordinate, from 0 to dof - 1
   std::vector<double> values = {};  ///< values of the joint, ascending, radians or metres
-  std::vector<double> complete =
-      {};  ///< values for which no solution is missing, ascending, radians or metres
+  /// Values for which no solution is missing, ascending, radians or metres.
+  std::vector<double> complete = {};
 };
 
 /// The solutions of inverse kinematics, or the reason why there are none.
@@ -146,8 +146,8 @@ struct InverseResult {
   /// Deviation of the tool from the pose, with options.pose_tolerance, in the order of that option
   /// and within it. `residual` is then the error beyond this deviation.
   std::optional<Eigen::VectorXd> deviation;
-  std::optional<NearestMiss>
-      nearest;         ///< configuration nearest to the pose, if there are no solutions
+  /// Configuration nearest to the pose, if there are no solutions.
+  std::optional<NearestMiss> nearest;
   Reason reason = {};  ///< one sentence; none if solved and not singular
   std::string
       method;  ///< name of the method, such as `closed form: three axes meet (joints 4, 5, 6)`

@@ -15,8 +15,8 @@ namespace beeline::internal {
 namespace {
 
 constexpr int max_depth = 10;  // max number of bisections
-constexpr double small_remainder =
-    0.2;  // fraction of the bound; with a smaller remainder the bound is not refined
+// Fraction of the bound; with a smaller remainder the bound is not refined.
+constexpr double small_remainder = 0.2;
 constexpr double finest = 1e-13;     // metres and radians; smaller bounds are not refined
 constexpr double small_error = 0.1;  // error of a projection, as a fraction of the wanted bound
 constexpr double rounding = 1e-15;   // rounding of a projection, as a fraction of the positions

@@ -39,7 +39,7 @@ struct LineStep {
   /// Whether the nearest point stays inside the line. The component of curvature_term along the
   /// step then moves the tool along the line, not away from it.
   bool inside_line = false;
-  Vector3 step = Vector3::Zero();       ///< of the tool's origin, in the position rows
+  Vector3 step = Vector3::Zero();       ///< step of the tool's origin, in the position rows
   Vector3 curvature = Vector3::Zero();  ///< chord.curvature_term in the position rows
   double beyond = 0;                    ///< the larger beyond_ends() of both ends of the step
   double change = 0;                    ///< |s_b - s_a|

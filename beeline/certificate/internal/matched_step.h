@@ -9,7 +9,7 @@ namespace beeline::internal {
 struct StepEnd {
   ConfigurationRef q;
   double s = 0;              ///< parameter of the segment at q, in [0, 1]
-  Deviation deviation = {};  ///< of the tool at q from the segment's pose at s
+  Deviation deviation = {};  ///< deviation of the tool at q from the segment's pose at s
 };
 
 /// Bounds the deviation of the tool from pose_at(segment, s), in the rows of the task, while the

@@ -26,8 +26,8 @@ class BoundedLeastSquares {
   bool move_to_first_bound(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
   bool release(const Jacobian& a, const Rows& c, double damping, const Eigen::VectorXd& bias);
 
-  std::vector<signed char>
-      side_;       ///< 1 or -1 for a coordinate fixed at its upper or lower bound, 0 for a free one
+  /// 1 or -1 for a coordinate fixed at its upper or lower bound, 0 for a free one.
+  std::vector<signed char> side_;
   Jacobian free_;  ///< A with the columns of fixed coordinates set to zero
   Eigen::VectorXd x_;
   Eigen::VectorXd unbounded_;  ///< the minimum over the coordinates that are not fixed

@@ -82,11 +82,12 @@ class PeriodSearch {
   /// Lengthens section i, from sample `first` on, until it keeps the limits by itself, at most by
   /// the largest slowdown. Returns whether it does.
   bool find_alone(std::size_t i, std::size_t first) {
-    constexpr double first_step = 1e-4, growth = 1.6;  // of the smallest steps of the search
-    constexpr double hopeless =
-        2;  // factor on the largest slowdown; the search stops at a larger needed slowdown
-    constexpr double at_once =
-        0.8;  // fraction of a slowdown taken at once: other samples are the worst later
+    constexpr double first_step = 1e-4,
+                     growth = 1.6;  // of the search's steps
+    // Factor on the largest slowdown; the search stops at a larger needed slowdown.
+    constexpr double hopeless = 2;
+    // Fraction of a slowdown taken at once: other samples are the worst later.
+    constexpr double at_once = 0.8;
     if (motion_.sections[i].rests) return true;
     HeldLimits held = motion_.held;
     held.starts_at_rest = held.starts_at_rest || i > 0;

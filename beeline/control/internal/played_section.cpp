@@ -160,8 +160,8 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
 
 PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions& options,
                                  double rate) {
-  constexpr double at_once =
-      0.8;  // fraction of a slowdown taken at once: other samples are the worst later
+  // Fraction of a slowdown taken at once: other samples are the worst later.
+  constexpr double at_once = 0.8;
   PlayedSection section;
   Reason first_excess;
   double smallest_step = 0;

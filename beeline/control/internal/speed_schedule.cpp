@@ -10,8 +10,8 @@ namespace beeline::internal {
 namespace {
 
 constexpr double averaged_ramp = 0.2;  // width of the moving average, as a fraction of the ramp
-constexpr double min_ramp_rate =
-    0.05;  // fraction of the ramp's rate; a recording at its limits must be able to pause
+// Fraction of the ramp's rate; a recording at its limits must be able to pause.
+constexpr double min_ramp_rate = 0.05;
 
 /// Whether all coordinates start at rest.
 bool starts_at_rest(const Arm& arm, const Trajectory& recording) {
@@ -138,8 +138,8 @@ class SpeedSimulation {
   const SpeedSchedule& schedule_;
   double period_, ramp_rate_, target_;
   std::size_t window_ = 1, next_change_ = 0;
-  std::vector<double>
-      speeds_;  ///< speeds before averaging; the first is `window_` samples before the beginning
+  /// Speeds before averaging; the first is `window_` samples before the beginning.
+  std::vector<double> speeds_;
   std::vector<ParameterState> progress_;
   ParameterState simulated_ = {};  ///< the last state, before its section was slowed down
 };

@@ -24,8 +24,8 @@ void draw_frame(const PaperBox& plot, std::vector<PaperMark>& marks);
 void draw_side(const PaperBox& plot, const Scale& scale, const std::string& name, bool right,
                std::vector<PaperMark>& marks);
 
-constexpr double numbers_height =
-    26;  ///< height of a horizontal axis's tick labels and name, points
+/// Height of a horizontal axis's tick labels and name, points.
+constexpr double numbers_height = 26;
 
 /// Draws the ticks, tick labels and name of the horizontal axis below the plot.
 void draw_below(const PaperBox& plot, const Scale& scale, const std::string& name,

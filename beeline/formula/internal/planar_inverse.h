@@ -24,13 +24,13 @@ struct InverseRemark {
 /// The inverse kinematics of a planar arm in steps. Its functions are `sqrt`, `branch` (+-sqrt) and
 /// `atan2`.
 struct InverseDerivation {
-  std::vector<Symbol>
-      symbols;  ///< symbols of the arm, then x, y, theta and intermediate quantities
+  /// Symbols of the arm, then x, y, theta and intermediate quantities.
+  std::vector<Symbol> symbols;
   int x = -1, y = -1,
       theta = -1;  ///< symbols of the given pose; theta is -1 if the orientation is free
   std::vector<InverseStep> steps = {};
-  std::vector<InverseRemark> remarks =
-      {};  ///< conditions for a solution, and the number of solutions
+  /// Conditions for a solution, and the number of solutions.
+  std::vector<InverseRemark> remarks = {};
 };
 
 /// Whether the arm is planar, its links are named as planar ones, and it is RR, RP, PR, PP (for a

@@ -26,12 +26,12 @@ struct PieperBranches {
   unsigned found = 0;      ///< mask of the lanes with a solution, to rounding
   unsigned within = 0;     ///< mask of the lanes with a solution within limits
   unsigned continuum = 0;  ///< mask of the lanes that represent a continuum of solutions
-  unsigned free[4] =
-      {};  ///< masks of the lanes in which joint d, e, f or a is free and has the seed's value
-  unsigned weak =
-      0;  ///< mask of the lanes that may lack a solution because joint e is badly determined
-  unsigned twin =
-      0;  ///< mask of the lanes so close to the workspace boundary that two may be one solution
+  /// Masks of the lanes in which joint d, e, f or a is free and has the seed's value.
+  unsigned free[4] = {};
+  /// Mask of the lanes that may lack a solution because joint e is badly determined.
+  unsigned weak = 0;
+  /// Mask of the lanes so close to the workspace boundary that two may be one solution.
+  unsigned twin = 0;
 };
 
 /// Computes all branches of one goal in one pass of SIMD arithmetic. Nothing is refined.

@@ -79,8 +79,8 @@ HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, L
   const Lanes vx = Lanes(sc) * joint[1].s;
   const Lanes vy = -fma(Lanes(ca * sc), joint[1].c, Lanes(sa * cc));
   LaneMask free;
-  constexpr double singular =
-      1e-12;  // sine between axes a and c below which only a + c is determined
+  // Sine between axes a and c below which only a + c is determined.
+  constexpr double singular = 1e-12;
   joint[0] = rotation_between(vx, vy, to.z.x, to.z.y, singular * singular, free);
   joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
   status.free[3] = status.free[3] | (free & status.found);

@@ -67,8 +67,8 @@ class PieperSolver {
   bool lock_first(const Chain& chain);
 
   PieperLoop loop_;
-  std::array<int, 6>
-      coordinates_{};  ///< for each joint of the loop, its coordinate in the arm, or virtual_joint
+  /// For each joint of the loop, its coordinate in the arm, or virtual_joint.
+  std::array<int, 6> coordinates_{};
   std::array<bool, 6> free_{};  ///< for each joint of the loop, whether it is virtual and free
   int dof_ = 6;
   std::optional<int> locked_;

@@ -13,8 +13,8 @@ bool has_planar_closed_form(const Arm& arm, const Task& task);
 
 struct PlanarSolution {
   Configuration q;
-  bool continuum =
-      false;        ///< whether the solution is one of infinitely many: the one nearest to the seed
+  /// Whether the solution is one of infinitely many: the one nearest to the seed.
+  bool continuum = false;
   Deviation error;  ///< task error at q
 };
 

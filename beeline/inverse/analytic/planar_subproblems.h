@@ -20,8 +20,8 @@ struct PlanarJoint {
 /// A configuration that solves a motion of the plane or, if none does, comes near it.
 struct PlanarCandidate {
   Configuration q;
-  bool continuum =
-      false;  ///< whether it is one of infinitely many: the one nearest to the preferred values
+  /// Whether it is one of infinitely many: the one nearest to the preferred values.
+  bool continuum = false;
 };
 
 /// Solves J_1(q_1) ... J_n(q_n) p = rotation p + translation for one to three joints (product of

@@ -33,8 +33,8 @@ struct Elimination {
   int last = 0;                           ///< joint d, computed at the end
   bool reversed = false;                  ///< whether it is for joints 6 to 1, G^-1 and angles -q
   int degree = 8;  ///< degree of the determinant: 8, or 12 for arms of special geometry
-  bool double_zeros =
-      false;              ///< whether most zeros of the determinant belong to two solutions each
+  /// Whether most zeros of the determinant belong to two solutions each.
+  bool double_zeros = false;
   double origin[3] = {};  ///< origin of p, in units
 
   /// Coefficients of the left side: (1, cos, sin) of hidden x (vv, uv, uu) of first x (vv, uv, uu)

@@ -11,16 +11,16 @@ struct RaghavanRothSolutions {
   static constexpr int max_count = EliminationCandidates::max_count;
   int count = 0;
   double q[max_count][6];
-  double correction[max_count] =
-      {};  ///< distance by which Newton's method moved the candidate, rad
+  /// Distance by which Newton's method moved the candidate, rad.
+  double correction[max_count] = {};
   /// Whether the last elimination is consistent: each zero of its determinant led to a solution,
   /// these are all solutions found so far, and their number is even.
   bool consistent = false;
-  std::optional<int>
-      consistent_count;  ///< number of solutions when an accurate elimination was last consistent
+  /// Number of solutions when an accurate elimination was last consistent.
+  std::optional<int> consistent_count;
   bool double_zeros = false;  ///< whether the last elimination had zeros that may be double
-  bool complete =
-      false;  ///< whether one elimination without double zeros is consistent, or two agree
+  /// Whether one elimination without double zeros is consistent, or two agree.
+  bool complete = false;
 };
 
 /// Adds the solutions of one elimination. `goal` is the pose of the last frame, `closure` is G of

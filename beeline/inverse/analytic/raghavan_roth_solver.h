@@ -41,8 +41,8 @@ class RaghavanRothSolver {
   Pose base_inverse_, tool_inverse_;
   Pose last_T_first_at_zero_;  ///< the inverse of the product of all links at q = 0
   RevoluteLinks links_;
-  std::vector<Elimination>
-      eliminations_;  ///< best first; the others confirm or complete the result of the first
+  /// Best first; the others confirm or complete the result of the first.
+  std::vector<Elimination> eliminations_;
   bool reliable_ = false;
 };
 

@@ -6,8 +6,8 @@ namespace beeline::internal {
 /// transform from the samples to the coefficients.
 struct SampleAngles {
   static constexpr int max_count = 32;
-  int count =
-      0;  ///< more than the number of coefficients: the others measure the error of the samples
+  /// More than the number of coefficients: the others measure the error of the samples.
+  int count = 0;
   alignas(64) double cosine[max_count], sine[max_count];
   /// Column k gives the coefficient of cos kx, and column count / 2 + k the coefficient of sin kx.
   /// The column of sin 0 gives the coefficient of cos(count / 2 x) instead.

@@ -133,7 +133,7 @@ class SelfMotionBranches {
   }
 
   struct Refined {
-    double value = 0;  ///< of the free coordinate
+    double value = 0;  ///< value of the free coordinate
     Configuration q;   ///< empty if there is no solution within limits
   };
 

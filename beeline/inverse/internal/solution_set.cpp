@@ -13,8 +13,8 @@ namespace {
 /// solves the pose too. This is the case if several solutions coincide.
 bool coincide(const Request& request, const Configuration& a, const Configuration& b) {
   constexpr double near = 0.01;  // radians or metres
-  constexpr double of_tolerance =
-      10;  // factor on the tolerance; the solutions themselves have errors up to 1
+  // Factor on the tolerance; the solutions themselves have errors up to 1.
+  constexpr double of_tolerance = 10;
   if (!same_posture(request.arm, a, b, near)) return false;
   const Configuration beside = nearest_representative(request.arm, b, a, no_bounds(request.arm));
   return error_at(request, (a + beside) / 2) <= of_tolerance * request.tolerance;

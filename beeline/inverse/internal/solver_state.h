@@ -29,7 +29,7 @@ struct SolverState {
   std::optional<PieperSolver> pieper = std::nullopt;
   bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
   std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
-  const RaghavanRothSolver* similar = nullptr;  ///< of another arm; only set during selection
+  const RaghavanRothSolver* similar = nullptr;  ///< another arm's solver; only set during selection
   /// The coordinate that is locked at the values of a grid, the values (ascending, empty until the
   /// first request), and the solvers of the remaining joints, one for each value.
   int grid_coordinate = 0;

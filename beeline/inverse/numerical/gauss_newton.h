@@ -13,7 +13,7 @@ struct GaussNewtonState {
   std::vector<double> move;    ///< the last step
   std::vector<char> free;      ///< whether a coordinate has not reached a bound
   std::vector<double> axes;    ///< eight numbers for each link: direction and origin
-  std::vector<EightNumbers> angle, sine, cosine;  ///< of the links, eight at a time
+  std::vector<EightNumbers> angle, sine, cosine;  ///< angles of the links, eight at a time
   double normal[6 * solver_lane_count] = {};      ///< the factors of J J^T, rows of eight
   std::vector<EightNumbers> column;  ///< for each coordinate, the six numbers of its column
 };

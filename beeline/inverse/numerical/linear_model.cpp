@@ -34,7 +34,7 @@ void linearise(const NumericalGoal& goal, const Configuration& q, LinearModel& a
   };
   // The plain Jacobian suffices with all three rows, because its error vanishes with the task's
   // error. With some rows, the free part of the error stays large and contributes to the derivative
-  // of the others.
+  // of the other rows.
   if (tool_axes && partly(0)) {
     at.columns.topRows<3>() -= hat(error.head<3>()) * at.columns.bottomRows<3>();
   }

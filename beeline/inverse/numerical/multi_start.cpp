@@ -284,13 +284,13 @@ class Run {
   unsigned held_ = 0;
   bool ran_ = false;  ///< whether the lanes have stepped at all
   std::size_t found_ = 0;
-  Grade grade_ = Grade::none;  ///< of result_.nearest
+  Grade grade_ = Grade::none;  ///< grade of result_.nearest
   double rank_ = 0;
   int last_restart_ = 0;
   int continued_ = 0;                 ///< number of lanes that were continued at once
-  Deviation continued_error_;         ///< of the last of them
+  Deviation continued_error_;         ///< error of the last of these lanes
   std::vector<Stagnated> stagnated_;  ///< the lanes of least error, a heap
-  PostureIndex postures_;             ///< of result_.solutions
+  PostureIndex postures_;             ///< index of result_.solutions
 };
 
 }  // namespace
