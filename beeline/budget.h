@@ -24,7 +24,6 @@ std::string name(Ending ending);
 /// of their own, such as max_restarts and max_samples. By default only these apply, so that results
 /// do not depend on the speed of the machine. A result that no limit of the budget ended is the
 /// same as without a budget.
-/// ended is the same as without it.
 struct Budget {
   /// Time from the call, seconds, 0 or more. The result of an ended search depends on the machine.
   /// Default: no limit.

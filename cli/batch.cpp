@@ -229,12 +229,21 @@ Verb batch_jacobian() {
   return verb;
 }
 
+/// "0 solved, 1 unreachable, ...".
+std::string numbered_statuses() {
+  std::string text;
+  for (int i = 0; i <= static_cast<int>(InverseStatus::work_limit); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, name(static_cast<InverseStatus>(i)));
+  }
+  return text;
+}
+
 Verb batch_ik() {
   const auto arguments = std::make_shared<BatchArguments>();
   const Option status("--status",
-                      "Add the columns status (0 solved, 1 unreachable, 2 orientation_unreachable, "
-                      "3 outside_limits, 4 not_found, 5 time_limit) and residual, m or rad, as in "
-                      "ik --json. Poses without a solution then take longer.",
+                      "Add the columns status (" + numbered_statuses() +
+                          ") and residual, m or rad, as in ik --json. Poses without a solution "
+                          "then take longer.",
                       &arguments->status);
   Verb verb = common(
       arguments, "ik", poses_help,

@@ -354,6 +354,27 @@ TEST(Sentence, SaysWhatAReasonMeans) {
   }
 }
 
+// A reason that a program made may lack what its sentence needs.
+TEST(Sentence, RefusesAReasonThatLacksAFieldOrADetail) {
+  for (int number = 1; number <= static_cast<int>(ReasonCode::no_mount_moves_in_lines); ++number) {
+    const auto code = static_cast<ReasonCode>(number);
+    for (const Fields& fields : {Fields(), stop}) {
+      try {
+        EXPECT_NE(sentence({code, fields}), "") << name(code);
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(name(code)), std::string::npos) << error.what();
+      }
+    }
+  }
+  for (const ReasonCode code :
+       {ReasonCode::ended_at_pose, ReasonCode::pose_outside_limits,
+        ReasonCode::path_leaves_workspace, ReasonCode::path_loses_orientation,
+        ReasonCode::no_configuration_found}) {
+    EXPECT_REFUSED(sentence({code}), name(code) + " needs details");
+  }
+  EXPECT_THROW(name(static_cast<ReasonCode>(100'000)), std::out_of_range);
+}
+
 // A refusal quotes the reason.
 TEST(Sentence, StandsInTheErrorOfALimit) {
   const Arm arm = built_in("panda");

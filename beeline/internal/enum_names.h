@@ -27,7 +27,10 @@ class EnumNames {
     if (!names.empty()) throw "too many names";
   }
 
-  std::string of(Enum value) const { return std::string(names_[static_cast<std::size_t>(value)]); }
+  /// Throws std::out_of_range for a value that is not an enumerator.
+  std::string of(Enum value) const {
+    return std::string(names_.at(static_cast<std::size_t>(value)));
+  }
 
   std::vector<std::string> all() const { return {names_.begin(), names_.end()}; }
 

@@ -30,7 +30,7 @@ std::string at_pose(const Reason& detail) {
 
 std::string at_poses(const ReasonText& reason) {
   std::string text;
-  for (const Reason& detail : reason.details())
+  for (const Reason& detail : reason.required_details())
     text += (text.empty() ? "" : "; ") + at_pose(detail);
   return text;
 }
@@ -79,7 +79,7 @@ std::string on_path(const ReasonText& reason) {
              (positions_end ? "" : ", a task that leaves rotations free may");
     }
     case ReasonCode::ended_at_pose:
-      return inverse_sentence(ReasonText(reason.details().front()));
+      return inverse_sentence(ReasonText(reason.required_detail()));
     case ReasonCode::no_configuration_found:
       return std::string("no configuration was found to continue with") +
              (reason.is(near_singular)

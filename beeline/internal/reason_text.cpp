@@ -16,6 +16,11 @@ const Value& required(const Reason& reason, ReasonField field) {
 
 }  // namespace
 
+const std::vector<Reason>& ReasonText::required_details() const {
+  if (!details().empty()) return details();
+  throw Error("a reason with code " + name(code()) + " needs details");
+}
+
 bool ReasonText::is(ReasonField field) const {
   return has(field) && required<bool>(reason_, field);
 }

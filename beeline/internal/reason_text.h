@@ -11,6 +11,9 @@ class ReasonText {
 
   ReasonCode code() const { return reason_.code; }
   const std::vector<Reason>& details() const { return reason_.details; }
+  // The details of a reason that must have one. Throws Error without.
+  const std::vector<Reason>& required_details() const;
+  const Reason& required_detail() const { return required_details().front(); }
   bool has(ReasonField field) const { return reason_.has(field); }
   bool is(ReasonField field) const;  ///< whether the field is true
   double value(ReasonField field) const;

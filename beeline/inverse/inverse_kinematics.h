@@ -83,7 +83,7 @@ enum class InverseStatus {
   orientation_unreachable,  ///< the position is reached, but not with this orientation: by the
                             ///< closed form, or none of at least 64 searches comes within 1e-3 rad
   outside_limits,  ///< the pose is reached, but no solution within the joint limits was found; none
-                   ///< exists if `reason` says that every solution is outside
+                   ///< exists if `reason` is ReasonCode::all_solutions_outside_limits
   not_found,       ///< the search ended without a solution, which proves nothing
   time_limit,  ///< the budget's time ended the search; `solutions` has the solutions found so far
   cancelled,   ///< the search was cancelled; as for `time_limit`

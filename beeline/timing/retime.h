@@ -60,10 +60,10 @@ void check_moves(const Trajectory& trajectory);
 
 /// Retimes a trajectory from rest to rest: minimises its duration over the time scalings s(t) of
 /// the profile, subject to the arm's limits times the speed scale and to the tool's speed (see
-/// time_scaling() in profile.h). The geometric path q(s) is the cubic spline through its positions
-/// by chord length (joint_spline() in path/joint_path.h). Its times and velocities are ignored,
-/// except that stops are kept (a stop is a repeated position or a zero velocity vector) and the
-/// path may have a corner there. Continuous joints are unwrapped first (see unwrapped()).
+/// time_scaling() in time_scaling.h). The geometric path q(s) is the cubic spline through its
+/// positions by chord length (joint_spline() in path/joint_path.h). Its times and velocities are
+/// ignored, except that stops are kept (a stop is a repeated position or a zero velocity vector)
+/// and the path may have a corner there. Continuous joints are unwrapped first (see unwrapped()).
 ///
 /// The result is within the limits at all times, for the motion that its columns mean (see
 /// Interpolation): the acceleration of a cubic or quintic motion does not jump, so it takes up to 1

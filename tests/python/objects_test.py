@@ -211,3 +211,13 @@ def test_a_reason_is_a_sentence_with_data(arm):
     assert not solved.reason and solved.reason.code == "none" and solved.reason.fields == {}
     for again in (pickle.loads(pickle.dumps(reason)), pickle.loads(pickle.dumps(result)).reason):
         assert (again, again.code, again.fields) == (reason, reason.code, reason.fields)
+
+
+def test_reasons_are_equal_if_their_data_are() -> None:
+    reason = beeline.Reason("no", "ended", {"s": 1.0})
+    same = beeline.Reason("no", "ended", {"s": 1.0})
+    assert reason == same and not reason != same and hash(reason) == hash(same)
+    detail = beeline.Reason("no", "ended", {"s": 1.0}, [same])
+    others = [beeline.Reason("no", "none", {"s": 1.0}), beeline.Reason("no", "ended"), detail]
+    assert all(reason != other and not reason == other for other in others)
+    assert reason == "no" and "no" == reason and reason != "yes" and hash(reason) == hash("no")

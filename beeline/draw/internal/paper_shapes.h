@@ -26,7 +26,4 @@ struct PaperBox {
   PaperPoint size() const { return high - low; }
 };
 
-/// Returns a rectangle that contains the mark.
-PaperBox box_of(const PaperMark& mark);
-
 }  // namespace beeline::internal

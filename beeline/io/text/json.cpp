@@ -111,7 +111,12 @@ std::string JsonDocument::place_of(const Json& json) const {
   return value_path;
 }
 
-double JsonDocument::number(const Json& json) const { return get<double>(*this, json, "a number"); }
+double JsonDocument::number(const Json& json) const {
+  if (const auto* const whole = std::get_if<std::int64_t>(&json.value)) {
+    return static_cast<double>(*whole);
+  }
+  return get<double>(*this, json, "a number");
+}
 
 bool JsonDocument::truth(const Json& json) const { return get<bool>(*this, json, "true or false"); }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/planning/internal/branch_timing.h>
+#include <beeline/planning/internal/track_path.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 
@@ -44,10 +45,7 @@ BranchTiming::BranchTiming(const MotionRequest& request, const Branch& branch, s
     add(std::move(section), first, i);
     first = i + 1;
     if (status != MotionStatus::reached) {
-      reason.set(ReasonField::segment, i + 1);
-      reason.set(ReasonField::segment_name, route.path.names.empty()
-                                                ? "segment " + std::to_string(i + 1)
-                                                : segment_name(route.path, i));
+      set_segment(route.path, i, reason);
       return;
     }
     section = std::move(next);

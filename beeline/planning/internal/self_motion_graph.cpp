@@ -107,7 +107,6 @@ class BestPath {
   /// Whether node i of layer r has the required margin.
   bool allowed(std::size_t r, std::size_t i) const { return allowed_margin(r, i) >= required_; }
 
- public:
   /// The nodes of the best path, as far as one leads.
   std::vector<Node> nodes() const {
     std::vector<std::vector<double>> cost(reached_ + 1);

@@ -13,7 +13,7 @@ enum class ScalarForm {
   trapezoidal,  ///< ds/dt: constant acceleration, cruise, constant deceleration; jerk is not
                 ///< limited
   quintic,      ///< rest_to_rest(t / T)
-  s_curve,      ///< d2s/dt2: a trapezoid, cruise, the same mirrored (s_curve.h)
+  s_curve,      ///< d2s/dt2: a trapezoid, cruise, the same mirrored (s_curve_state.h)
 };
 
 /// Minimises the duration over the shape parameters of the form subject to the limits of velocity,
