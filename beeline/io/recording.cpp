@@ -186,6 +186,49 @@ void add_note(const JointUnitSource& source, const std::string& path, std::size_
   if (!source.column.empty()) note->columns.push_back(source.column);
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(), [&name](const std::string& other) {
+    return internal::same_ignoring_case(other, name);
+  });
+}
+
+/// Throws Error if the arm's own names are columns beside the columns that are read as positions.
+void check_plain_names(const Arm& arm, const std::vector<std::string>& names,
+                       const internal::JointColumns& order) {
+  const std::string& read = names[static_cast<std::size_t>(order.positions.front())];
+  const std::vector<std::string> joints = arm.joint_names();
+  if (internal::same_ignoring_case(read, joints.front())) return;
+  const auto is_column = [&names](const std::string& joint) { return contains(names, joint); };
+  if (!std::all_of(joints.begin(), joints.end(), is_column)) return;
+  throw Error("columns " + internal::in_quotes(joints.front()) + " and " +
+              internal::in_quotes(read) + " may both be positions of joint " + joints.front() +
+              "; a joint map (joint_map, --joint-map) names the columns to read");
+}
+
+/// Throws Error for a column of positions whose name states another quantity or unit, apart from
+/// the joint's name.
+void check_quantities(const Arm& arm, const internal::ColumnsInUnits& columns,
+                      const internal::JointColumns& order) {
+  const std::vector<std::vector<std::string>> namings = joint_namings(arm);
+  for (std::size_t k = 0; k < order.positions.size(); ++k) {
+    const auto column = static_cast<std::size_t>(order.positions[k]);
+    std::string rest = internal::lower_case(columns.names[column]);
+    for (const std::vector<std::string>& naming : namings) {
+      const std::string joint = internal::lower_case(naming[k]);
+      const std::size_t begin = rest.rfind(joint);
+      if (begin == std::string::npos) continue;
+      rest.replace(begin, joint.size(), " ");
+      break;
+    }
+    const std::string_view word = internal::other_quantity_in(rest);
+    if (word.empty()) continue;
+    throw Error("column " + internal::in_quotes(columns.given[column]) + " says " +
+                internal::in_quotes(std::string(word)) +
+                ", so it is not read as positions in rad, deg, m or mm; a joint map (joint_map, "
+                "--joint-map) reads it nevertheless");
+  }
+}
+
 /// Sets the units of the columns that names or comments give, with a note for each unit. Returns
 /// the joint map with these units, for the evidence of others.
 JointMap set_known_units(const Arm& arm, const std::string& path, const Content& content,
@@ -193,6 +236,10 @@ JointMap set_known_units(const Arm& arm, const std::string& path, const Content&
   internal::ColumnsInUnits recorded = content.columns;
   const internal::JointColumns order =
       internal::joint_columns(arm, recorded.names, match.joint_map);
+  if (match.joint_map.empty()) {
+    check_plain_names(arm, recorded.names, order);
+    check_quantities(arm, recorded, order);
+  }
   JointMap known = match.joint_map;
   known.resize(order.positions.size());
   const std::size_t first_note = notes.size();

@@ -260,5 +260,53 @@ TEST(RecordingColumns, RatesMayBeNamedInWords) {
                  "the arm has no joint1_velocity");
 }
 
+/// A table whose columns have these texts before and behind the names of the joints.
+std::string table_of(const std::string& front, const std::string& behind) {
+  std::string text = "t";
+  for (const std::string& joint : three_joints().joint_names())
+    text.append(",").append(front + joint + behind);
+  return text + "\n0,1,2,3\n";
+}
+
+TEST(RecordingColumns, WordsOfOtherUnitsAndQuantitiesAreRefused) {
+  for (const char* word :
+       {"mrad",     "mdeg",   "rev",  "turns", "percent", "counts", "ticks",   "encoder",
+        "err",      "delta",  "diff", "rate",  "omega",   "temp",   "current", "force",
+        "residual", "load",   "pwm",  "power", "status",  "mode",   "min",     "max",
+        "limit",    "offset", "bias", "std",   "gon",     "cm",     "variance"}) {
+    const std::string front(word);
+    EXPECT_REFUSED(parsed(table_of(front + "_", "")),
+                   "a.csv: column \"" + front + "_joint1\" says \"" + front + "\"");
+    EXPECT_REFUSED(parsed(table_of("/" + front + "/", "/position")), "says \"" + front + "\"");
+    EXPECT_REFUSED(parsed(table_of("/x/positions/" + front + "_", "")), "says \"" + front + "\"");
+  }
+  for (const char* front : {"/x/error/", "/jtc/controller_state/error/positions/"}) {
+    EXPECT_REFUSED(parsed(table_of(front, "/position")), "says \"error\"");
+  }
+  EXPECT_REFUSED(parsed(table_of("/jtc/controller_state/error/positions/", "")), "says \"error\"");
+  for (const char* front : {"left_", "/velocity_controller/", "/modes/"}) {
+    EXPECT_EQ(parsed(table_of(front, "/position")).trajectory.positions[0], Vector3(1, 2, 3));
+  }
+  const RecordingOptions mapped{
+      .match = {.joint_map = read_joint_map("err_joint1,err_joint2,err_joint3", three_joints())}};
+  EXPECT_EQ(parsed(table_of("err_", ""), mapped).trajectory.positions[0], Vector3(1, 2, 3));
+  // A joint's own name may have such a word.
+  const Arm turns("turns", {composite_joint('R', "rev_joint").front()});
+  EXPECT_EQ(parse_recording("t,rev_joint\n0,1\n", "a.csv", turns).trajectory.positions[0][0], 1);
+  EXPECT_EQ(parse_recording("t,a_REV_joint\n0,1\n", "a.csv", turns).trajectory.positions[0][0], 1);
+}
+
+TEST(RecordingColumns, TwoSetsOfPositionsAreRefused) {
+  const std::string text =
+      "t,joint1,joint2,joint3,/command/joint1/position,/command/joint2/position,"
+      "/command/joint3/position\n0,1,2,3,4,5,6\n";
+  EXPECT_REFUSED(parsed(text),
+                 "columns \"joint1\" and \"/command/joint1/position\" may both be positions of "
+                 "joint joint1; a joint map");
+  const RecordingOptions mapped{
+      .match = {.joint_map = read_joint_map("joint1,joint2,joint3", three_joints())}};
+  EXPECT_EQ(parsed(text, mapped).trajectory.positions[0], Vector3(1, 2, 3));
+}
+
 }  // namespace
 }  // namespace beeline

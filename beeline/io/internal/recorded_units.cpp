@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
+#include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/recorded_units.h>
 #include <beeline/math/revolution.h>
+#include <beeline/trajectory/internal/derived_quantity.h>
 
 namespace beeline::internal {
 namespace {
@@ -70,7 +73,39 @@ bool is_rather_in_degrees(const Arm& arm, const Trajectory& recording, int k, bo
          keeps_velocity(arm, recording, k, degree);
 }
 
+constexpr std::string_view other_units[] = {
+    "mrad",   "millirad", "milliradian", "milliradians", "urad",  "mdeg",  "rev",      "revs",
+    "turns",  "percent",  "pct",         "counts",       "count", "ticks", "encoder",  "enc",
+    "pulses", "steps",    "cycles",      "gon",          "gons",  "grad",  "gradians", "arcmin",
+    "arcsec", "cm",       "inch",        "inches",       "rpm",   "rps",   "dps"};
+
+constexpr std::string_view other_quantities[] = {
+    "err",    "delta", "deltas",   "diff",      "difference", "residual", "residuals", "rate",
+    "rates",  "omega", "temp",     "current",   "currents",   "force",    "forces",    "load",
+    "pwm",    "power", "status",   "mode",      "min",        "max",      "limit",     "limits",
+    "offset", "bias",  "variance", "variances", "std",        "stddev",   "covariance"};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_other_quantity(std::string_view word) {
+  const auto is_word = [word](std::string_view other) { return same_ignoring_case(other, word); };
+  return std::any_of(std::begin(other_units), std::end(other_units), is_word) ||
+         std::any_of(std::begin(other_quantities), std::end(other_quantities), is_word) ||
+         derived_quantity(word) == DerivedQuantity::other;
+}
+
 }  // namespace
+
+std::string_view other_quantity_in(std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = begin;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    if (is_other_quantity(word)) return word;
+    begin = end + 1;
+  }
+  return {};
+}
 
 std::optional<UnitEvidence> evidence_of_revolutions(const Arm& arm, const Trajectory& recording,
                                                     const JointMap& joint_map, bool has_times) {

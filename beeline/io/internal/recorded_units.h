@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include <beeline/trajectory/trajectory.h>
 
@@ -39,5 +40,10 @@ std::optional<UnitEvidence> evidence_of_millimetres(const Arm& arm, const Trajec
 /// are likely: a second or more, with less than 1 / 500 of each velocity limit, known or assumed.
 /// None otherwise.
 std::optional<double> evidence_of_milliseconds(const Arm& arm, const Trajectory& recording);
+
+/// Returns the word of a text, which is the rest of a column's name, that states another quantity
+/// than a position, or another unit than Beeline's; empty if there is none. A word has letters
+/// only.
+std::string_view other_quantity_in(std::string_view text);
 
 }  // namespace beeline::internal
