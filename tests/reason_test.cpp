@@ -390,8 +390,7 @@ TEST(Reason, HasAFieldOnce) {
   EXPECT_EQ(reason.fields.size(), 2);
   EXPECT_EQ(std::get<Ending>(*reason.find(ending)), Ending::time_limit);
   EXPECT_FALSE(reason.has(arm));
-  EXPECT_TRUE(reason);
-  EXPECT_FALSE(Reason());
+  EXPECT_TRUE(reason && !Reason());
   EXPECT_EQ(sentence(Reason()), "");
   EXPECT_EQ(reason_field_named("move_name"), move_name);
   EXPECT_REFUSED(reason_field_named("speedy"), "speed");
