@@ -25,6 +25,11 @@ double last_digit(double value) {
   return std::pow(10, std::floor(std::log10(size)) - 1);
 }
 
+/// The least number of units that is at least the value, except for the rounding of a product.
+double units_at_least(double value, double unit) {
+  return std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon()));
+}
+
 std::string percent_text(double units, double unit) {
   constexpr int digits = 15;  // a product of doubles has a few more, by rounding
   return with_digits(units * unit, digits) + " %";
@@ -54,14 +59,13 @@ std::string percent_at_most(double fraction) {
   if (!std::isfinite(value)) return number(value) + " %";
   if (fraction > 1 && fraction <= 1 + slack) return "100 %";
   const double unit = last_digit(value);
-  return percent_text(std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon())), unit);
+  return percent_text(units_at_least(value, unit), unit);
 }
 
 double rounded_up(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
-  const double units = std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon()));
-  return units * unit;
+  return units_at_least(value, unit) * unit;
 }
 
 std::string number_at_least(double value) { return number(rounded_up(value, 6)); }

@@ -27,8 +27,7 @@ std::string name(FindingKind kind) {
   constexpr internal::EnumNames<FindingKind::fault> names(
       "finding",
       "length_unit angle_unit rounded_angle nearly_special coincident_axes missing_axis "
-      "axis_length "
-      "no_range unknown_velocity fault");
+      "axis_length no_range unknown_velocity fault");
   return names.of(kind);
 }
 

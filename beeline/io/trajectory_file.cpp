@@ -33,6 +33,10 @@ std::string comment(std::string text) {
   return text;
 }
 
+std::string guarantees(const ControllerFile& file) {
+  return comment("Guarantees that still hold for this file: " + file.proof);
+}
+
 std::string with_comments(const std::vector<std::string>& comments, const std::string& text) {
   std::string result;
   for (const std::string& line : comments) result += "# " + line + '\n';
@@ -162,7 +166,7 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   if (options.comments) {
     comments = {
         "Beeline: " + std::to_string(file.samples) + " samples in " + number(file.duration) + " s",
-        comment("Guarantees that still hold for this file: " + file.proof)};
+        guarantees(file)};
     if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
   }
   file.text = text_in_form(form, samples, comments, options, frames);
@@ -191,8 +195,7 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       "Beeline: " + std::to_string(file.samples) + " moves, planned and certified with " +
           number(file.duration) + " s and a deviation of at most " +
           deviation_text(motion.deviation.bound),
-      comment("Guarantees that still hold for this file: " + file.proof),
-      comment("Note: " + file.note)};
+      guarantees(file), comment("Note: " + file.note)};
   const internal::MoveSource source{
       motion.trajectory.positions.front(),
       internal::controller_moves(arm, program, motion, frames.frame_of_poses()), comments,

@@ -133,8 +133,7 @@ std::string name(DifferenceKind kind) {
   constexpr internal::EnumNames<DifferenceKind::limit> names(
       "difference",
       "convention unit columns joint_order joint_count joint_kind mount tool joint_offset "
-      "joint_sign "
-      "length angle axis orientation mimic name limit");
+      "joint_sign length angle axis orientation mimic name limit");
   return names.of(kind);
 }
 
