@@ -9,7 +9,10 @@
 
 #include <beeline/batch/batch.h>
 #include <beeline/budget.h>
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/verify.h>
+#include <beeline/collision/collision_model.h>
+#include <beeline/collision/scene.h>
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
 #include <beeline/control/player.h>
@@ -36,6 +39,7 @@
 #include <beeline/io/text/json.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/kinematics/forward.h>

@@ -9,6 +9,10 @@
 
 namespace beeline {
 
+namespace internal {
+class BudgetMeter;
+}
+
 /// How a computation ended: by itself, or by a part of its budget. A result that has a status uses
 /// the same name there.
 enum class Ending {
@@ -19,13 +23,26 @@ enum class Ending {
 };
 std::string name(Ending ending);
 
+/// The computation that a budget is a part of. Only the library makes one that is not empty.
+class WholeComputation {
+ public:
+  WholeComputation() = default;
+
+ private:
+  friend class internal::BudgetMeter;
+  explicit WholeComputation(internal::BudgetMeter& meter) : meter_(&meter) {}
+  internal::BudgetMeter* meter_ = nullptr;
+};
+
 /// Limits of a search. The search ends soon after the first limit that it reaches, with a status of
 /// its own and with the results found so far; it never throws for this. Searches also have limits
 /// of their own, such as max_restarts and max_samples. By default only these apply, so that results
 /// do not depend on the speed of the machine. A result that no limit of the budget ended is the
 /// same as without a budget.
 struct Budget {
-  /// Time from the call, seconds, 0 or more. The result of an ended search depends on the machine.
+  /// Time from the call, seconds, 0 or more. With 0 a search ends at its first check, within a
+  /// millisecond; what it has found by then, such as an answer by closed form, is its result.
+  /// The result of an ended search depends on the machine.
   /// Default: no limit.
   std::optional<double> time_limit = std::nullopt;
   /// Units of work, 0 or more: one is an iteration of a numerical method, a configuration of a
@@ -36,12 +53,12 @@ struct Budget {
   /// often, by several threads at once if the search has several, and must not throw. Default:
   /// never.
   std::function<bool()> cancelled = {};
-  /// Function that is called now and then with the fraction computed, from 0 to 1, which never
-  /// decreases. Motions along paths, their branches and nearby paths, batches and retiming call it.
+  /// Function that is called now and then with the fraction computed, from 0 to 1, which increases
+  /// from call to call. One call returns before the next begins, also if several threads compute. A
+  /// computation that cannot estimate its fraction does not call it.
   std::function<void(double)> progress = {};
-  /// Function that the library sets for a part of a computation. It adds to the work of the whole
-  /// computation and returns its Ending; `complete` if nothing has ended it.
-  std::function<Ending(std::int64_t work)> whole = {};
+  /// The computation whose budget a part of it spends; empty in a budget of a user.
+  WholeComputation whole = {};
 };
 
 }  // namespace beeline

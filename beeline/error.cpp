@@ -119,6 +119,10 @@ FileError::FileError(std::string_view path, int line, std::string_view message)
       fault_(internal::one_line(message)),
       line_(line) {}
 
+FileError FileError::behind(std::string_view text) const {
+  return {path_, line_, std::string(text) + fault_};
+}
+
 const std::string* internal::nearest_name(std::string_view name,
                                           const std::vector<std::string>& choices) {
   const std::string_view shown = front(name, longest_compared);

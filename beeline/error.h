@@ -22,7 +22,8 @@ class Error : public std::runtime_error {
 
   /// Returns the error of one argument that the message does not name.
   static Error of(std::string_view argument, const std::string& message);
-  /// Returns the error with a text in front of its message.
+  /// Returns the error with a text in front of its message. A FileError has its own, which keeps
+  /// the file and the line: catch it before Error.
   Error behind(std::string_view text) const;
 
   /// Returns the name in C++ of the invalid argument, such as `max_samples`; empty: unknown.
@@ -44,6 +45,9 @@ class Error : public std::runtime_error {
 class FileError : public Error {
  public:
   FileError(std::string_view path, int line, std::string_view message);
+
+  /// Returns the error of the same file and line with a text in front of fault().
+  FileError behind(std::string_view text) const;
 
   const std::string& path() const { return path_; }
   int line() const { return line_; }                   ///< line number, from 1; 0: unknown

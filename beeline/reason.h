@@ -15,28 +15,28 @@ namespace beeline {
 
 /// Why a computation has no answer, or not the whole answer.
 enum class ReasonCode {
-  none,
+  none,  ///< there is an answer
   // The budget ended a search; the field `ending` says by which limit.
-  ended,
-  ended_before_solution,
-  ended_before_all_solutions,
-  ended_before_best_solution,
-  ended_on_path,
-  ended_before_timing,
-  ended_before_check,
-  ended_before_sampling,
-  ended_before_samples,
-  ended_in_simulation,
-  ended_in_retiming,
-  ended_in_batch,
-  ended_in_map,
+  ended,                       ///< the search ended, and nothing else is known
+  ended_before_solution,       ///< no solution was found yet; `distance` of the nearest
+  ended_before_all_solutions,  ///< `count` were found
+  ended_before_best_solution,  ///< the one given is the best so far
+  ended_on_path,               ///< the path was followed up to this place
+  ended_before_timing,         ///< the path was planned, not timed
+  ended_before_check,          ///< the trajectory was not wholly checked
+  ended_before_sampling,       ///< the motion was timed, not sampled
+  ended_before_samples,        ///< no samples within the limits were found yet
+  ended_in_simulation,         ///< after some steps of a controller
+  ended_in_retiming,           ///< `count` of `of` sections were retimed
+  ended_in_batch,              ///< `count` rows were computed
+  ended_in_map,                ///< a part of a reach map was computed
   // Inverse kinematics.
   all_solutions_outside_limits,  ///< proved: every solution was examined
   solutions_outside_limits,      ///< every solution that was found exceeds a joint limit
   no_solution_found,             ///< a search found no solution; one may exist
   no_closed_form_solution,       ///< the closed form found none; a numerical search finds one
-  position_unreachable,
-  orientation_unreachable,
+  position_unreachable,          ///< no search brings the tool to the position
+  orientation_unreachable,       ///< the tool comes to the position, not with this orientation
   beyond_reach,       ///< proved from the arm's reach; the next four are proved from its geometry
   tilted_off_axes,    ///< the pose is tilted relative to the common direction of all joint axes
   off_plane,          ///< the arm's tool stays in a plane, and the pose is outside it
@@ -46,67 +46,72 @@ enum class ReasonCode {
   singular_velocity,  ///< no joint rates move the tool along a part of the velocity
   too_few_joints,     ///< no configuration has joint rates along this part
   // Paths.
-  would_pass_limits,    ///< one or several joints would pass a limit if the motion continued
-  step_not_proved,      ///< no step keeps the tolerance
-  singular_at_start,    ///< the start is singular at this value of `joint`
-  singular_on_path,     ///< the arm could continue only by jumping to another branch
-  pose_outside_limits,  ///< `details` has the reason of inverse kinematics at the next pose
-  path_leaves_workspace,
-  path_loses_orientation,
-  ended_at_pose,
-  no_configuration_found,
-  too_many_samples,
-  path_not_proved,  ///< the tool is only proved to stay within a deviation of its path
-  program_too_long,
+  would_pass_limits,       ///< one or several joints would pass a limit if the motion continued
+  step_not_proved,         ///< no step keeps the tolerance
+  singular_at_start,       ///< the start is singular at this value of `joint`
+  singular_on_path,        ///< the arm could continue only by jumping to another branch
+  pose_outside_limits,     ///< `details` has the reason of inverse kinematics at the next pose
+  path_leaves_workspace,   ///< the path passes poses that the tool cannot reach
+  path_loses_orientation,  ///< the tool reaches the positions ahead, not the orientations
+  ended_at_pose,           ///< inverse kinematics at the next pose was ended
+  no_configuration_found,  ///< no configuration for a pose of the path
+  too_many_samples,        ///< the branch needs more than `max_samples`
+  path_not_proved,         ///< the tool is only proved to stay within a deviation of its path
+  program_too_long,        ///< the moves need more than `max_samples` together
   // Time.
-  spline_outside_limits,  ///< a joint passes a limit between two samples
-  end_speed_too_high,
-  end_speed_unreachable,
-  begin_speed_too_high,
-  begin_speed_too_low,
-  path_not_traversable,
-  too_many_samples_at_rate,
-  no_motion_at_rate,
-  too_many_samples_given,
-  duration_too_short,
+  spline_outside_limits,     ///< a joint passes a limit between two samples
+  end_speed_too_high,        ///< the speed at the end of a section exceeds what its stop allows
+  end_speed_unreachable,     ///< the section is too short for it
+  begin_speed_too_high,      ///< the speed at the beginning of a section is too high
+  begin_speed_too_low,       ///< the speed at the beginning of a section is too low
+  path_not_traversable,      ///< no time scaling keeps the limits
+  too_many_samples_at_rate,  ///< the rate needs more than `max_samples`
+  no_motion_at_rate,         ///< at this rate no motion keeps the limits
+  too_many_samples_given,    ///< the recording has more than `max_samples`
+  duration_too_short,        ///< less than the shortest within the limits
   // Trajectories.
-  outside_limits,  ///< a joint is outside its position limits at a sample
-  moves_outside_limits,
-  rotates_too_far,
-  derivative_needed,   ///< needed over the next samples, above its limit
-  derivative_reached,  ///< reached before the next sample, above its limit
-  starts_moving,       ///< a trajectory that should start from rest
-  ends_moving,         ///< a trajectory that should come to rest
-  off_path,            ///< the tool is off the path at a sample
-  moves_backwards,     ///< the tool is behind an earlier sample
-  deviation_unproved,  ///< the deviation up to the next sample is not proved
-  leaves_path,         ///< the tool leaves the path before the next sample
-  may_move_backwards,  ///< the tool may move backwards before the next sample
-  leaves_last_waypoint,
-  waypoint_not_reached,
-  passes_without_rest,
-  dwell_too_short,
-  tool_too_fast,
+  outside_limits,         ///< a joint is outside its position limits at a sample
+  moves_outside_limits,   ///< a joint leaves its limits between two samples
+  rotates_too_far,        ///< a joint rotates more than half a revolution between two samples
+  derivative_needed,      ///< needed over the next samples, above its limit
+  derivative_reached,     ///< reached before the next sample, above its limit
+  starts_moving,          ///< a trajectory that should start from rest
+  ends_moving,            ///< a trajectory that should come to rest
+  off_path,               ///< the tool is off the path at a sample
+  moves_backwards,        ///< the tool is behind an earlier sample
+  deviation_unproved,     ///< the deviation up to the next sample is not proved
+  leaves_path,            ///< the tool leaves the path before the next sample
+  may_move_backwards,     ///< the tool may move backwards before the next sample
+  leaves_last_waypoint,   ///< the motion goes on after the last waypoint
+  waypoint_not_reached,   ///< the motion ends before it
+  passes_without_rest,    ///< a program stops there, the motion does not
+  dwell_too_short,        ///< the motion rests less than the program asks for
+  tool_too_fast,          ///< above the limit of the tool speed
+  bodies_collide,         ///< two bodies overlap or touch
+  bodies_too_close,       ///< two bodies are closer than their clearance
+  clearance_not_decided,  ///< two bodies are as close as their clearance, to the resolution
   // Control.
-  joint_outside_limits,  ///< a joint is outside its position limits
-  goal_outside_limits,
-  start_outside_limits,
-  step_outside_limits,
+  joint_outside_limits,              ///< a joint is outside its position limits
+  goal_outside_limits,               ///< the goal of a controller is outside the limits
+  start_outside_limits,              ///< the start of a controller is outside the limits
+  step_outside_limits,               ///< a step of a controller leaves the limits
   recording_outside_limits,          ///< the recording leaves the limits at a sample
   recording_outside_limits_between,  ///< the recording leaves the limits after a sample, by its
                                      ///< velocities
-  step_not_finite,
-  not_converged,
-  stagnates,
-  diverges,
-  next_solution_far,
-  recording_too_fast,
-  limit_exceeded,
+  step_not_finite,                   ///< a step of a controller is no number
+  not_converged,                     ///< the controller did not arrive within its steps
+  stagnates,                         ///< the error no longer decreases
+  diverges,                          ///< the error grows
+  next_solution_far,                 ///< the next solution is on another branch
+  recording_too_fast,   ///< the recording exceeds the velocity limits at this speed scale
+  limit_exceeded,       ///< a replayed recording exceeds a limit
   moves_after_lead_in,  ///< a recording that does not start at rest
   // Reachability.
-  poses_too_far_apart,
-  no_mount_reaches,
-  no_mount_moves_in_lines,
+  poses_too_far_apart,  ///< the poses are farther apart than the arm reaches
+  no_mount_reaches,  ///< the arm reaches all poses from none of the mounts that the map ranks first
+  no_mount_moves_in_lines,  ///< the poses are reached, lines between them are not possible
+  // Batches.
+  poses_unsolved,  ///< `count` of `of` poses have no solution
 };
 std::string name(ReasonCode code);
 ReasonCode reason_code_named(std::string_view name);  ///< throws Error for another name
@@ -130,12 +135,16 @@ enum class ReasonField {
   poses,
   sample,
   time,
+  begin,  ///< begin of a range of times
+  end,    ///< end of the range
   step,
   s,  ///< path parameter
   // Who.
   arm,
   joint,
   unit,
+  body,        ///< link or obstacle
+  other_body,  ///< link or obstacle
   // How much.
   value,
   lower,
@@ -148,6 +157,9 @@ enum class ReasonField {
   assumed,   ///< whether the limit is assumed, because it is not known
   recorded,  ///< whether the limit is the recording's own
   distance,
+  clearance,  ///< distance that must be kept
+  depth,      ///< length of a translation along `normal` that separates two bodies
+  normal,     ///< unit vector
   angle,
   change,
   centre,
@@ -198,11 +210,16 @@ enum class ReasonField {
   none_kept,
   overshoots,
   at_singularity,
+  in_millimetres,  ///< whether the position is rather in millimetres than in metres
+  in_degrees,      ///< whether the joint value is rather in degrees than in radians
 };
 std::string name(ReasonField field);
 ReasonField reason_field_named(std::string_view name);  ///< throws Error for another name
 
 using ReasonValue = std::variant<bool, std::size_t, double, std::string, Eigen::Vector3d, Ending>;
+
+/// Returns false, 0, "" or the like: a value of the type that the field has in every reason.
+ReasonValue default_value(ReasonField field);
 
 /// Why there is no answer, or not the best one, as data. sentence() writes it in English. A program
 /// reads `code` and the fields.

@@ -15,7 +15,7 @@
 namespace beeline::command {
 
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit) {
-  if (unit.degrees || std::abs(angle) <= largest_angle) return;
+  if (unit.degrees || std::abs(angle) <= plausible_angle) return;
   warn(fmt::format("{}: an angle of {} rad is more than a revolution; --degrees reads degrees",
                    option, number(angle)));
 }
@@ -23,7 +23,7 @@ void warn_of_angle(const std::string& option, double angle, const UnitArgument& 
 void warn_of_angle(const std::string& option, double angle, std::optional<PoseForm> form,
                    const UnitArgument& unit) {
   if (form != PoseForm::rotvec) return warn_of_angle(option, angle, unit);
-  if (std::abs(angle) <= largest_angle) return;
+  if (std::abs(angle) <= plausible_angle) return;
   warn(
       fmt::format("{}: a rotation vector of {} rad is more than a revolution; rx,ry,rz are in "
                   "radians, also with --degrees",
@@ -53,7 +53,8 @@ std::vector<Option> UnitArgument::options() {
 
 PoseFormat UnitArgument::pose_format(Triple triple, std::optional<PoseForm> form) const {
   if (!pose_form.empty()) form = pose_form_named(pose_form);
-  return {.unit = angle_unit(), .triple = triple, .pose_form = form, .millimetres = millimetres};
+  return {
+      .angle_unit = angle_unit(), .triple = triple, .pose_form = form, .millimetres = millimetres};
 }
 
 Vector3 UnitArgument::shown_position(const Pose& pose) const {
@@ -185,6 +186,29 @@ Task JacobianArgument::read(const Arm& arm) const {
 Option joint_values_option(const std::string& name, std::string help, std::string* target,
                            std::vector<std::string> arguments) {
   return {name + " Q", std::move(help), target, {.arguments = std::move(arguments)}};
+}
+
+Option threads_option(int* target) {
+  return {"--threads N",
+          "Number of threads; 0: as many as the machine has. The results do not depend on it.",
+          target,
+          {.range = {0, 1024}}};
+}
+
+Option tool_speed_option(std::optional<double>* target, const std::string& motions,
+                         std::vector<std::string> methods) {
+  return {"--tool-speed V",
+          "Largest speed of the tool origin, m/s" + motions + ".",
+          target,
+          {.range = tool_speeds, .methods = std::move(methods)}};
+}
+
+std::vector<Option> path_tolerance_options(double* position, double* orientation,
+                                           const OptionRules& rules) {
+  return {
+      {"--tolerance METRES", "Largest distance of the tool origin from the path.", position, rules},
+      {"--orientation-tolerance RAD", "Largest angle from the path's orientation, radians.",
+       orientation, rules}};
 }
 
 Positional file_argument(std::string name, std::string help, std::string* target, bool required) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,15 +84,23 @@ struct JacobianArgument {
 Positional file_argument(std::string name, std::string help, std::string* target,
                          bool required = true);
 
+/// --threads.
+Option threads_option(int* target);
+
+/// --tool-speed, with the motions that it is for: "; of a program, in moves without a speed".
+Option tool_speed_option(std::optional<double>* target, const std::string& motions = "",
+                         std::vector<std::string> methods = {});
+
+/// --tolerance and --orientation-tolerance of a path, with the range of both.
+std::vector<Option> path_tolerance_options(double* position, double* orientation,
+                                           const OptionRules& rules);
+
 /// --q, which is required: the joint values of an answer.
 Option configuration_option(std::string* target);
 
 /// --q, or another option that takes joint values, with the Option::arguments.
 Option joint_values_option(const std::string& name, std::string help, std::string* target,
                            std::vector<std::string> arguments = {});
-
-/// Angles beyond, in radians, may be meant in degrees: 2 pi, as typed with four digits.
-constexpr double largest_angle = 6.2842;
 
 /// Warns on stderr of an angle, in radians, beyond a revolution: it may be meant in degrees.
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit);

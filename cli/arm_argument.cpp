@@ -57,10 +57,12 @@ std::vector<Option> ArmArgument::options() {
              "moves, of several tool0 or, if only fixed joints are between them, the first; before "
              "the joints of a gripper.",
              &tip),
-      Option("--srdf FILE",
-             "MoveIt's SRDF file of the arm: its groups for --group, and its named states wherever "
-             "joint values are typed, such as --from home.",
-             &srdf),
+      Option(
+          "--srdf FILE",
+          "MoveIt's SRDF file of the arm: its groups for --group, its named states wherever joint "
+          "values are typed, such as --from home, and, with --scene or --self, the pairs of "
+          "links that it exempts by disable_collisions.",
+          &srdf),
       Option("--group NAME",
              "The group of --srdf that gives base and tip of the chain; --base and --tip replace "
              "them.",
@@ -77,7 +79,7 @@ std::vector<Option> ArmArgument::options() {
              &limits)};
 }
 
-Arm ArmArgument::read(const UnitArgument& unit) const {
+ChainEnds ArmArgument::ends() const {
   ChainEnds ends;
   if (!srdf.empty()) {
     const Srdf semantics = read_srdf(srdf);  // refused also where no name of it is used
@@ -85,9 +87,24 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   }
   if (!base.empty()) ends.base = base;
   if (!tip.empty()) ends.tip = tip;
+  return ends;
+}
+
+ArmShapes ArmArgument::shapes(ShapeOptions options) const {
+  options.srdf = srdf;
+  return read_arm_shapes(text, ends(), options);
+}
+
+LinkShapes ArmArgument::tool_shapes(const std::string& path) const {
+  return read_tool_shapes(path, read_arm(text, ends()));
+}
+
+Arm ArmArgument::read(const UnitArgument& unit, bool reports_faults) const {
   std::vector<ReadWarning> warnings;
-  const Arm described = read_arm(text, ends, &warnings);
-  for (const ReadWarning& warning : warnings) warn(sentence(warning, OptionStyle::command));
+  const Arm described = read_arm(text, ends(), &warnings);
+  for (const ReadWarning& warning : warnings) {
+    if (reports_faults || !is_fault(warning)) warn(sentence(warning, OptionStyle::command));
+  }
   hint_at_built_in(text);
   Arm arm = described;
   if (!tcp.empty()) {
@@ -98,7 +115,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   if (!mount.empty()) {
     const Pose world_T_base = parse_frame_option(described, "--mount", mount, unit).pose;
     arm = with_mount(arm, world_T_base);
-    warn_of_mount(world_T_base, unit);
+    warn_of_distance("--mount", mount_in_millimetres(world_T_base), unit);
   }
   if (limits.empty()) return arm;
   const JointLimits file = read_joint_limits(limits, arm);
@@ -107,8 +124,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
 }
 
 bool ArmArgument::shown_in_plane(const Arm& arm) const {
-  const std::string ending = extension(text);
-  return arm.planar() && ending != "urdf" && ending != "xml";
+  return arm.planar() && !has_link_tree_ending(text);
 }
 
 Configuration ArmArgument::configuration(const Arm& arm, const std::string& values,

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <beeline/io/text/scene.h>
+
 #include "arguments.h"
 
 namespace beeline::command {
@@ -10,7 +12,7 @@ namespace beeline::command {
 /// ARM with --base, --tip, --srdf, --group, --tcp, --mount and --limits.
 struct ArmArgument {
   std::string text = {}, base = {}, tip = {};
-  std::string srdf = {};             ///< a file of groups and named states; empty: none
+  std::string srdf = {};             ///< a file of groups, states and exempted pairs; empty: none
   std::string group = {};            ///< of that file
   std::string tcp = {}, mount = {};  ///< poses as typed; empty: none
   std::string limits = {};           ///< a file of joint limits; empty: the arm's own
@@ -20,8 +22,12 @@ struct ArmArgument {
   std::vector<std::string> inputs(std::vector<std::string> others = {}) const;
   std::vector<Option> options();
   /// The arm with the tool and the limits, in the world. Warns of what the files say that is not
-  /// applied.
-  Arm read(const UnitArgument& unit) const;
+  /// applied and, unless `reports_faults` is false, of the faults beside the chain.
+  Arm read(const UnitArgument& unit, bool reports_faults = true) const;
+  /// The shapes of the arm's links, and the pairs of them that --srdf exempts.
+  ArmShapes shapes(ShapeOptions options) const;
+  /// The shapes of a tool from a file, posed in the tool frame of the arm without --tcp.
+  LinkShapes tool_shapes(const std::string& path) const;
   /// Whether x, y and theta alone are the poses of the arm: it is planar, and no URDF file, which
   /// describes an arm in space.
   bool shown_in_plane(const Arm& arm) const;
@@ -29,6 +35,10 @@ struct ArmArgument {
   /// UnitArgument::configuration().
   Configuration configuration(const Arm& arm, const std::string& text, const std::string& option,
                               const UnitArgument& unit) const;
+
+ private:
+  /// The ends of the chain, by --srdf, --group, --base and --tip.
+  ChainEnds ends() const;
 };
 
 }  // namespace beeline::command

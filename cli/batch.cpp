@@ -11,6 +11,8 @@
 #include "command/progress.h"
 #include "command/streams.h"
 #include "format.h"
+#include "json_reason.h"
+#include "pose_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -66,6 +68,10 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
     throw FileError(reader.path(), 0, "has a header but no rows below it");
   }
   if (complete) writer.commit();
+  // Numbers that may be meant as several forms, or in several orders.
+  if (!reader.has_header() && work.forms.size() > 1 && extension(arguments.in) != "npy") {
+    warn_of_missing_header(reader.path(), work.forms[reader.form()]);
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
@@ -102,6 +108,16 @@ std::string batch_text(const BatchArguments& arguments, const std::string& kind,
   return text;
 }
 
+/// {"solved": 3, "unreachable": 1}: the statuses that occur.
+Json json_statuses(const BatchCounts& counts) {
+  Json statuses = Json::object();
+  for (std::size_t i = 0; i < counts.statuses.size(); ++i) {
+    if (counts.statuses[i] == 0) continue;
+    statuses.add(name(static_cast<InverseStatus>(i)), counts.statuses[i]);
+  }
+  return statuses;
+}
+
 Json batch_document(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
                     const BatchWork& work, const BatchReport& report) {
   Json document{{"status", name(report.counts.ending)},
@@ -113,6 +129,7 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   if (kind == "ik") {
     document.add("solved", report.counts.solved);
     document.add("unsolved", report.rows - report.counts.solved);
+    if (arguments.status) document.add("statuses", json_statuses(report.counts));
   } else {
     document.add("outside_limits", report.counts.outside_limits);
   }
@@ -124,11 +141,19 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   return document;
 }
 
-std::string ended_sentence(const BatchReport& report, bool rows_on_stdout) {
-  return sentence({ReasonCode::ended_in_batch,
-                   {{ReasonField::ending, report.counts.ending},
-                    {ReasonField::count, static_cast<std::size_t>(report.rows)},
-                    {ReasonField::without_file, !rows_on_stdout}}});
+/// Why not all rows have a result; none if they have.
+Reason reason_of(const BatchReport& report, bool inverse, bool rows_on_stdout) {
+  const auto rows = static_cast<std::size_t>(report.rows);
+  if (report.counts.ending != Ending::complete) {
+    return {ReasonCode::ended_in_batch,
+            {{ReasonField::ending, report.counts.ending},
+             {ReasonField::count, rows},
+             {ReasonField::without_file, !rows_on_stdout}}};
+  }
+  const auto solved = static_cast<std::size_t>(report.counts.solved);
+  if (!inverse || solved == rows) return {};
+  return {ReasonCode::poses_unsolved,
+          {{ReasonField::count, rows - solved}, {ReasonField::of, rows}}};
 }
 
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
@@ -144,16 +169,15 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   const BatchWork work = make_work(arguments, arm);
   const BatchReport report = process(arguments, work);
   warn_of_rows(arguments, report);
-  const std::int64_t unsolved = report.rows - report.counts.solved;
-  const bool complete = report.counts.ending == Ending::complete;
-  return {.text = batch_text(arguments, kind, arm, report),
-          .document = batch_document(arguments, kind, arm, work, report),
-          .units = kind == "jacobian" ? Json{{"rows", jacobian_units}} : Json(),
-          .yes = complete && (kind != "ik" || unsolved == 0),
-          .reason = complete ? fmt::format("{} of {} poses without a solution: their rows are nan",
-                                           unsolved, report.rows)
-                             : ended_sentence(report, rows_on_stdout),
-          .text_on_stderr = rows_on_stdout};
+  const Reason reason = reason_of(report, kind == "ik", rows_on_stdout);
+  Answer answer{.text = batch_text(arguments, kind, arm, report),
+                .document = batch_document(arguments, kind, arm, work, report),
+                .units = kind == "jacobian" ? Json{{"rows", jacobian_units}} : Json(),
+                .yes = !reason,
+                .reason = sentence(reason),
+                .text_on_stderr = rows_on_stdout};
+  answer.document.add(json_reason(reason));
+  return answer;
 }
 
 constexpr const char* configurations_help =
@@ -180,9 +204,7 @@ Verb common(const std::shared_ptr<BatchArguments>& shared, const char* name, con
                &arguments.out, {.required = true})},
        arguments.unit.options(),
        own,
-       {Option("--threads N",
-               "Number of threads; 0: as many as the machine has. The results do not depend on it.",
-               &arguments.threads, {.range = {0, 1024}}),
+       {threads_option(&arguments.threads),
         Option("--float", "Write 32-bit numbers to a .npy file.", &arguments.single),
         Option("--skip-bad",
                "Leave bad rows out and count them. By default a bad row ends the run with an error "
@@ -232,8 +254,10 @@ Verb batch_jacobian() {
 /// "0 solved, 1 unreachable, ...".
 std::string numbered_statuses() {
   std::string text;
-  for (int i = 0; i <= static_cast<int>(InverseStatus::work_limit); ++i) {
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, name(static_cast<InverseStatus>(i)));
+  int number = 0;
+  for (const std::string& status : inverse_status_names()) {
+    text += fmt::format("{}{} {}", number == 0 ? "" : ", ", number, status);
+    ++number;
   }
   return text;
 }

@@ -280,6 +280,9 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
       for (Eigen::Index i = 0; i < block.count(); ++i) {
         const InverseOutcome& outcome = outcomes[static_cast<std::size_t>(i)];
         results.col(i).tail<2>() << static_cast<double>(outcome.status), outcome.residual;
+        if (result.ending == Ending::complete) {
+          ++counts.statuses.at(static_cast<std::size_t>(outcome.status));
+        }
       }
     } else {
       result = batch_inverse(arm, world_T_tool, seed, q, options, batch);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -33,7 +34,9 @@ struct BatchCounts {
   std::int64_t outside_limits = 0;  ///< configurations
   std::int64_t first_outside = 0;   ///< the row of the first
   std::int64_t solved = 0;          ///< poses
-  double large_angle = 0;           ///< the first beyond a revolution
+  /// Poses by InverseStatus, with --status.
+  std::vector<std::int64_t> statuses = std::vector<std::int64_t>(inverse_status_names().size(), 0);
+  double large_angle = 0;  ///< the first beyond a revolution
   std::int64_t large_angle_row = 0;
   std::optional<PoseForm> large_angle_form = {};
   double far_distance = 0;  ///< of the first pose that is rather in millimetres, m; 0: none is
@@ -46,7 +49,7 @@ struct BatchCounts {
                   std::optional<PoseForm> form = std::nullopt) {
     if (large_angle_row > 0 || angles.size() == 0) return;
     const double angle = angles.array().abs().maxCoeff();
-    if (angle <= largest_angle) return;
+    if (angle <= plausible_angle) return;
     large_angle = angle;
     large_angle_row = row;
     large_angle_form = form;

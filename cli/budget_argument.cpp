@@ -9,7 +9,10 @@ namespace beeline::command {
 Option BudgetArgument::time_limit_option() {
   return Option("--time-limit SECONDS",
                 "End after this time, as Ctrl-C does, with exit code 1, the status time_limit and "
-                "what has been found so far. Default: no limit.",
+                "what has been found so far. With 0 a search ends at its first check, within a "
+                "millisecond; an "
+                "answer by closed form is given all the same. "
+                "Default: no limit.",
                 &time_limit_, {.range = zero_or_more});
 }
 

@@ -59,19 +59,21 @@ std::string place_of(const Arm& arm, const ModelDifference& difference) {
                          : fmt::format("joint {} {}", number, joint);
 }
 
+/// What to write or, for a base or a tool, the option to give.
+std::string remedy_of(const Arm& arm, const ModelDifference& difference, const UnitArgument& unit) {
+  if (!difference.pose) return difference.remedy;
+  const bool tool = difference.kind == DifferenceKind::tool;
+  return (tool ? "--tcp " : "--mount ") + typed(*difference.pose, arm.planar(), unit);
+}
+
 std::vector<ReportLine> report_lines(const Arm& arm,
                                      const std::vector<ModelDifference>& differences,
                                      const UnitArgument& unit) {
   std::vector<ReportLine> lines;
   for (const ModelDifference& difference : differences) {
-    std::string remedy = difference.remedy;
-    if (difference.pose) {
-      const bool tool = difference.kind == DifferenceKind::tool;
-      remedy = (tool ? "--tcp " : "--mount ") + typed(*difference.pose, arm.planar(), unit);
-    }
     std::string place = place_of(arm, difference);
     std::replace(place.begin(), place.end(), '_', difference.joint < 0 ? ' ' : '_');
-    lines.push_back({place, difference.what, remedy});
+    lines.push_back({place, difference.what, remedy_of(arm, difference, unit)});
   }
   return lines;
 }
@@ -120,7 +122,8 @@ Json json_differences(const Arm& a, const std::vector<ModelDifference>& differen
     if (difference.b) json.add("b", *difference.b);
     if (difference.pose) json.add("pose", json_pose(*difference.pose, false, unit));
     json.add("what", difference.what);
-    if (!difference.remedy.empty()) json.add("remedy", difference.remedy);
+    const std::string remedy = remedy_of(a, difference, unit);
+    if (!remedy.empty()) json.add("remedy", remedy);
     list.append(json);
   }
   return list;
@@ -141,6 +144,13 @@ std::string verdict_on(const Diagnosis& diagnosis) {
   return text.empty() ? "nothing suspicious" : text;
 }
 
+/// Whether the finding after finding i has another cost or remedy. Findings in a row that have the
+/// same are shown with it once.
+bool ends_advice(const std::vector<Finding>& findings, std::size_t i) {
+  return i + 1 == findings.size() || findings[i + 1].remedy != findings[i].remedy ||
+         findings[i + 1].cost != findings[i].cost;
+}
+
 /// Prints all faults of a file whose chain has one. A single fault is in the error alone.
 void print_faults(const std::string& path) {
   std::vector<Finding> faults;
@@ -151,8 +161,9 @@ void print_faults(const std::string& path) {
   }
   if (faults.size() < 2) return;
   warn(path + " has " + counted(static_cast<std::int64_t>(faults.size()), "fault") + ":");
-  for (const Finding& fault : faults) {
-    print_error("  " + fault.place + ": " + fault.what + "; " + fault.remedy);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    const std::string remedy = ends_advice(faults, i) ? "; " + faults[i].remedy : "";
+    print_error("  " + faults[i].place + ": " + faults[i].what + remedy);
   }
 }
 
@@ -160,7 +171,7 @@ void print_faults(const std::string& path) {
 Answer diagnose_one(const DoctorArguments& arguments) {
   const ArmArgument& arm = arguments.arm;
   try {
-    (void)arm.read(arguments.unit);  // warns of what was selected
+    (void)arm.read(arguments.unit, false);  // warns of what was selected
   } catch (const FileError&) {
     print_faults(arm.text);
     throw;
@@ -173,10 +184,14 @@ Answer diagnose_one(const DoctorArguments& arguments) {
   Json list = Json::list();
   std::size_t width = 0;
   for (const Finding& finding : diagnosis.findings) width = std::max(width, finding.place.size());
-  for (const Finding& finding : diagnosis.findings) {
+  for (std::size_t i = 0; i < diagnosis.findings.size(); ++i) {
+    const Finding& finding = diagnosis.findings[i];
+    const bool last = ends_advice(diagnosis.findings, i);
     text += fmt::format("\n  {:<{}}  {}\n", finding.place, width, finding.what);
-    if (!finding.cost.empty()) text += fmt::format("  {:<{}}  cost: {}\n", "", width, finding.cost);
-    text += fmt::format("  {:<{}}  {}\n", "", width, finding.remedy);
+    if (last && !finding.cost.empty()) {
+      text += fmt::format("  {:<{}}  cost: {}\n", "", width, finding.cost);
+    }
+    if (last) text += fmt::format("  {:<{}}  {}\n", "", width, finding.remedy);
     Json json{{"kind", name(finding.kind)}, {"place", finding.place}, {"what", finding.what}};
     if (finding.joint >= 0) json.add("joint", finding.joint + 1);
     if (!finding.cost.empty()) json.add("cost", finding.cost);

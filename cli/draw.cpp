@@ -13,6 +13,7 @@
 #include "program_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -27,6 +28,7 @@ struct DrawArguments {
   WorkArgument work;
   double azimuth = 0, elevation = 0;  ///< degrees
   ArmFigureOptions figure;
+  SceneArgument scene;
   AnimationArgument animation;
 };
 
@@ -49,7 +51,7 @@ std::vector<Pose> waypoints(const DrawArguments& arguments, const Arm& arm) {
       .poses;
 }
 
-void draw_motion(const DrawArguments& arguments, const Arm& arm) {
+void draw_motion(const DrawArguments& arguments, const Arm& arm, const CollisionModel* model) {
   if (!arguments.q.empty())
     throw Error("--q cannot be combined with a motion, which has joint values");
   ArmFigureOptions options = figure_options(arguments);
@@ -57,15 +59,18 @@ void draw_motion(const DrawArguments& arguments, const Arm& arm) {
       arguments.recording.read_unwrapped(arguments.motion, arm, arguments.unit).trajectory;
   const std::vector<Pose> poses = waypoints(arguments, arm);
   if (!arguments.out.empty()) {
-    const Figure figure = motion_figure(arm, trajectory, poses, options);
+    const Figure figure = model != nullptr ? motion_figure(*model, trajectory, poses, options)
+                                           : motion_figure(arm, trajectory, poses, options);
     write_file(arguments.out, render(figure, format_of(arguments.out)));
   }
   if (!arguments.animation.wanted()) return;
   options.small_views = false;
-  arguments.animation.write(motion_animation(arm, trajectory, poses, options));
+  arguments.animation.write(model != nullptr ? motion_animation(*model, trajectory, poses, options)
+                                             : motion_animation(arm, trajectory, poses, options));
 }
 
-void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
+void draw_configuration(const DrawArguments& arguments, const Arm& arm,
+                        const CollisionModel* model) {
   if (arguments.animation.wanted())
     throw Error("--animate needs a motion: beeline draw ARM FILE --animate " +
                 arguments.animation.file);
@@ -75,13 +80,16 @@ void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
     q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
     warn_outside_limits(arm, q);
   }
-  const Figure figure = arm_figure(arm, q, figure_options(arguments));
+  const ArmFigureOptions options = figure_options(arguments);
+  const Figure figure =
+      model != nullptr ? arm_figure(*model, q, options) : arm_figure(arm, q, options);
   write_file(arguments.out, render(figure, format_of(arguments.out)));
 }
 
 Answer draw_arm(const DrawArguments& arguments) {
-  const std::vector<std::string> inputs =
-      arguments.arm.inputs({arguments.motion, arguments.through});
+  std::vector<std::string> files = arguments.scene.inputs();
+  files.insert(files.end(), {arguments.motion, arguments.through});
+  const std::vector<std::string> inputs = arguments.arm.inputs(files);
   if (arguments.out.empty() && !arguments.animation.wanted()) {
     throw Error("draw needs --out PICTURE or, for a motion, --animate FILE");
   }
@@ -91,7 +99,9 @@ Answer draw_arm(const DrawArguments& arguments) {
   }
   arguments.animation.check(arguments.out, inputs);
   const Arm arm = arguments.arm.read(arguments.unit);
-  (arguments.motion.empty() ? draw_configuration : draw_motion)(arguments, arm);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
+  (arguments.motion.empty() ? draw_configuration : draw_motion)(arguments, arm,
+                                                                scene ? &scene->model : nullptr);
   Answer answer{.document = {{"status", "drawn"}}};
   for (const auto& [key, file] :
        {std::pair{"out", arguments.out}, std::pair{"animation", arguments.animation.file}}) {
@@ -144,13 +154,16 @@ Verb draw_verb() {
       .summary = "Draw an arm or a motion: SVG, PNG, PDF, animations",
       .description =
           "Draws the arm at given joint values, or the arm along a trajectory with the path of its "
-          "tool. With --animate the arm moves, in real time. Prints the names of the files.",
+          "tool. With --animate the arm moves, in real time. Prints the names of the files.\n\n"
+          "With --scene or --self it also draws the obstacles, the shapes of the links, and a line "
+          "between the two bodies that are nearest to their clearance; of a motion at the closest "
+          "of 201 times. `beeline check` proves the clearance at all times.",
       .arguments = {arguments->arm.argument(),
                     file_argument("FILE", "A trajectory of the arm, .csv, .json or .yaml.",
                                   &arguments->motion, false)},
       .options = joined({draw_options(*arguments), arguments->animation.options(),
                          arguments->recording.options(), arguments->unit.options(),
-                         arguments->arm.options()}),
+                         arguments->scene.options(), arguments->arm.options()}),
       .examples = {{"The planar arm with the columns of its Jacobian",
                     "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
                    {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},

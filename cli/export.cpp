@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +17,7 @@
 #include "program_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -30,7 +32,17 @@ struct ExportArguments {
   PathArgument path;
   std::string file, form, out, from;
   std::optional<double> rate, tool_speed;
+  SceneArgument scene;
   BudgetArgument budget;
+  std::shared_ptr<std::string> command_line = std::make_shared<std::string>();
+};
+
+/// What is exported, and whether its motion keeps its clearance.
+struct Exported {
+  std::optional<ControllerFile> file = {};
+  MotionStatus status = MotionStatus::reached;
+  Reason reason = {};
+  std::optional<ClearanceReport> clearance = std::nullopt;
 };
 
 /// Refuses a file name whose ending is not one of the form's.
@@ -67,26 +79,67 @@ void check_trajectory_options(const ExportArguments& arguments) {
   }
 }
 
-ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
-                                 ControllerForm form) {
+/// The comments of a file on the clearance that is proved for its motion.
+std::vector<std::string> remarks_on(const ExportArguments& arguments,
+                                    const ClearanceReport& clearance, const std::string& motion) {
+  const SceneArgument& scene = arguments.scene;
+  std::vector<std::string> others;
+  if (!scene.scenes.empty()) others.push_back("from the obstacles of " + listed(scene.scenes));
+  if (!scene.no_self) others.emplace_back("between the links");
+  const double least = clearance.proof.least_distance;
+  const std::string apart =
+      std::isfinite(least)
+          ? fmt::format(", whose bodies are at least {} m apart", shown(-rounded_up(-least, 6)))
+          : "";
+  return {fmt::format("Clearance of {} m{} {}: proved at all times for {}{}",
+                      number(clearance.clearance),
+                      clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
+                      fmt::join(others, " and "), motion, apart),
+          "Repeat this proof: " + *arguments.command_line};
+}
+
+/// Proves that the motion of a file keeps its clearance, and adds that to the comments.
+void prove_clearance_of(Exported& exported, const ExportArguments& arguments,
+                        const CheckedScene& scene, const Trajectory& trajectory,
+                        const std::string& motion, ControllerFileOptions& options) {
+  exported.clearance = arguments.scene.prove(scene, trajectory, arguments.budget.next());
+  if (exported.clearance->proof) {
+    options.remarks = remarks_on(arguments, *exported.clearance, motion);
+    return;
+  }
+  exported.status = exported.clearance->refusal();
+  exported.reason = exported.clearance->proof.reason;
+}
+
+/// A message of ROS is proved as it is played; of other forms the motion is proved from which their
+/// samples are taken.
+Exported trajectory_export(const ExportArguments& arguments, const Arm& arm,
+                           const CheckedScene* scene, ControllerForm form) {
   check_trajectory_options(arguments);
   if (lacks_times(arguments.file)) {
     throw FileError(arguments.file, 0,
                     "has neither a column of times, \"t\", nor, as a program, a column motion");
   }
-  const Recording recording =
-      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit);
-  return controller_file(arm, recording.trajectory, form, file_options(arguments, arm));
+  const Trajectory trajectory =
+      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit).trajectory;
+  ControllerFileOptions options = file_options(arguments, arm);
+  Exported exported{.file = controller_file(arm, trajectory, form, options)};
+  if (scene == nullptr) return exported;
+  if (form == ControllerForm::ros2) {
+    const Trajectory played = parse_recording(exported.file->text, arguments.out, arm).trajectory;
+    prove_clearance_of(exported, arguments, *scene, played, "the motion of this message", options);
+  } else {
+    prove_clearance_of(exported, arguments, *scene, trajectory,
+                       "the motion of " + arguments.file + ", from which these samples are taken",
+                       options);
+  }
+  exported.file.reset();
+  if (exported.clearance->proof) exported.file = controller_file(arm, trajectory, form, options);
+  return exported;
 }
 
-/// A program as planned; without a file where it is not possible.
-struct PlannedExport {
-  ProgramMotion motion;
-  std::optional<ControllerFile> file = {};
-};
-
-PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
-                             ControllerForm form) {
+Exported program_export(const ExportArguments& arguments, const Arm& arm, const CheckedScene* scene,
+                        ControllerForm form) {
   const TaskArgument spatial{"spatial"};
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
@@ -100,39 +153,47 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return at_rows(program, arguments.file, [&] {
     check_controller_form(arm, program, form);
-    PlannedExport planned{move_program(arm, start, program, options)};
-    if (planned.motion) {
-      planned.file =
-          controller_file(arm, program, planned.motion, form, file_options(arguments, arm));
+    const ProgramMotion motion = move_program(arm, start, program, options);
+    Exported exported{.status = motion.status, .reason = motion.reason};
+    ControllerFileOptions file = file_options(arguments, arm);
+    if (motion && scene != nullptr) {
+      prove_clearance_of(exported, arguments, *scene, motion.trajectory, "the planned motion",
+                         file);
     }
-    return planned;
+    if (exported.status == MotionStatus::reached) {
+      exported.file = controller_file(arm, program, motion, form, file);
+    }
+    return exported;
   });
 }
 
-Answer failed_export(const ProgramMotion& motion) {
-  Answer answer{.text = name(motion.status) + ": nothing is exported\n",
-                .document = {{"status", name(motion.status)}},
+Answer failed_export(const Exported& exported) {
+  Answer answer{.text = name(exported.status) + ": nothing is exported\n",
+                .document = {{"status", name(exported.status)}},
                 .yes = false,
-                .reason = sentence(motion.reason)};
-  answer.document.add(json_reason(motion.reason));
+                .reason = sentence(exported.reason)};
+  answer.document.add(json_reason(exported.reason));
+  if (!exported.clearance) return answer;
+  answer.text += exported.clearance->text();
+  answer.document.add("clearance", exported.clearance->document());
+  answer.reason = exported.clearance->reason_text();
   return answer;
 }
 
 Answer export_file(const ExportArguments& arguments) {
   const ControllerForm form = controller_form_named(arguments.form);
   check_ending(form, arguments.out);
-  refuse_overwriting(arguments.out, arguments.arm.inputs({arguments.file}));
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  inputs.push_back(arguments.file);
+  refuse_overwriting(arguments.out, arguments.arm.inputs(inputs));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   check_controller_form(arm, form);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   const bool program = holds_program(arguments.file);
-  ControllerFile file;
-  if (program) {
-    PlannedExport planned = program_export(arguments, arm, form);
-    if (!planned.file) return failed_export(planned.motion);
-    file = std::move(*planned.file);
-  } else {
-    file = trajectory_export(arguments, arm, form);
-  }
+  const Exported exported = (program ? program_export : trajectory_export)(
+      arguments, arm, scene ? &*scene : nullptr, form);
+  if (!exported.file) return failed_export(exported);
+  const ControllerFile& file = *exported.file;
   write_file(arguments.out, file.text);
   Answer answer{.text = fmt::format(
                     "exported      {} in {} s, as {}\nguaranteed    {}\n",
@@ -147,6 +208,10 @@ Answer export_file(const ExportArguments& arguments) {
                              {"out", arguments.out}},
                 .text_on_stderr = true};
   if (!file.note.empty()) answer.text += fmt::format("note          {}\n", file.note);
+  if (exported.clearance) {
+    answer.text += exported.clearance->text();
+    answer.document.add("clearance", exported.clearance->document());
+  }
   answer.text += fmt::format("file          {}\n", arguments.out);
   return answer;
 }
@@ -157,9 +222,7 @@ std::vector<Option> program_options(ExportArguments& arguments) {
               "--from", "Joint values at the start of a program. Default: its first waypoint.",
               &arguments.from, {"start"}),
           arguments.work.option(), arguments.path.options()[1],
-          Option("--tool-speed V",
-                 "Largest speed of the tool origin in a program's moves without a speed, m/s.",
-                 &arguments.tool_speed, {.range = tool_speeds}),
+          tool_speed_option(&arguments.tool_speed, "; of a program, in moves without a speed"),
           arguments.budget.time_limit_option()};
 }
 
@@ -173,67 +236,77 @@ std::vector<Option> export_options(ExportArguments& arguments) {
              "(krl), .csv. Programs of rapid and krl have its name.",
              &arguments.out, {.required = true}),
       Option("--rate HZ",
-             "Samples per second, of the motion that the trajectory's columns mean. Default: the "
-             "trajectory's own samples; for urscript 125, which CB3 and e-Series keep (e-Series up "
-             "to 500). csv requires it.",
+             fmt::format("Samples per second, of the motion that the trajectory's columns mean. "
+                         "Default: the trajectory's own samples; for urscript {}, which CB3 and "
+                         "e-Series keep (e-Series up to 500). csv requires it.",
+                         default_urscript_rate),
              &arguments.rate, {.range = sample_rates})};
 }
+
+constexpr const char* export_description =
+    "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
+    "stderr which guarantees of `beeline check` remain on the controller; comments in the "
+    "file say the same.\n\n"
+    "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
+    "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program "
+    "of "
+    "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
+    "instructions; krl: PTP instructions: their controllers plan the motion between the "
+    "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "
+    "joints in the controller's order, zeros and directions.\n\n"
+    "A program, a .csv file with a column motion (see `beeline help line`), is planned and "
+    "certified, then written as moves of urscript (movej, movel, movec), rapid (MoveAbsJ, "
+    "MoveL, MoveC) or krl (PTP, LIN, CIRC, SPLINE): the order and the waypoints are exact, "
+    "and the controller plans the motions between them again. Poses are in the controller's "
+    "root frame (the base of Universal Robots, wobj0 of ABB, $ROBROOT of KUKA), which "
+    "--mount moves with the arm; with --work they are in that frame, which the file states "
+    "in the root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its "
+    "load. Built-in arms of these makers know their root frame; of others the world of the "
+    "arm's description is assumed: a .json arm states another as controller_base, a URDF "
+    "file as its link base.\n\n"
+    "With --scene or --self the motion must keep a clearance, see `beeline help check`; "
+    "otherwise nothing is written, and the status is collides or not_decided. A ros2 message "
+    "is proved as it is played, of other forms the motion from which their setpoints are "
+    "taken, of a program the planned motion. Comments in the file name the scenes, the "
+    "clearance and the command that repeats the proof.\n\n"
+    "With --rate the last sample is up to one period later than the trajectory's. Files are "
+    "in radians and metres, files of rapid and krl in degrees; --degrees applies to --tcp "
+    "and --mount, and to recordings with an angle more than a revolution outside its limits "
+    "in radians.";
 
 }  // namespace
 
 Verb export_verb() {
   const auto arguments = std::make_shared<ExportArguments>();
-  return {
-      .name = "export",
-      .summary = "Write a trajectory or a program in the form that a robot's controller takes",
-      .description =
-          "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
-          "stderr which guarantees of `beeline check` remain on the controller; comments in the "
-          "file say the same.\n\n"
-          "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
-          "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program "
-          "of "
-          "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
-          "instructions; krl: PTP instructions: their controllers plan the motion between the "
-          "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "
-          "joints in the controller's order, zeros and directions.\n\n"
-          "A program, a .csv file with a column motion (see `beeline help line`), is planned and "
-          "certified, then written as moves of urscript (movej, movel, movec), rapid (MoveAbsJ, "
-          "MoveL, MoveC) or krl (PTP, LIN, CIRC, SPLINE): the order and the waypoints are exact, "
-          "and the controller plans the motions between them again. Poses are in the controller's "
-          "root frame (the base of Universal Robots, wobj0 of ABB, $ROBROOT of KUKA), which "
-          "--mount moves with the arm; with --work they are in that frame, which the file states "
-          "in the root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its "
-          "load. Built-in arms of these makers know their root frame; of others the world of the "
-          "arm's description is assumed: a .json arm states another as controller_base, a URDF "
-          "file as its link base.\n\n"
-          "With --rate the last sample is up to one period later than the trajectory's. Files are "
-          "in radians and metres, files of rapid and krl in degrees; --degrees applies to --tcp "
-          "and --mount, and to recordings with an angle more than a revolution outside its limits "
-          "in radians.",
-      .arguments = {arguments->arm.argument(),
-                    file_argument(
-                        "FILE",
-                        "A trajectory of the arm, .csv, .json or .yaml, or a program, .csv.",
-                        &arguments->file)},
-      .options = joined({export_options(*arguments), program_options(*arguments),
-                         arguments->recording.options(), arguments->unit.options(),
-                         arguments->arm.options(), arguments->limits.options()}),
-      .examples =
-          {{"A motion of a UR5e for ROS 2, and as a program of its controller",
-            "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "
-            "--out move.csv\n"
-            "beeline export ur5e move.csv --as ros2 --out move.yaml\n"
-            "beeline export ur5e move.csv --as urscript --rate 500 --out move.script"},
-           {"A sample every 0.1 s, as instructions of ABB",
-            "beeline export ur5e move.csv --as rapid --rate 10 --out move.mod"},
-           {"A pick as a program of Universal Robots: down to a pose, 0.5 s there, and back",
-            "printf "
-            "'motion,relative,x,y,z,roll,pitch,yaw,speed,dwell\\njoint,next,0,0,-0.1,0,0,0,,\\n"
-            "line,,-0.4,-0.3,0.2,180,0,0,0.1,0.5\\nline,previous,0,0,-0.1,0,0,0,0.25,\\n' > "
-            "pick.csv\n"
-            "beeline export ur5e pick.csv --degrees --as urscript --out pick.script"}},
-      .run = [arguments] { return export_file(*arguments); }};
+  return {.name = "export",
+          .summary = "Write a trajectory or a program in the form that a robot's controller takes",
+          .description = export_description,
+          .arguments = {arguments->arm.argument(),
+                        file_argument(
+                            "FILE",
+                            "A trajectory of the arm, .csv, .json or .yaml, or a program, .csv.",
+                            &arguments->file)},
+          .options = joined({export_options(*arguments), program_options(*arguments),
+                             arguments->recording.options(), arguments->unit.options(),
+                             arguments->scene.options(), arguments->arm.options(),
+                             arguments->limits.options()}),
+          .examples =
+              {{"A motion of a UR5e for ROS 2, and as a program of its controller",
+                "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "
+                "--out move.csv\n"
+                "beeline export ur5e move.csv --as ros2 --out move.yaml\n"
+                "beeline export ur5e move.csv --as urscript --rate 500 --out move.script"},
+               {"A sample every 0.1 s, as instructions of ABB",
+                "beeline export ur5e move.csv --as rapid --rate 10 --out move.mod"},
+               {"A pick as a program of Universal Robots: down to a pose, 0.5 s there, and back",
+                "printf "
+                "'motion,relative,x,y,z,roll,pitch,yaw,speed,dwell\\njoint,next,0,0,-0.1,0,0,0,,\\n"
+                "line,,-0.4,-0.3,0.2,180,0,0,0.1,0.5\\nline,previous,0,0,-0.1,0,0,0,0.25,\\n' > "
+                "pick.csv\n"
+                "beeline export ur5e pick.csv --from 30,-60,80,-110,-90,0 --degrees --as urscript "
+                "--out pick.script"}},
+          .command_line = arguments->command_line,
+          .run = [arguments] { return export_file(*arguments); }};
 }
 
 }  // namespace beeline::command

@@ -41,9 +41,14 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
       return {unit.shown(arm, k, result.residual),
               fmt::format(" {}", prismatic ? "m" : unit.name())};
     }
-    default:
-      return {result.residual};
+    case InverseStatus::solved:
+    case InverseStatus::not_found:
+    case InverseStatus::time_limit:
+    case InverseStatus::cancelled:
+    case InverseStatus::work_limit:
+      break;
   }
+  return {result.residual};
 }
 
 /// Which of the solutions that exist are given; empty if that is not known.

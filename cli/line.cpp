@@ -36,6 +36,7 @@ struct LineArguments {
   std::string from, through, method = exact_method;
   PathMotionOptions motion;
   std::optional<double> tool_speed, rate;
+  SceneArgument scene;
   BudgetArgument budget;
   CartesianOptions control;
   ResultFiles files;
@@ -53,19 +54,15 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
   return options;
 }
 
-/// Adds the options that the reason means.
-void name_options(const LineArguments& arguments, LineReport& report) {
-  if (report.status != MotionStatus::too_many_samples) return;
-  report.note = arguments.rate ? " (--rate, --max-samples)" : " (--tolerance, --max-samples)";
-}
-
 /// What the plans of a path and of a program have in common.
 template <class Motion>
 LineReport report_of(const LineArguments& arguments, Motion& motion) {
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
-  name_options(arguments, report);
+  if (report.status == MotionStatus::too_many_samples) {
+    report.options = {arguments.rate ? "--rate" : "--tolerance", "--max-samples"};
+  }
   report.trajectory = std::move(motion.trajectory);
   report.deviation = motion.deviation;
   report.limits = motion.limits;
@@ -181,28 +178,46 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   return line_by_program(arguments, frame.arm, start, frame.seen(program), task);
 }
 
+/// Proves that a planned motion keeps its clearance, or refuses it.
+void prove_clearance_of(LineReport& report, const LineArguments& arguments,
+                        const CheckedScene& scene, const WorkFrame& frame) {
+  report.clearance = arguments.scene.prove(scene, report.trajectory, arguments.budget.next());
+  if (report.clearance->proof) return;
+  report.status = report.clearance->refusal();
+  report.reason = report.clearance->proof.reason;
+  if (frame.positions != PositionFrame::only) report.positions = PositionFrame::world;
+}
+
 Answer line(const LineArguments& arguments) {
-  arguments.files.check(arguments.arm.inputs({arguments.through}));
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  inputs.push_back(arguments.through);
+  arguments.files.check(arguments.arm.inputs(inputs));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   const Task task = arguments.task.read(arm);
   const WorkFrame frame(arm, task, arguments.work, arguments.unit);
   std::vector<Pose> waypoints;
   LineReport report = line_through(arguments, arm, task, frame, waypoints);
   report.method = arguments.method;
   report.waypoints = waypoints.size();
+  if (report.status != MotionStatus::reached) {
+    report.positions = frame.positions;
+  } else if (scene) {
+    prove_clearance_of(report, arguments, *scene, frame);
+  }
   const bool reached = report.status == MotionStatus::reached;
   if (reached) {
     TimingFigureOptions plot{.path = report.path};
     for (const PlannedMove& move : report.moves) {
       plot.waypoint_times.push_back(report.trajectory.times[move.end]);
     }
-    arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm);
+    arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm,
+                          scene ? &scene->model : nullptr);
   }
-  if (!reached) report.note += frame.note;
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),
           .yes = reached,
-          .reason = sentence(report.reason) + report.note};
+          .reason = reason_text(report)};
 }
 
 std::vector<Option> line_options(LineArguments& arguments) {
@@ -225,9 +240,8 @@ std::vector<Option> exact_options(LineArguments& arguments) {
   return joined(
       {arguments.path.options({exact_method}),
        {arguments.profile.option({exact_method}), arguments.interpolation.option({exact_method}),
-        Option("--tool-speed V",
-               "Largest speed of the tool origin, m/s; of a program, in moves without a speed.",
-               &arguments.tool_speed, {.range = tool_speeds, .methods = {exact_method}}),
+        tool_speed_option(&arguments.tool_speed, "; of a program, in moves without a speed",
+                          {exact_method}),
         Option("--rate HZ",
                "Samples per second, from the first to the last: each section from stop to stop "
                "lasts a whole number of periods. Default: as few samples as the motion needs.",
@@ -236,15 +250,10 @@ std::vector<Option> exact_options(LineArguments& arguments) {
                "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
                "and a shorter one is refused with the shortest. Default: the shortest.",
                &motion.duration,
-               {.range = above_zero, .methods = {exact_method}, .excludes = "--rate"}),
-        Option("--tolerance METRES",
-               "Largest distance of the tool origin from the path between samples.",
-               &motion.tolerance, {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
-        Option("--orientation-tolerance RAD",
-               "Largest angle from the path's orientation between samples, radians.",
-               &motion.orientation_tolerance,
-               {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
-        Option("--max-samples N", "Give up if more samples are needed.", &motion.max_samples,
+               {.range = above_zero, .methods = {exact_method}, .excludes = "--rate"})},
+       path_tolerance_options(&motion.tolerance, &motion.orientation_tolerance,
+                              {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
+       {Option("--max-samples N", "Give up if more samples are needed.", &motion.max_samples,
                {.range = {2, 10'000'000}, .methods = {exact_method}}),
         Option("--branches",
                "Also list every inverse-kinematics branch at the first pose: how many segments it "
@@ -292,12 +301,16 @@ Verb line_verb() {
           "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
           "joint move to a pose ends on the branch that the rows up to the next joint move need. "
           "For each move it prints its duration, the tool's speed and the proved deviation.\n\n"
+          "With --scene or --self the planned motion must keep a clearance, see `beeline help "
+          "check`; otherwise nothing is written, and the status is collides or not_decided. The "
+          "path is not planned around obstacles.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
-      .options = joined(
-          {line_options(*arguments), arguments->unit.options(), arguments->task.options(),
-           arguments->files.options(), arguments->arm.options(), arguments->limits.options(),
-           exact_options(*arguments), control_options(*arguments), arguments->budget.options()}),
+      .options =
+          joined({line_options(*arguments), arguments->unit.options(), arguments->task.options(),
+                  arguments->scene.options(), arguments->files.options(), arguments->arm.options(),
+                  arguments->limits.options(), exact_options(*arguments),
+                  control_options(*arguments), arguments->budget.options()}),
       .examples =
           {{"Three straight lines of the planar arm, with a picture",
             "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"

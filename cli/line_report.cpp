@@ -84,6 +84,15 @@ std::string exact_values(const Configuration& q) {
 
 }  // namespace
 
+std::string reason_text(const LineReport& report) {
+  const bool refused = report.clearance && !report.clearance->proof;
+  std::string text = refused ? report.clearance->reason_text() : sentence(report.reason);
+  if (!report.options.empty()) text += " (" + listed(report.options) + ")";
+  if (report.positions == PositionFrame::work) text += "; positions are in the frame of --work";
+  if (report.positions == PositionFrame::world) text += "; positions are in the world";
+  return text;
+}
+
 std::string report_text(const Arm& arm, const LineReport& report, const UnitArgument& unit,
                         const ResultFiles& files) {
   const std::string noun = report.program.moves.empty() ? "waypoint" : "move";
@@ -96,9 +105,10 @@ std::string report_text(const Arm& arm, const LineReport& report, const UnitArgu
     text += '\n';
   }
   if (report.status == MotionStatus::reached) {
-    text += motion_text(report, unit) + (report.moves.empty() ? "" : moves_text(report, unit)) +
-            files.text();
+    text += motion_text(report, unit) + (report.moves.empty() ? "" : moves_text(report, unit));
   }
+  if (report.clearance) text += report.clearance->text();
+  if (report.status == MotionStatus::reached) text += files.text();
   if (report.branches) text += branches_text(arm, *report.branches, unit);
   return text;
 }
@@ -111,8 +121,10 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   document.add(deviation_members(reached ? std::optional(report.deviation) : std::nullopt, unit));
   document.add("samples", report.trajectory.size());
   document.add("duration", reached ? Json(report.trajectory.times.back()) : nullptr);
-  document.add("reason", sentence(report.reason) + report.note);
+  document.add("reason", reason_text(report));
   document.add(reason_members(report.reason));
+  if (!report.options.empty()) document.add("options", report.options);
+  if (report.clearance) document.add("clearance", report.clearance->document());
   if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
   if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
   if (!reached && report.failed < report.program.moves.size()) {

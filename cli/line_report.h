@@ -7,6 +7,8 @@
 
 #include "motion_report.h"
 #include "result_files.h"
+#include "scene_argument.h"
+#include "work_frame.h"
 
 namespace beeline::command {
 
@@ -16,7 +18,8 @@ struct LineReport {
   std::size_t waypoints = 0;
   MotionStatus status = MotionStatus::not_converged;
   Reason reason = {};
-  std::string note = {};  ///< after the reason: options and frames that it means
+  std::vector<std::string> options = {};          ///< that the reason means
+  PositionFrame positions = PositionFrame::only;  ///< of the reason's positions
   /// Of method exact, up to which the plan follows the path; a program has several.
   std::optional<double> path_parameter = std::nullopt;
   Trajectory trajectory = {};
@@ -24,14 +27,18 @@ struct LineReport {
   LimitUsage limits = {};  ///< of method exact, as the margins are
   double limit_margin = 0, inverse_condition = 0;
   std::vector<NearbyPath> nearby = {};
-  std::optional<std::vector<Branch>> branches = {};  ///< with --branches
-  int steps = 0;                                     ///< of a controller
-  double overshoot = 0;                              ///< fraction of a line
-  std::optional<FollowedPath> path = std::nullopt;   ///< when reached
-  Program program = {};                              ///< without moves: poses
-  std::vector<PlannedMove> moves = {};               ///< of the program, when reached
-  std::size_t failed = 0;                            ///< its move that is not possible
+  std::optional<std::vector<Branch>> branches = {};         ///< with --branches
+  int steps = 0;                                            ///< of a controller
+  double overshoot = 0;                                     ///< fraction of a line
+  std::optional<FollowedPath> path = std::nullopt;          ///< when reached
+  Program program = {};                                     ///< without moves: poses
+  std::vector<PlannedMove> moves = {};                      ///< of the program, when reached
+  std::size_t failed = 0;                                   ///< its move that is not possible
+  std::optional<ClearanceReport> clearance = std::nullopt;  ///< with --scene or --self
 };
+
+/// The sentence of the reason, with the options that it means and the frame of its positions.
+std::string reason_text(const LineReport& report);
 
 std::string report_text(const Arm& arm, const LineReport& report, const UnitArgument& unit,
                         const ResultFiles& files);

@@ -69,13 +69,21 @@ std::string condition_text(double inverse_condition) {
   return fmt::format("{:.3g}", inverse_condition);
 }
 
+std::string position_text(const LimitUsage& limits) {
+  const LimitFraction& use = limits.position;
+  if (use.joint.empty()) return "position      no joint has position limits\n";
+  return fmt::format("position      at most {} of the half range, joint {} at {} s\n",
+                     percent_at_most(use.fraction), use.joint, shown(use.time));
+}
+
 std::string limits_text(const LimitUsage& limits) {
   return usage_line("velocity", limits.velocity) + usage_line("acceleration", limits.acceleration) +
          usage_line("jerk", limits.jerk);
 }
 
 Json json_limits(const LimitUsage& limits) {
-  return {{"velocity", json_usage(limits.velocity)},
+  return {{"position", json_usage(limits.position)},
+          {"velocity", json_usage(limits.velocity)},
           {"acceleration", json_usage(limits.acceleration)},
           {"jerk", json_usage(limits.jerk)}};
 }

@@ -25,7 +25,10 @@ Json deviation_members(const std::optional<PathDeviation>& deviation, const Unit
 /// An inverse condition number, with three significant digits.
 std::string condition_text(double inverse_condition);
 
-/// The largest fraction of each limit that a motion uses, with the joint and the time.
+/// The largest distance of a joint from the middle of its range, with the joint and the time.
+std::string position_text(const LimitUsage& limits);
+
+/// The largest fraction of each limit of a derivative that a motion uses, with joint and time.
 std::string limits_text(const LimitUsage& limits);
 Json json_limits(const LimitUsage& limits);
 

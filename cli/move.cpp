@@ -12,7 +12,9 @@
 #include "format.h"
 #include "gain_comparison.h"
 #include "json_reason.h"
+#include "motion_report.h"
 #include "result_files.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -28,6 +30,7 @@ struct MoveArguments {
   PidGains gains;
   std::string kp = "0.1";  ///< one number or several
   SimulationOptions simulation;
+  SceneArgument scene;
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
   double rate = 100;
@@ -61,17 +64,21 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
            fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
            fmt::format("overshoot     {} of the distance\n", percent(motion.overshoot));
   } else {
-    text =
-        fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
+    const bool refused =
+        motion.status == MotionStatus::collides || motion.status == MotionStatus::not_decided;
+    text = name(motion.status) + (refused ? ": a motion of " : " after ") +
+           shown(motion.trajectory.times.back()) + " s\n";
   }
   if (motion.slowed > 0) {
     text += fmt::format("slowed        {}, to respect the velocity limits\n",
                         counted(motion.slowed, "step"));
   }
   if (!motion) return text;
+  if (arguments.method == quickest) {
+    text += position_text(motion.limits) + limits_text(motion.limits);
+  }
   return text + "tool at the goal\n" +
-         pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit) +
-         arguments.files.text();
+         pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
 }
 
 /// The proportional gains as typed.
@@ -91,6 +98,7 @@ std::vector<double> gains_of(const MoveArguments& arguments) {
 /// One simulation for each gain.
 Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Configuration& from,
                      const Configuration& to, const std::vector<double>& gains) {
+  if (arguments.scene.given()) throw Error("--scene and --self are for one gain");
   if (!arguments.files.out.empty() || !arguments.files.plot.empty()) {
     throw Error("several gains make one picture, --draw; --out and --plot are for one gain");
   }
@@ -112,39 +120,54 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
 }
 
 Answer move_joints(const MoveArguments& arguments) {
-  arguments.files.check(arguments.arm.inputs());
+  arguments.files.check(arguments.arm.inputs(arguments.scene.inputs()));
   const std::vector<double> gains = gains_of(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Configuration from =
       arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   const Configuration to = arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   if (gains.size() > 1) return compare_gains(arguments, arm, from, to, gains);
   SimulationOptions simulation = arguments.simulation;
   simulation.budget = arguments.budget.next();
   PidGains pid = arguments.gains;
   pid.kp = gains.front();
-  const ControlledMotion motion = arguments.method == feedback
-                                      ? control_joints(arm, from, to, pid, simulation)
-                                      : move_quickest(arguments, arm, from, to, simulation.budget);
+  ControlledMotion motion = arguments.method == feedback
+                                ? control_joints(arm, from, to, pid, simulation)
+                                : move_quickest(arguments, arm, from, to, simulation.budget);
+  std::optional<ClearanceReport> clearance;
+  if (scene && motion) {
+    clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next());
+    motion.status = clearance->refusal();
+    if (!clearance->proof) motion.reason = clearance->proof.reason;
+  }
   const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);
   if (reached) {
     arguments.files.write(arm, motion.trajectory, {goal},
-                          {.waypoint_times = {motion.trajectory.times.back()}});
+                          {.waypoint_times = {motion.trajectory.times.back()}}, std::nullopt,
+                          scene ? &scene->model : nullptr);
   }
-  Answer answer{.text = move_text(arguments, arm, motion, goal),
-                .document = {{"status", name(motion.status)},
-                             {"method", arguments.method},
-                             {"samples", motion.trajectory.size()},
-                             {"steps", motion.steps},
-                             {"error", motion.error},
-                             {"overshoot", motion.overshoot},
-                             {"slowed", motion.slowed},
-                             {"duration", motion.trajectory.times.back()}},
-                .units = {{"error", "rad or m"}},
-                .yes = reached,
-                .reason = sentence(motion.reason)};
+  const std::string of_clearance = clearance ? clearance->text() : "";
+  Answer answer{
+      .text = move_text(arguments, arm, motion, goal) + of_clearance +
+              (reached ? arguments.files.text() : ""),
+      .document = {{"status", name(motion.status)},
+                   {"method", arguments.method},
+                   {"samples", motion.trajectory.size()},
+                   {"steps", motion.steps},
+                   {"error", motion.error},
+                   {"overshoot", motion.overshoot},
+                   {"slowed", motion.slowed},
+                   {"duration", motion.trajectory.times.back()}},
+      .units = {{"error", "rad or m"}},
+      .yes = reached,
+      .reason = clearance && !reached ? clearance->reason_text() : sentence(motion.reason)};
   answer.document.add(json_reason(motion.reason));
+  if (arguments.method == quickest && reached) {
+    answer.document.add("limits", json_limits(motion.limits));
+  }
+  if (clearance) answer.document.add("clearance", clearance->document());
   if (reached) arguments.files.add_to(answer.document);
   return answer;
 }
@@ -204,12 +227,15 @@ Verb move_verb() {
               "Simulates proportional or PID control of the joints, or plans the quickest motion. "
               "Prints a status, the number of steps, the largest joint error at the end in rad or "
               "m, the overshoot, and the pose of the tool at the goal. In general the tool does "
-              "not move in a straight line: see `beeline line`.",
+              "not move in a straight line: see `beeline line`. With --scene or --self the motion "
+              "must keep a clearance, see `beeline help check`; otherwise nothing is written, and "
+              "the status is collides or not_decided.",
           .arguments = {arguments->arm.argument()},
           .options = joined({move_options(*arguments), arguments->unit.options(),
-                             arguments->files.options(), arguments->arm.options(),
-                             arguments->limits.options(), feedback_options(*arguments),
-                             quickest_options(*arguments), arguments->budget.options()}),
+                             arguments->scene.options(), arguments->files.options(),
+                             arguments->arm.options(), arguments->limits.options(),
+                             feedback_options(*arguments), quickest_options(*arguments),
+                             arguments->budget.options()}),
           .examples =
               {{"Proportional control of the planar arm, with a picture of the tool's path",
                 "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},

@@ -161,6 +161,7 @@ void PageServer::file(const httplib::Request& request, httplib::Response& respon
 void PageServer::session(httplib::Response& response) const {
   Json answer{{"version", BEELINE_VERSION}, {"arm", arm_to_json(session_.arm)}};
   answer.add("trajectory", session_.trajectory.empty() ? Json() : Json(session_.trajectory));
+  answer.add("section", session_.section.empty() ? Json() : Json(session_.section));
   response.set_content(answer.text(), "application/json");
 }
 

@@ -21,11 +21,12 @@ namespace beeline::command {
 /// What the page asks the server for.
 struct PageSession {
   Arm arm;
-  std::string trajectory = {};  ///< the text of a .csv file; empty: none
+  std::string trajectory = {};  ///< the text of a .csv file that it plays; empty: none
+  std::string section = {};     ///< the section that it begins with; empty: its first one
 };
 
 /// Serves the page, and passes joint values from one program to all pages that are open.
-///   GET  /api/session     {"version", "arm", "trajectory"}
+///   GET  /api/session     {"version", "arm", "trajectory", "section"}
 ///   GET  /api/events      server-sent events: joints {"q", "time", "sequence"}; the latest at once
 ///   POST /api/joints      {"q": [...], "time": t}, in radians, metres, seconds; time is optional
 /// Every other GET is a file of the folder. A request whose Host or Origin is another site's is

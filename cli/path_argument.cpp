@@ -1,9 +1,32 @@
 #include "path_argument.h"
 
+#include <fmt/format.h>
+
 #include <beeline/error.h>
 #include <beeline/path/blend.h>
 
 namespace beeline::command {
+namespace {
+
+/// The names of the segments with the numbers of the file's waypoints between which they are: "line
+/// 2 of 3 (waypoint 1 to 2)". The first waypoint of a path with `start_first` is the start.
+std::vector<std::string> segment_names(PathKind kind, std::size_t segments, bool start_first) {
+  const std::size_t stride = kind == PathKind::arc ? 2 : 1;  // poses of a segment
+  const auto number_of = [&](std::size_t pose) {
+    return std::to_string(start_first ? pose : pose + 1);
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const bool from_start = start_first && i == 0;
+    names.push_back(fmt::format("{} {} of {} ({} to {}{})",
+                                kind == PathKind::line ? "line" : "segment", i + 1, segments,
+                                from_start ? "start" : "waypoint " + number_of(i * stride),
+                                from_start ? "waypoint " : "", number_of((i + 1) * stride)));
+  }
+  return names;
+}
+
+}  // namespace
 
 std::vector<Option> PathArgument::options(const std::vector<std::string>& methods) {
   return {Option("--path KIND",
@@ -26,7 +49,9 @@ Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
   const PathKind path = path_kind_named(kind);
   if (blend && path != PathKind::line) throw Error("--blend requires --path line");
   if (!blend) {
-    return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
+    Route route = route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
+    route.path.names = segment_names(path, route.path.segments.size(), start_first);
+    return route;
   }
   BlendedPath blended = blended_lines(poses, {*blend, *blend / metres_per_radian});
   blended.path.names = blend_names(blended, {"waypoint", start_first});

@@ -15,10 +15,7 @@ namespace {
 /// The distance of a position from the centre if it is far outside the sphere in metres, and within
 /// it in millimetres; else 0.
 double far_distance(const Arm::Reach& sphere, const Vector3& position) {
-  constexpr double far = 10;  // times the radius
-  const double distance = (position - sphere.centre).norm();
-  const bool fits = (position / 1000 - sphere.centre).norm() <= sphere.radius;
-  return distance > far * sphere.radius && fits ? distance : 0;
+  return rather_in_millimetres(sphere, position) ? (position - sphere.centre).norm() : 0;
 }
 
 }  // namespace
@@ -77,10 +74,18 @@ double offset_in_millimetres(const Arm& arm, const Pose& pose) {
   return far_distance({.radius = arm.reach().radius}, pose.translation());
 }
 
+double mount_in_millimetres(const Pose& world_T_base) {
+  constexpr double far = 100;  // metres
+  const double distance = world_T_base.translation().norm();
+  return distance > far ? distance : 0;
+}
+
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit) {
   if (unit.millimetres || distance == 0) return;
-  warn(fmt::format("{}: a position {} m away is far out of reach; --millimetres reads millimetres",
-                   option, number(distance)));
+  warn(
+      fmt::format("{}: a position {} m away is rather in millimetres; --millimetres reads "
+                  "millimetres",
+                  option, number(distance)));
 }
 
 void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
@@ -89,16 +94,6 @@ void warn_of_positions(const std::string& option, const Arm& arm, std::span<cons
     const double distance = distance_in_millimetres(arm, pose);
     if (distance > 0) return warn_of_distance(option, distance, unit);
   }
-}
-
-void warn_of_mount(const Pose& world_T_base, const UnitArgument& unit) {
-  constexpr double far = 100;  // metres
-  const double distance = world_T_base.translation().norm();
-  if (unit.millimetres || distance <= far) return;
-  warn(
-      fmt::format("--mount: the arm stands {} m from the world's origin; --millimetres reads "
-                  "millimetres",
-                  number(distance)));
 }
 
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
@@ -113,14 +108,16 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
                 (arm.planar() ? "x,y,theta" : "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz"));
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
-  constexpr double tolerance = 1e-6;  // metres, and of the unit vector z
-  const double height = pose_in_plane(arm, {}).translation().z();
-  const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
-                        (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
-  if (in_plane) return;
-  throw Error("the pose is outside the plane z = " + number(height) + " m of arm " + arm.name() +
-              "; give x,y,theta" +
-              (task.offered ? ", or --task planar to ignore height and tilt" : ""));
+  try {
+    check_in_plane(arm, written.pose, "the pose", task.offered);
+  } catch (const Error& error) {
+    if (error.argument() != "task") throw;
+    throw Error(error.message_for("--task"));
+  }
+}
+
+void warn_of_missing_header(const std::string& path, const std::vector<std::string>& columns) {
+  warn(path + " has no header; its columns are read as " + listed(columns));
 }
 
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
@@ -128,8 +125,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                         const UnitArgument& unit, const std::string& option) {
   const WrittenPose world_T_work = work.read(arm, unit);
   PoseList list = poses_from_csv(text, path, unit.pose_format(triple_of(arm)));
-  if (!list.has_header)
-    warn(path + " has no header; its columns are read as " + listed(list.columns));
+  if (!list.has_header) warn_of_missing_header(path, list.columns);
   if (list.poses.size() > max_poses) {
     throw FileError(path, list.lines[max_poses],
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include <beeline/io/text/pose_list.h>
 
@@ -41,6 +42,10 @@ double distance_in_millimetres(const Arm& arm, const Pose& pose);
 /// distance from this frame.
 double offset_in_millimetres(const Arm& arm, const Pose& pose);
 
+/// The distance of the base from the world's origin, m, if it is rather in millimetres: beyond 100
+/// m; else 0.
+double mount_in_millimetres(const Pose& world_T_base);
+
 /// Warns on stderr that positions read with `option` are rather in millimetres, as one of them is
 /// this far away; of distance 0 nothing.
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit);
@@ -49,9 +54,8 @@ void warn_of_distance(const std::string& option, double distance, const UnitArgu
 void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
                        const UnitArgument& unit);
 
-/// Warns on stderr that the position of --mount is rather in millimetres, if it is more than 100 m
-/// from the world's origin.
-void warn_of_mount(const beeline::Pose& world_T_base, const UnitArgument& unit);
+/// Warns on stderr how a table of poses without a header is read.
+void warn_of_missing_header(const std::string& path, const std::vector<std::string>& columns);
 
 /// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
 /// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar

@@ -8,7 +8,8 @@ Option ProfileArgument::option(const std::vector<std::string>& methods) {
       "Time profile. jerk: short time under velocity, acceleration and jerk limits; fastest: "
       "minimum time under velocity and acceleration limits; quintic, s-curve, trapezoidal: one "
       "profile of that form from stop to stop. Every profile keeps jerk limits that are known; "
-      "fastest and trapezoidal leave jerk free only where it would be assumed. Default: jerk.",
+      "fastest and trapezoidal leave jerk free only where it would be assumed. Default: " +
+          name(default_profile) + ".",
       &text, {.choices = profile_names(), .methods = methods});
 }
 

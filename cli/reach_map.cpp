@@ -21,6 +21,10 @@
 namespace beeline::command {
 namespace {
 
+/// The number of configurations of a map by sampling, unless --samples gives it.
+constexpr std::int64_t samples_in_cell = 50, min_default_samples = 1'000'000;
+constexpr std::int64_t max_default_samples = 1'000'000'000;
+
 struct MapArguments {
   ArmArgument arm;
   UnitArgument unit;
@@ -85,9 +89,9 @@ std::int64_t samples_of(const MapArguments& arguments, const ReachGrid& grid) {
         "--directions");
   }
   if (!sampling) return 0;
-  constexpr std::int64_t in_cell = 50, least = 1'000'000, most = 1'000'000'000;
+  const std::int64_t cells = std::min<std::int64_t>(grid.cells(), max_default_samples);
   return arguments.samples.value_or(
-      std::clamp<std::int64_t>(in_cell * std::min<std::int64_t>(grid.cells(), most), least, most));
+      std::clamp<std::int64_t>(samples_in_cell * cells, min_default_samples, max_default_samples));
 }
 
 ReachShard shard_of(const std::string& text) {
@@ -135,8 +139,9 @@ std::vector<Option> grid_options(MapArguments& arguments) {
              &arguments.orientation),
       Option("--directions ANGLE",
              "Angle between neighbouring directions of the tool's z axis, which cover the sphere "
-             "evenly, or between headings of a planar arm. Default: 30 degrees. From 0.01 to "
-             "1.5708 rad (90 degrees), headings to 6.2832 (360).",
+             "evenly, or between headings of a planar arm. Default: " +
+                 number(default_direction_spacing * 180 / std::numbers::pi) +
+                 " degrees. From 0.01 to 1.5708 rad (90 degrees), headings to 6.2832 (360).",
              &arguments.directions, {.excludes = "--orientation"}),
       Option("--rolls ANGLE",
              "Angle between rolls about the tool's z axis. Default: a direction is reached if it "
@@ -153,8 +158,9 @@ std::vector<Option> method_options(MapArguments& arguments) {
              "joint ranges, also of arms that reach almost no pose exactly.",
              &arguments.by, {.choices = {"inverse-kinematics", "sampling"}}),
       Option("--samples N",
-             "Configurations of a map by sampling. Default: 50 times the cells, at least 1e6, at "
-             "most 1e9.",
+             fmt::format("Configurations of a map by sampling. Default: {} times the cells, at "
+                         "least {}, at most {}.",
+                         samples_in_cell, number(min_default_samples), number(max_default_samples)),
              &arguments.samples, {.range = {1, 1e12}}),
       Option("--any-orientation", "A map by sampling of positions alone, in any orientation.",
              &arguments.any_orientation),
@@ -163,9 +169,7 @@ std::vector<Option> method_options(MapArguments& arguments) {
              "computed. Where there is none, the range between them is searched.",
              &arguments.reach.redundant_values, {.range = {1, 1000}}),
       Option("--shard K/N", "Compute share K of N of the map, K from 1 to N.", &arguments.shard),
-      Option("--threads N",
-             "Number of threads; 0: as many as the machine has. The map does not depend on it.",
-             &arguments.reach.threads, {.range = {0, 1024}})};
+      threads_option(&arguments.reach.threads)};
 }
 
 ReachMapJob job_of(const MapArguments& arguments) {

@@ -8,6 +8,7 @@
 #include "budget_argument.h"
 #include "command/progress.h"
 #include "format.h"
+#include "json_reason.h"
 #include "pose_argument.h"
 #include "verbs.h"
 
@@ -24,8 +25,8 @@ struct PlaceArguments {
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
   const bool complete = result.ending == Ending::complete;
-  Answer answer{.yes = result && complete};
-  if (!answer.yes) answer.reason = sentence(reason_of(result));
+  const Reason reason = reason_of(result);
+  Answer answer{.yes = !reason, .reason = sentence(reason)};
   answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
                             counted(result.checked, "mount"), result.mounts, result.reaching);
   if (result.without_lines > 0) {
@@ -60,6 +61,7 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
                      {"checked", result.checked},
                      {"reaching", result.reaching},
                      {"placements", list}};
+  answer.document.add(json_reason(reason));
   return answer;
 }
 
@@ -100,9 +102,7 @@ std::vector<Option> mount_options(PlaceArguments& arguments) {
       Option("--count N", "Placements to print.", &options.count, {.range = {1, 1000}}),
       Option("--max-checked N", "Check at most N mounts, those first which the map ranks first.",
              &options.max_checked, {.range = {1, 1e8}}),
-      Option("--threads N",
-             "Number of threads; 0: as many as the machine has. The result does not depend on it.",
-             &options.threads, {.range = {0, 1024}})};
+      threads_option(&options.threads)};
 }
 
 }  // namespace

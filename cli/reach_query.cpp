@@ -62,7 +62,8 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
   const Pose centre = grid.pose(cell);
   const bool any_roll = grid.orientations() == ReachOrientations::directions;
   const bool reached = cells.branches[at] > 0;
-  const InverseResult exact = inverse_kinematics(map.arm(), pose);
+  const InverseResult exact =
+      inverse_kinematics(map.arm(), pose, {.task = default_task(map.arm())});
   const std::string itself = exact ? "reached" : name(exact.status);
   Answer answer;
   answer.yes = reached;

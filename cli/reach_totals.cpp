@@ -5,6 +5,7 @@
 #include <beeline/reason.h>
 
 #include "format.h"
+#include "json_reason.h"
 
 namespace beeline::command {
 namespace {
@@ -73,16 +74,20 @@ Answer map_totals(const ReachMap& map) {
                      {"cells_reached", totals.reached},
                      {"positions_reached", totals.reached_positions},
                      {planar ? "area" : "volume", size}};
+  answer.document.add(json_reason({}));
   return answer;
 }
 
 Answer interrupted_map(const std::string& out, Ending ending) {
   const std::string parts = out + ".parts";
-  return {.text = "no map        the slabs computed so far are in " + parts + "\n",
-          .document = {{"status", name(ending)}, {"parts", parts}},
-          .yes = false,
-          .reason = sentence({ReasonCode::ended_in_map,
-                              {{ReasonField::ending, ending}, {ReasonField::parts, parts}}})};
+  const Reason reason{ReasonCode::ended_in_map,
+                      {{ReasonField::ending, ending}, {ReasonField::parts, parts}}};
+  Answer answer{.text = "no map        the slabs computed so far are in " + parts + "\n",
+                .document = {{"status", name(ending)}, {"parts", parts}},
+                .yes = false,
+                .reason = sentence(reason)};
+  answer.document.add(json_reason(reason));
+  return answer;
 }
 
 }  // namespace beeline::command

@@ -56,13 +56,16 @@ std::vector<Option> RecordingArgument::reading_options() {
              &joint_map),
       Option("--angle-unit UNIT",
              "The unit of the recording's angles, unless the names of its columns or --joint-map "
-             "give one. Default: rad; with --degrees deg, if only degrees are in range.",
+             "give one; a comment that gives another one is refused. Default: rad; with --degrees "
+             "deg, if only degrees are in range.",
              &angle_unit, {.choices = {name(JointUnit::radians), name(JointUnit::degrees)}}),
-      Option("--time-unit UNIT",
-             "The unit of times in a .csv recording with one column of times; the unit of other "
-             "recordings is fixed. Default: what the column's name says, as time_ms; otherwise "
-             "seconds or, for times since 1970, what their size says.",
-             &time_unit, {.choices = time_unit_names()})};
+      Option(
+          "--time-unit UNIT",
+          "The unit of times in a .csv recording with one column of times; the unit of other "
+          "recordings is fixed, and one that contradicts the column's name or a comment is "
+          "refused. Default: what the name, as time_ms, or a comment says; otherwise seconds or, "
+          "for times since 1970 of the years 1990 to 2100, what their size says.",
+          &time_unit, {.choices = time_unit_names()})};
 }
 
 std::vector<Option> RecordingArgument::options() {

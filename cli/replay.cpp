@@ -16,6 +16,7 @@
 #include "motion_report.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -30,6 +31,7 @@ struct ReplayArguments {
   std::string from, speed_at, measured;
   std::optional<double> rate;
   ReplayOptions replay;
+  SceneArgument scene;
   BudgetArgument budget;
   ResultFiles files;
 };
@@ -113,8 +115,11 @@ std::string replay_text(const Replay& played, double limit_tolerance) {
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
-  arguments.files.check(arguments.arm.inputs({arguments.file, arguments.measured}));
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  inputs.insert(inputs.end(), {arguments.file, arguments.measured});
+  arguments.files.check(arguments.arm.inputs(inputs));
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   ReplayOptions options = replay_options(arguments, arm);
   const bool compares = !arguments.measured.empty();
   const Recording read = arguments.recording.read(arguments.file, arm, arguments.unit,
@@ -128,19 +133,30 @@ Answer replay_file(const ReplayArguments& arguments) {
                    .trajectory;
   }
   options.budget = arguments.budget.next();
-  const Replay played = replay(arm, recording, options);
+  Replay played = replay(arm, recording, options);
   warn_of_unwrapped(arguments.file, played.unwrapped);
+  std::optional<ClearanceReport> clearance;
+  if (scene && played) {
+    clearance = arguments.scene.prove(*scene, played.trajectory, arguments.budget.next());
+    played.status = clearance->refusal();
+    if (!clearance->proof) played.reason = clearance->proof.reason;
+  }
   const bool reached(played);
-  if (reached) arguments.files.write(arm, played.trajectory, {});
+  if (reached) {
+    arguments.files.write(arm, played.trajectory, {}, {}, std::nullopt,
+                          scene ? &scene->model : nullptr);
+  }
   Answer answer{
       .text = fmt::format("{}: {} on {}\n", name(played.status),
                           counted(static_cast<std::int64_t>(recording.size()), "recorded sample"),
                           arm.name()),
       .document = replay_document(played, options.limit_tolerance),
       .yes = reached,
-      .reason = sentence(played.reason)};
+      .reason = clearance && !reached ? clearance->reason_text() : sentence(played.reason)};
+  if (clearance) answer.document.add("clearance", clearance->document());
   if (!reached) return answer;
-  answer.text += replay_text(played, options.limit_tolerance);
+  answer.text +=
+      replay_text(played, options.limit_tolerance) + (clearance ? clearance->text() : "");
   warn_of_limits(played.limits, options.limit_tolerance);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
@@ -173,7 +189,8 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
              {.range = above_zero, .needs = "--speed-at"}),
       Option("--rate HZ",
              "Samples per second of the output, from the first to the last. Default: the recorded "
-             "samples; with --speed-at 100.",
+             "samples; with --speed-at " +
+                 number(default_replay_rate) + ".",
              &arguments.rate, {.range = sample_rates}),
       limit_tolerance_option(&replay.limit_tolerance),
       Option("--measured FILE",
@@ -193,7 +210,11 @@ Verb replay_verb() {
           "limits of position, velocity, acceleration and jerk at all times where the recording "
           "does: it is slowed down where a rate needs it. Where the recording stops, the replay "
           "does too, and dwells are never shorter. Prints a status, the number of samples, the "
-          "duration and the lead-in in seconds, and the largest fraction of each limit. " +
+          "duration and the lead-in in seconds, and the largest fraction of each limit. With "
+          "--scene "
+          "or --self the motion, lead-in included, must keep a clearance, see `beeline help "
+          "check`; "
+          "otherwise nothing is written. " +
           std::string(recording_units),
       .arguments = {arguments->arm.argument(),
                     file_argument("FILE", "A recorded trajectory, .csv, .json or .yaml.",
@@ -201,6 +222,7 @@ Verb replay_verb() {
       .options = joined({playing_options(*arguments),
                          arguments->recording.options(),
                          arguments->unit.options(),
+                         arguments->scene.options(),
                          arguments->files.options(),
                          arguments->arm.options(),
                          arguments->limits.rate_options(),

@@ -30,16 +30,19 @@ void refuse_overwriting(const std::string& output, const std::vector<std::string
 
 Option plot_option(std::string* target) {
   return Option("--plot FILE",
-                "Plot joints and tool over time beside their limits: .svg, .png or .pdf.", target);
+                "Plot joints and tool over time beside their limits, with --scene or --self the "
+                "distance from obstacles beside the clearance: .svg, .png or .pdf.",
+                target);
 }
 
 std::vector<Option> ResultFiles::options() {
-  return {
-      Option("--out FILE",
-             "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.", &out,
-             {.arguments = {"path"}}),
-      Option("--draw FILE", "Draw the arm and the path of its tool: .svg, .png or .pdf.", &draw),
-      plot_option(&plot)};
+  return {Option("--out FILE",
+                 "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.",
+                 &out, {.arguments = {"path"}}),
+          Option("--draw FILE",
+                 "Draw the arm and the path of its tool, and the obstacles: .svg, .png or .pdf.",
+                 &draw),
+          plot_option(&plot)};
 }
 
 void ResultFiles::check(const std::vector<std::string>& inputs) const {
@@ -60,15 +63,18 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints, const TimingFigureOptions& plot_options,
-                        const std::optional<Arm>& plotted) const {
+                        const std::optional<Arm>& plotted, const CollisionModel* model) const {
   std::vector<NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
-    const Figure figure = motion_figure(arm, trajectory, waypoints);
+    const Figure figure = model != nullptr ? motion_figure(*model, trajectory, waypoints)
+                                           : motion_figure(arm, trajectory, waypoints);
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {
-    const Picture picture = timing_figure(plotted.value_or(arm), trajectory, plot_options);
+    TimingFigureOptions options = plot_options;
+    if (model != nullptr) options.clearance = clearance_over_time(*model, trajectory);
+    const Picture picture = timing_figure(plotted.value_or(arm), trajectory, options);
     files.push_back({plot, render(picture, format_of(plot))});
   }
   write_files(files);

@@ -30,10 +30,12 @@ struct ResultFiles {
   /// computation begins.
   void check(const std::vector<std::string>& inputs) const;
   /// Writes all files or none. The path of `plot_options` is in the world of
-  /// `plotted`, which is the arm where it is not given.
+  /// `plotted`, which is the arm where it is not given. The pictures show the obstacles of
+  /// `model`, if it is given.
   void write(const Arm& arm, const Trajectory& trajectory, const std::vector<Pose>& waypoints,
              const TimingFigureOptions& plot_options = {},
-             const std::optional<Arm>& plotted = std::nullopt) const;
+             const std::optional<Arm>& plotted = std::nullopt,
+             const CollisionModel* model = nullptr) const;
   /// The names of the files, one a line.
   std::string text() const;
   void add_to(Json& document) const;

@@ -13,6 +13,7 @@
 #include "profile_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -28,6 +29,7 @@ struct RetimeArguments {
   InterpolationArgument interpolation;
   RetimeOptions retime;
   std::optional<double> tool_speed, rate;
+  SceneArgument scene;
   BudgetArgument budget;
   ResultFiles files;
 };
@@ -52,7 +54,7 @@ RetimeOptions retime_options(const RetimeArguments& arguments) {
   return options;
 }
 
-std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const Retimed& retimed,
+std::string retime_text(const Arm& arm, const Retimed& retimed,
                         const std::optional<double>& duration_before) {
   if (!retimed) return "";
   const std::string before =
@@ -65,8 +67,7 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
          fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
                      stops) +
          limits_text(retimed.limits) +
-         fmt::format("tool speed    at most {} m/s\n", shown(retimed.tool_speed)) +
-         arguments.files.text();
+         fmt::format("tool speed    at most {} m/s\n", shown(retimed.tool_speed));
 }
 
 std::string retime_status(const Retimed& retimed) {
@@ -75,33 +76,51 @@ std::string retime_status(const Retimed& retimed) {
 }
 
 Answer retime_file(const RetimeArguments& arguments) {
-  arguments.files.check(arguments.arm.inputs({arguments.file}));
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  inputs.push_back(arguments.file);
+  arguments.files.check(arguments.arm.inputs(inputs));
   RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   const Recording input = read_input(arguments, arm);
   options.no_unwrap = arguments.recording.no_unwrap || !input.has_times;
   options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
-  const bool found(retimed);
+  std::optional<ClearanceReport> clearance;
+  if (scene && retimed) {
+    clearance = arguments.scene.prove(*scene, retimed.trajectory, arguments.budget.next());
+  }
+  const bool refused = clearance && !clearance->proof;
+  const bool found = retimed && !refused;
   warn_of_unwrapped(arguments.file, retimed.unwrapped);
-  if (found) arguments.files.write(arm, retimed.trajectory, {});
+  if (found) {
+    arguments.files.write(arm, retimed.trajectory, {}, {}, std::nullopt,
+                          scene ? &scene->model : nullptr);
+  }
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =
       input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
-  Answer answer{.text = retime_text(arguments, arm, retimed, duration_before),
-                .document = {{"status", retime_status(retimed)},
-                             {"profile", name(retimed.profile)},
-                             {"samples", retimed.trajectory.size()},
-                             {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
-                             {"duration_before", duration_before},
-                             {"sections", retimed.sections},
-                             {"unwrapped", json_unwrapped(retimed.unwrapped)},
-                             {"limits", json_limits(retimed.limits)},
-                             {"tool_speed", retimed.tool_speed}},
-                .yes = found,
-                .reason = sentence(retimed.reason)};
-  answer.document.add(json_reason(retimed.reason));
-  if (found) arguments.files.add_to(answer.document);
+  Answer answer{
+      .text = retime_text(arm, retimed, duration_before),
+      .document = {{"status", refused ? name(clearance->refusal()) : retime_status(retimed)},
+                   {"profile", name(retimed.profile)},
+                   {"samples", retimed.trajectory.size()},
+                   {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
+                   {"duration_before", duration_before},
+                   {"sections", retimed.sections},
+                   {"unwrapped", json_unwrapped(retimed.unwrapped)},
+                   {"limits", json_limits(retimed.limits)},
+                   {"tool_speed", retimed.tool_speed}},
+      .yes = found,
+      .reason = refused ? clearance->reason_text() : sentence(retimed.reason)};
+  answer.document.add(json_reason(refused ? clearance->proof.reason : retimed.reason));
+  if (clearance) {
+    answer.text += clearance->text();
+    answer.document.add("clearance", clearance->document());
+  }
+  if (!found) return answer;
+  answer.text += arguments.files.text();
+  arguments.files.add_to(answer.document);
   return answer;
 }
 
@@ -109,16 +128,16 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {
       arguments.profile.option(),
       arguments.interpolation.option(),
-      Option("--tool-speed V", "Largest speed of the tool origin, m/s.", &arguments.tool_speed,
-             {.range = tool_speeds}),
+      tool_speed_option(&arguments.tool_speed),
       Option(
           "--duration SECONDS",
           "Duration of the motion: the quickest one is slowed down to it, and a shorter one is "
           "refused with the shortest. `beeline replay --rate` samples it. Default: the shortest.",
           &arguments.retime.duration, {.range = above_zero, .excludes = "--rate"}),
       Option("--max-samples N",
-             "Give up if --rate makes more samples, or the file has more and more than 200000. "
-             "1000000 take about a minute and 2.5 GB.",
+             fmt::format("Give up if --rate makes more samples, or the file has more and more than "
+                         "{}. 1000000 take about a minute and 2.5 GB.",
+                         default_max_samples),
              &arguments.retime.max_samples, {.range = {2, 10'000'000}}),
       Option("--rate HZ",
              "Samples per second. Default: every sample of the file, and more between.",
@@ -138,17 +157,18 @@ Verb retime_verb() {
           "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
           "and the previous duration in seconds, the largest fraction of each limit that is used, "
           "and the largest tool speed in m/s. Limits that are not known are assumed, and reported "
-          "as assumed. " +
+          "as assumed. With --scene or --self the motion must keep a clearance, see `beeline help "
+          "check`; otherwise nothing is written. " +
           std::string(recording_units),
       .arguments = {arguments->arm.argument(),
                     file_argument("FILE",
                                   "The trajectory, .csv, .json or .yaml. A .csv file without "
                                   "a column of times is a path.",
                                   &arguments->file)},
-      .options =
-          joined({timing_options(*arguments), arguments->recording.options(),
-                  arguments->unit.options(), arguments->files.options(), arguments->arm.options(),
-                  arguments->limits.options(), arguments->budget.options()}),
+      .options = joined({timing_options(*arguments), arguments->recording.options(),
+                         arguments->unit.options(), arguments->scene.options(),
+                         arguments->files.options(), arguments->arm.options(),
+                         arguments->limits.options(), arguments->budget.options()}),
       .examples =
           {{"Record a motion under feedback control, then retime it",
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --out "

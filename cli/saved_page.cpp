@@ -58,7 +58,7 @@ void fill(std::string& document, const std::string& name, const std::string& tex
 
 }  // namespace
 
-std::string saved_page(const std::string& folder, const Arm& arm, const std::string& trajectory) {
+std::string saved_page(const std::string& folder, const PageSession& session) {
   const std::filesystem::path saved = std::filesystem::path(folder) / "saved.html";
   if (!std::filesystem::is_regular_file(saved)) {
     throw Error("the page in " + folder + " is of another version: no saved.html; run make web");
@@ -78,9 +78,11 @@ std::string saved_page(const std::string& folder, const Arm& arm, const std::str
     from = quote + 2;
   }
   document += text.substr(from);
-  const std::string section = trajectory.empty() ? "" : "&section=motion";
-  fill(document, "state", "json=" + base64(deflated(arm_to_json(arm))) + section);
-  if (!trajectory.empty()) fill(document, "trajectory", base64(deflated(trajectory)));
+  const std::string section = session.section.empty() ? "" : "&section=" + session.section;
+  fill(document, "state", "json=" + base64(deflated(arm_to_json(session.arm))) + section);
+  if (!session.trajectory.empty()) {
+    fill(document, "trajectory", base64(deflated(session.trajectory)));
+  }
   return document;
 }
 

@@ -32,7 +32,7 @@ struct ViewArguments {
   UnitArgument unit;
   std::string file, save;
   RecordingArgument recording;
-  std::string folder, host = loopback;
+  std::string section, folder, host = loopback;
   int port = 8642;
   bool no_browser = false;
   bool json = false;
@@ -66,7 +66,7 @@ void open_browser(const std::string& address) {
 }
 
 Answer save_page(const std::string& path, const PageSession& session, const std::string& folder) {
-  write_file(path, saved_page(folder, session.arm, session.trajectory));
+  write_file(path, saved_page(folder, session));
   return {.text = "page    " + path + "\n", .document = Json{{"page", path}}};
 }
 
@@ -77,11 +77,12 @@ Answer view(const ViewArguments& arguments) {
     }
     refuse_overwriting(arguments.save, {arguments.file});
   }
-  PageSession session{arguments.arm.read(arguments.unit)};
+  PageSession session{.arm = arguments.arm.read(arguments.unit), .section = arguments.section};
   if (!arguments.file.empty()) {
     const Recording recording =
         arguments.recording.read_unwrapped(arguments.file, session.arm, arguments.unit);
     session.trajectory = trajectory_text(recording.trajectory, TrajectoryFormat::csv);
+    if (session.section.empty()) session.section = "line";  // which plays it
   }
   if (!arguments.save.empty()) {
     return save_page(arguments.save, session, page_folder(arguments.folder));
@@ -130,6 +131,11 @@ Verb view_verb() {
                        Option("--host ADDRESS",
                               "The address to listen on; others than 127.0.0.1 let the network in.",
                               &arguments->host),
+                       Option("--section SECTION",
+                              "The section of the page to begin with. Default: pose, or line with "
+                              "a trajectory.",
+                              &arguments->section,
+                              {.choices = {"pose", "control", "line", "workspace", "lessons"}}),
                        Option("--save FILE.html",
                               "Serve nothing: write page, arm and trajectory as one HTML file, "
                               "which opens from a disk without a network.",
@@ -143,6 +149,7 @@ Verb view_verb() {
                       arguments->unit.options(),
                       arguments->arm.options()}),
           .examples = {{"A UR5 in the browser", "beeline view ur5"},
+                       {"The planar arm of the lessons", "beeline view rrr --section lessons"},
                        {"Joint values from a shell; a program does the same 60 times a second",
                         "beeline view ur5 --no-browser &\n"
                         "curl -H 'Content-Type: application/json' -d '{\"q\": [0, -1, 1, 0, 1, "

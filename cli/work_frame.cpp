@@ -24,7 +24,7 @@ WorkFrame::WorkFrame(const Arm& world_arm, const Task& task, const WorkArgument&
   if (work.text.empty()) return;
   const Pose world_T_work = work.read(world_arm, unit).pose;
   const bool kept = is_kept(task, world_T_work);
-  note = kept ? "; positions are in the frame of --work" : "; positions are in the world";
+  positions = kept ? PositionFrame::work : PositionFrame::world;
   if (!kept) return;
   frame_T_world = world_T_work.inverse();
   arm = with_mount(world_arm, frame_T_world);

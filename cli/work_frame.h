@@ -7,12 +7,19 @@
 
 namespace beeline::command {
 
+/// The frame of positions in reasons.
+enum class PositionFrame {
+  only,   ///< the world, as there is no other frame
+  work,   ///< the frame of --work
+  world,  ///< the world, in spite of --work
+};
+
 /// The arm as seen from the frame of --work: reasons and nearby paths of motions planned with it
 /// are in that frame. Where the task's rows depend on the axes of the world, the arm as it is.
 struct WorkFrame {
   Arm arm;
   Pose frame_T_world = Pose::Identity();
-  std::string note = {};  ///< "; positions are in the frame of --work", the end of a reason
+  PositionFrame positions = PositionFrame::only;
 
   WorkFrame(const Arm& world_arm, const Task& task, const WorkArgument& work,
             const UnitArgument& unit);

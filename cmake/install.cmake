@@ -24,7 +24,7 @@ install(FILES
 
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/arm.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/beeline)
+install(FILES docs/arm.schema.json docs/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/beeline)
 
 # The manual page and the shell completions: the command prints them itself.
 set(printed ${PROJECT_BINARY_DIR}/package)

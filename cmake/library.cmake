@@ -1,7 +1,7 @@
 # beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
 # it included; "." stands for the files beside the folders. Its public headers are installed with it
 # and must each compile alone. Not public: headers in a folder internal/, in math/,
-# inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
+# reason/, inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
 # each instruction set.
 function(beeline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" FOLDERS)
@@ -15,7 +15,7 @@ function(beeline_library name)
     file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.h)
     list(APPEND headers ${found})
   endforeach()
-  list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/internal/|/beeline/math/|/inverse/(analytic|numerical)/")
+  list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/internal/|/beeline/(math|reason)/|/inverse/(analytic|numerical)/")
 
   add_library(beeline_${name} ${sources})
   add_library(beeline::${name} ALIAS beeline_${name})

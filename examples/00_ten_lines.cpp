@@ -12,7 +12,5 @@ int main() {
   const beeline::Pose lower = Eigen::Translation3d(0, 0, -0.1) * forward_kinematics(arm, q);
   const auto found = inverse_kinematics(arm, lower, {.seed = q});
   const auto motion = move_in_lines(arm, q, {lower});
-  std::cout << name(found.status) << ", the elbow at " << found.solutions[0][3] << " rad\n"
-            << name(motion.status) << ", at most " << motion.deviation.bound.position
-            << " m from the line\n";
+  std::cout << found << '\n' << motion << '\n';  // a negative answer prints its reason
 }

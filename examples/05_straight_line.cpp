@@ -12,7 +12,8 @@
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : ".";  // with the waypoints
   const auto degrees = beeline::AngleUnit::degrees;
-  const auto poses = beeline::read_poses(folder + "/waypoints_rrr.csv", {.unit = degrees}).poses;
+  const auto poses =
+      beeline::read_poses(folder + "/waypoints_rrr.csv", {.angle_unit = degrees}).poses;
 
   const beeline::Arm rrr = beeline::built_in("rrr");
   const Eigen::Vector3d start(0, std::numbers::pi / 2, 0);

@@ -10,7 +10,7 @@ import numpy as np
 import beeline
 
 rrr = beeline.arms.rrr()
-waypoints = [beeline.parse_pose(pose, "degrees") for pose in ("6,2.5,30", "-0.5,6.5,120", "-4,2.5,180")]
+waypoints = [beeline.parse_pose(pose, "degrees", "planar") for pose in ("6,2.5,30", "-0.5,6.5,120", "-4,2.5,180")]
 motion = beeline.move_in_lines(rrr, np.radians([0, 90, 0]), waypoints)
 assert motion, motion.reason
 print(motion)

@@ -1,4 +1,6 @@
-"""Writes what the documentation comments of headers say as rows {"Type::member", "text for Python"} of a C++ table.
+"""Writes what the documentation comments of public declarations in headers say, as a table for C++.
+
+Its rows are {"Type::member", "text for Python"}.
 
 The comments are the one place where structs, their members and enumerators are described. Their words become Python's
 by the rules of for_python(). The headers are formatted by clang-format, so a scan without a grammar suffices.
@@ -33,12 +35,16 @@ PYTHON = [
     (r"\bthrown\b", "raised"),
     (r"\bThrows\b", "Raises"),
     (r" \([\w/]+\.h\)| in [\w/]+\.h\b", ""),
+    (r" \(check_\w+\(\)(?:, check_\w+\(\))*\)", ""),  # functions of C++ alone
+    (r"\bforms of PoseForm\b", "forms of `pose_form`"),
+    (r"ReachGrid::cartesian_axes\(\)", "the Cartesian grid of the same spacing"),
     (r"\bdof\b", "n"),
     (r"\bmiddle_configuration\(\)", "arm.middle"),
     (r"\|([^|]+)\|", r"abs(\1)"),
     (r"\boptions\.(\w+)", r"`\1`"),
     (r"\bBudget::(\w+)", r"`\1`"),
-    (r"\b(?:Redundancy|Frame|TrackerStatus|Profile)::(\w+)", r"`\1`"),
+    # Enumerators are names, and options are keywords.
+    (r"\b(?:\w+Options|ReasonCode|Redundancy|Frame|TrackerStatus|Profile|DhConvention|Synchronise)::(\w+)", r"`\1`"),
     (r"\bCartesianMethod::inverse_kinematics\b", "`inverse-kinematics`"),
     (r"(?<=[A-Za-z])::(?=\w)", "."),
     (r"\bbuilt_in\(\)", "Arm.load()"),
@@ -61,7 +67,7 @@ def declared(statement: str) -> tuple[str, list[str]]:
     """The type and the names that a declaration declares: more than one as in `double a = 0, b = 0`."""
     bare = " ".join(statement.split())
     bare = re.sub(r"\b(alignas\(\w+\)|static|constexpr|inline|mutable|explicit|virtual)\s*", "", bare)
-    bare = re.sub(r"^(template <[^;]*?> |\[\[\w+\]\] |(?:public|private|protected): ?)*", "", bare)
+    bare = re.sub(r"^(template <[^;]*?> |\[\[\w+\]\] )*", "", bare)
     if re.search(r"\boperator\b(?! bool)", bare):
         return "", []
     flat = bare
@@ -101,6 +107,7 @@ class Scan:
         self.found: list[Entry] = []
         self.last: list[Entry] = []  # what a comment behind them describes
         self.scopes: list[tuple[str, str]] = [("namespace", "")]
+        self.hidden = [False]  # of each scope: whether what follows is not public
         self.start_statement()
 
     def start_statement(self) -> None:
@@ -108,8 +115,10 @@ class Scan:
         self.above: list[str] = []
 
     def add(self, name: str, scope: str, type: str) -> Entry:
-        self.found.append(Entry(name, scope, type, joined(self.above), f"{self.path}:{self.line}"))
-        return self.found[-1]
+        entry = Entry(name, scope, type, joined(self.above), f"{self.path}:{self.line}")
+        if not self.hidden[-1]:
+            self.found.append(entry)
+        return entry
 
     def end_statement(self) -> None:
         kind, scope = self.scopes[-1]
@@ -130,6 +139,7 @@ class Scan:
         if name:
             self.add(name, "namespace", kind)
         self.scopes.append((kind, name))
+        self.hidden.append(self.hidden[-1] or kind == "class")
         self.start_statement()
         self.last = []
 
@@ -146,6 +156,7 @@ class Scan:
         if self.scopes[-1][0].startswith("enum"):
             self.end_statement()
         self.scopes.pop()
+        self.hidden.pop()
         self.start_statement()
         self.last = []
 
@@ -174,6 +185,11 @@ class Scan:
                 self.end_statement()
             self.statement += rest
         else:
+            access = re.match(r"\s*(public|private|protected): ?", token) if not self.statement.strip() else None
+            if access:
+                self.hidden[-1] = access[1] != "public"
+                self.line += token[: access.end()].count("\n")
+                token = token[access.end() :]
             self.statement += token
             if not self.statement.strip() and "\n\n" in token:
                 self.above = []

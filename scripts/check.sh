@@ -22,6 +22,7 @@ tests_of() {  # in a pattern, * stands for folders too
       folder=$(cut -d/ -f2 <<<"$1")
       if [[ -d tests/$folder ]]; then echo "$folder"; else echo else; fi
       ;;
+    beeline/reason.*) echo reason ;;
     beeline/* | tests/*_test.*) echo house ;;
     cli/* | python/* | docs/*) cut -d/ -f1 <<<"$1" ;;
     web/* | *.md) ;;

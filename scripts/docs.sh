@@ -13,7 +13,7 @@ export PYTHONPATH=$build/python
 mkdir -p "$source"
 rsync --archive --delete --exclude=/cpp --exclude=/python --exclude=/command_line --exclude=/doxygen --exclude=/sessions --exclude=/examples \
   --exclude=__pycache__ docs/ "$source/docs/"
-rsync --archive --delete examples tests CHANGELOG.md README.md "$source/"
+rsync --archive --delete examples tests CHANGELOG.md CONTRIBUTING.md README.md "$source/"
 rm -rf "$source"/docs/{doxygen,cpp,python,command_line,sessions,examples} "$folder/html"
 mkdir -p "$source/docs/doxygen"
 cp docs/sphinx/GALLERY_HEADER.rst "$source/examples/"

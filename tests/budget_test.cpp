@@ -1,5 +1,7 @@
+#include <functional>
 #include <gtest/gtest.h>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include <beeline/internal/budget_meter.h>
@@ -99,6 +101,59 @@ TEST(Budget, ReportsProgressOfItsOwn) {
   BudgetMeter(part).report(0.75);
   EXPECT_EQ(reported, 0.25);
 }
+
+TEST(Budget, APartReportsItsFractionOfTheWhole) {
+  std::vector<double> reported;
+  const Budget budget{.progress = [&](double fraction) { reported.push_back(fraction); }};
+  BudgetMeter meter(budget);
+  const Budget half = meter.part(0.5, 1);
+  BudgetMeter part(half);
+  for (const double fraction : {0.0, 0.5, 0.25, 0.5, 1.0}) part.report(fraction);
+  EXPECT_EQ(reported, (std::vector<double>{0.5, 0.75, 1}));
+}
+
+template <class Work>
+void in_four_threads(const Work& work) {
+  std::vector<std::thread> workers;
+  for (int i = 0; i < 4; ++i) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+}
+
+TEST(Budget, ThreadsReportOneAfterTheOther) {
+  constexpr int each = 2000;
+  testing::Reports reports;
+  const Budget budget{.progress = std::ref(reports)};
+  BudgetMeter meter(budget);
+  const Budget first = meter.part(0, 0.5), second = meter.part(0.5, 1);
+  for (const Budget& half : {first, second}) {
+    BudgetMeter part(half);
+    std::atomic<int> done = 0;
+    in_four_threads([&] {
+      for (int k = 0; k < each; ++k) part.report(++done / (4.0 * each));
+    });
+  }
+  EXPECT_EQ(reports.last, 1);
+  EXPECT_GT(reports.calls, 2);
+}
+
+TEST(FinishedSteps, ThreadsReportEachHundredthOnce) {
+  constexpr int all = 4 * 5000;
+  testing::Reports reports;
+  const Budget budget{.progress = std::ref(reports)};
+  BudgetMeter meter(budget);
+  FinishedSteps finished(meter, all);
+  in_four_threads([&] {
+    for (int k = 0; k < all / 4; ++k) finished.add(1);
+  });
+  EXPECT_EQ(finished.count(), all);
+  EXPECT_EQ(reports.last, 1);
+  EXPECT_LE(reports.calls, 100);
+}
+
+// Only the library makes a budget that is a part of another: what a user can name is empty.
+static_assert(std::is_default_constructible_v<WholeComputation>);
+static_assert(!std::is_constructible_v<WholeComputation, BudgetMeter&>);
+static_assert(std::is_aggregate_v<Budget>);
 
 TEST(Budget, RefusesNegativeLimits) {
   const auto made = [](const Budget& budget) { BudgetMeter meter(budget); };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <gtest/gtest.h>
 
 #include <beeline/budget.h>
 
@@ -22,6 +23,21 @@ class CancelAt {
  private:
   int n_;
   std::atomic<int> asked_ = 0;
+};
+
+/// A function for Budget::progress without a lock of its own. Fails if the fraction does not
+/// increase or a call begins before the last has returned.
+struct Reports {
+  int calls = 0, running = 0;
+  double last = -1;
+
+  void operator()(double fraction) {
+    EXPECT_EQ(++running, 1);
+    EXPECT_GT(fraction, last);
+    last = fraction;
+    ++calls;
+    --running;
+  }
 };
 
 /// Calls `run(n)` with n = 0, 1, 2, ..., from `dense` on in growing steps, until it returns false,

@@ -59,6 +59,18 @@ TEST(FileError, HasPathLineAndFault) {
   EXPECT_EQ(error.fault(), "no: 3 numbers");
 }
 
+TEST(FileError, BehindATextKeepsPathAndLine) {
+  for (const int line : {0, 12}) {
+    const FileError error("a.csv", line, "no number");
+    const FileError behind = error.behind("column t:\n");
+    EXPECT_EQ(behind.path(), "a.csv");
+    EXPECT_EQ(behind.line(), line);
+    EXPECT_EQ(behind.fault(), "column t: no number");
+    EXPECT_EQ(std::string(behind.what()),
+              std::string(line > 0 ? "a.csv:12" : "a.csv") + ": column t: no number");
+  }
+}
+
 TEST(UnknownName, OfEquallyNearOnesSuggestsTheOneThatBeginsAlike) {
   const std::string said = unknown_name("arm", "ur55", {"ur15", "ur5", "ur5e"}).what();
   EXPECT_EQ(said, "unknown arm \"ur55\"; did you mean \"ur5\"? (known: ur15, ur5, ur5e)");

@@ -94,6 +94,7 @@ def test_what_an_installed_header_includes_is_installed(prefix):
         ("doc/beeline/LICENSE", "Copyright"),
         ("doc/beeline/examples/00_ten_lines.cpp", "beeline"),
         ("beeline/arm.schema.json", "$schema"),
+        ("beeline/scene.schema.json", "$schema"),
         ("bash-completion/completions/beeline", "retime"),
         ("zsh/site-functions/_beeline", "retime"),
         ("fish/vendor_completions.d/beeline.fish", "retime"),

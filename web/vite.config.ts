@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { arms } from "./arms_plugin.js";
 import { lessons } from "./lesson_plugin.js";
 import { savedPage } from "./saved_page_plugin.js";
 
@@ -13,7 +14,7 @@ const parts = { "core-module": "core", "command-module": "beeline", worker: "com
 /** `vite build` builds the page; `vite build --mode saved`, after it, the document that a saved page is made of. */
 export default defineConfig(({ mode }) => ({
   base: "./",
-  plugins: [lessons(), ...(mode === "saved" ? [savedPage(parts)] : [])],
+  plugins: [lessons(), arms(module), ...(mode === "saved" ? [savedPage(parts)] : [])],
   resolve: { alias: { "beeline-module": module } },
   build: {
     outDir: at("../build/web"),

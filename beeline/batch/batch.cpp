@@ -9,6 +9,7 @@
 #include <beeline/batch/internal/kernel.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/pose/se3.h>
 
 #include <hwy/aligned_allocator.h>
@@ -109,33 +110,22 @@ void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
 /// The state of a batch that any of its threads may end.
 class Counts {
  public:
-  Counts(const Budget& budget, Eigen::Index all) : budget_(budget), all_(all) {}
+  Counts(const Budget& budget, Eigen::Index all) : budget_(budget), computed_(budget_, all) {}
 
   internal::BudgetMeter& budget() { return budget_; }
   void add(Eigen::Index computed, Eigen::Index solved) {
-    computed_ += computed;
     solved_ += solved;
-    if (budget_.reports()) report();
+    computed_.add(computed);
   }
   BatchResult result() {
-    if (budget_.complete() && reported_ < 1) budget_.report(1);
-    return {budget_.ending(), computed_, solved_};
+    if (budget_.complete()) budget_.report(1);
+    return {budget_.ending(), static_cast<Eigen::Index>(computed_.count()), solved_};
   }
 
  private:
-  /// Reports each hundredth, in order, unless another thread is reporting.
-  void report() {
-    if (reporting_.exchange(true)) return;
-    const double fraction = static_cast<double>(computed_) / static_cast<double>(all_);
-    if (fraction >= reported_ + 0.01) budget_.report(reported_ = fraction);
-    reporting_ = false;
-  }
-
   internal::BudgetMeter budget_;
-  const Eigen::Index all_;
-  std::atomic<Eigen::Index> computed_ = 0, solved_ = 0;
-  std::atomic<bool> reporting_ = false;
-  double reported_ = 0;
+  internal::FinishedSteps computed_;
+  std::atomic<Eigen::Index> solved_ = 0;
 };
 
 template <class Real>
@@ -263,6 +253,14 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   check_rows(arm, "seeds", seeds, arm.dof());
   if (seeds.cols() != 1) check_shape(arm, "seeds", seeds, arm.dof(), count);
 
+  if (const auto plane = internal::ToolPlane::required(arm, inverse.task)) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (!world_T_tool.col(i).allFinite()) continue;  // has no solution
+      const Pose pose =
+          pose_of(world_T_tool.data() + i * world_T_tool.outerStride(), options.layout);
+      if (!plane->contains(pose)) plane->check(pose, "pose " + std::to_string(i + 1));
+    }
+  }
   InverseOptions one = inverse;
   one.all = false;
   one.every_turn = false;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ostream>
 
+#include <beeline/certificate/internal/fault_list.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
@@ -25,17 +25,17 @@ constexpr std::size_t stencil = 3;  // steps of the longest difference, the thir
 
 class FaultSearch {
  public:
-  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving, double slack)
+  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving,
+              double limit_tolerance)
       : arm_(arm),
         moving_(moving),
-        slack_(slack),
+        slack_(std::max(limit_slack, limit_tolerance)),
         trajectory_(trajectory),
         t_(trajectory.times),
         q_(trajectory.positions),
         v_(trajectory.velocities) {}
 
   std::optional<JointFault> first(BudgetMeter& budget) {
-    constexpr std::size_t batch = 64;  // samples, which take about a microsecond
     for (std::size_t k = 0; k < t_.size(); ++k) {
       if (k % batch == 0 && budget.ended(batch)) return {};
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_positions(k, i);
@@ -56,19 +56,35 @@ class FaultSearch {
     return derivative_fault;
   }
 
+  /// Returns every kind of fault; those found so far if the budget ends the search.
+  std::vector<FaultsOfKind> kinds(BudgetMeter& budget) {
+    std::vector<FaultsOfKind> list;
+    list_ = &list;
+    for (std::size_t k = 0; k < t_.size(); ++k) {
+      if (k % batch == 0 && budget.ended(batch)) break;
+      for (int i = 0; i < arm_.dof(); ++i) check_positions(k, i);
+      for (int i = 0; i < arm_.dof(); ++i) check_derivatives(k, i);
+    }
+    list_ = nullptr;
+    return list;
+  }
+
  private:
+  static constexpr std::size_t batch = 64;  // samples, which take about a microsecond
+
   void check_positions(std::size_t k, int i) {
     const Limits& limits = arm_.limits(i);
     const auto inside = [&](double q) { return within_position_limits(limits, q); };
     const double here = q_[k][i];
     if (!inside(here)) {
-      return report(Fault::limits, k, i, outside(ReasonCode::outside_limits, i, here));
+      return report(Fault::limits, k, i, excess(limits, here),
+                    outside(ReasonCode::outside_limits, i, here));
     }
     if (k + 1 == t_.size()) return;
     const double step = q_[k + 1][i] - q_[k][i];
     const bool prismatic = kind(arm_.joint_of(i)) == JointKind::prismatic;
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
-      return report(Fault::flip, k, i,
+      return report(Fault::flip, k, i, std::abs(step),
                     {ReasonCode::rotates_too_far, {{ReasonField::change, step}}});
     }
     if (v_.empty() || !inside(q_[k + 1][i])) return;  // the next sample has this fault
@@ -77,10 +93,11 @@ class FaultSearch {
     if (inside(between.smallest) && inside(between.largest)) return;
     between = extremes(p);
     if (inside(between.smallest) && inside(between.largest)) return;
-    const double extreme = inside(between.smallest) ? between.largest : between.smallest;
+    const bool above = excess(limits, between.largest) > excess(limits, between.smallest);
+    const double extreme = above ? between.largest : between.smallest;
     Reason reason = outside(ReasonCode::moves_outside_limits, i, extreme);
     reason.set(ReasonField::interpolation, name(trajectory_.interpolation()));
-    report(Fault::limits, k, i, std::move(reason));
+    report(Fault::limits, k, i, excess(limits, extreme), std::move(reason));
   }
 
   void check_derivatives(std::size_t k, int i) {
@@ -124,7 +141,7 @@ class FaultSearch {
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
       if (allowed(needed)) return;
-      return report(fault, k, i, above(ReasonCode::derivative_needed, needed));
+      return report(fault, k, i, needed / limit, above(ReasonCode::derivative_needed, needed));
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =
@@ -133,17 +150,18 @@ class FaultSearch {
     if (allowed(largest(enclosure(p)))) return;
     const double reached = largest(extremes(p));
     if (allowed(reached)) return;
-    report(fault, k, i, above(ReasonCode::derivative_reached, reached));
+    report(fault, k, i, reached / limit, above(ReasonCode::derivative_reached, reached));
   }
 
   /// Whether a coordinate moves at the start or the end.
   void check_rest(std::size_t k, int i) {
     const bool first = k == 0, last = k + 1 == t_.size();
     if (found_ || t_.size() < 2 || !((first && !moving_.start) || (last && !moving_.end))) return;
-    const EndVelocity end = end_velocity(trajectory_, i, motion_limits(arm_.limits(i)),
-                                         first ? TrajectoryEnd::first : TrajectoryEnd::last);
+    const Limits limits = motion_limits(arm_.limits(i));
+    const EndVelocity end =
+        end_velocity(trajectory_, i, limits, first ? TrajectoryEnd::first : TrajectoryEnd::last);
     if (end.at_rest()) return;
-    report(Fault::moving, k, i,
+    report(Fault::moving, k, i, std::abs(end.velocity) / limits.velocity,
            {first ? ReasonCode::starts_moving : ReasonCode::ends_moving,
             {{ReasonField::value, end.velocity}}});
   }
@@ -156,10 +174,20 @@ class FaultSearch {
              {ReasonField::upper, limits.upper}}};
   }
 
-  void report(Fault fault, std::size_t k, int i, Reason reason) {
+  /// Returns by how much q exceeds the limits, negative inside them.
+  static double excess(const Limits& limits, double q) {
+    return std::max(limits.lower - q, q - limits.upper);
+  }
+
+  /// Reports a fault. `amount` compares it with others of its kind.
+  void report(Fault fault, std::size_t k, int i, double amount, Reason reason) {
     if (found_) return;
     set_joint(arm_.joint_of(i), reason);
-    found_ = {fault, k, std::move(reason)};
+    if (list_ == nullptr) {
+      found_ = {fault, k, std::move(reason)};
+    } else {
+      add_fault(trajectory_, fault, k, amount, std::move(reason), *list_);
+    }
   }
 
   const Arm& arm_;
@@ -169,19 +197,15 @@ class FaultSearch {
   const std::vector<double>& t_;
   const std::vector<Configuration>&q_, &v_;
   std::optional<JointFault> found_;
+  std::vector<FaultsOfKind>* list_ = nullptr;  ///< all faults are added to it, if there is one
 };
 
 }  // namespace
 
 std::string name(Fault fault) {
-  constexpr internal::EnumNames<Fault::tool_speed> names(
-      "fault",
-      "none limits flip deviation backwards not_through velocity acceleration jerk moving "
-      "dwell tool_speed");
+  constexpr internal::EnumNames<Fault> names("fault");
   return names.of(fault);
 }
-
-std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving, const Budget& budget,
@@ -189,7 +213,13 @@ std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& tr
   check_fits(arm, trajectory);
   check_limit_tolerance(limit_tolerance);
   BudgetMeter meter(budget);
-  return FaultSearch(arm, trajectory, moving, std::max(limit_slack, limit_tolerance)).first(meter);
+  return FaultSearch(arm, trajectory, moving, limit_tolerance).first(meter);
+}
+
+std::vector<FaultsOfKind> internal::joint_faults(const Arm& arm, const Trajectory& trajectory,
+                                                 const VerifyOptions& options,
+                                                 BudgetMeter& budget) {
+  return FaultSearch(arm, trajectory, options.moving, options.limit_tolerance).kinds(budget);
 }
 
 void internal::check_limit_tolerance(double limit_tolerance) {

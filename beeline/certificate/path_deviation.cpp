@@ -27,6 +27,7 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
   check_path_parameters(path, path_parameters);
   BudgetMeter meter(budget);
   PathDeviation result;
+  result.bound = {};
   for (std::size_t k = 0; k < trajectory.size() && !meter.ended(); ++k) {
     const Pose pose = forward_kinematics(arm, trajectory.positions[k]);
     grow(result.sampled, deviation_from(path, path_parameters[k], pose, task));
@@ -45,8 +46,7 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
   }
   grow(result.bound, result.measured);
   result.ending = meter.ending();
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (result.ending != Ending::complete) result.bound = {unknown, unknown};
+  if (result.ending != Ending::complete) result.bound = no_bound;
   return result;
 }
 

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
 
+#include <beeline/certificate/internal/fault_list.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/certificate/internal/sample_locator.h>
 #include <beeline/certificate/internal/segment_taylor_bound.h>
 #include <beeline/certificate/internal/set_fault.h>
@@ -190,9 +191,7 @@ struct Verifier {
     const Deviation left =
         task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
     fail(Fault::not_through, trajectory.size() - 1,
-         away(ReasonCode::waypoint_not_reached, left,
-              is_line(i) && route.path.names.empty() ? "waypoint " + std::to_string(i + 1)
-                                                     : "the end of " + name_of(i)));
+         away(ReasonCode::waypoint_not_reached, left, segment_end_name(route.path, i)));
   }
 
   /// Locates and checks all samples, from stop to stop.
@@ -227,22 +226,65 @@ struct Verifier {
   /// Checks the joints. A joint fault replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
+    const std::vector<FaultsOfKind> of_path = path_faults();
     const auto fault =
         first_joint_fault(arm, trajectory, options.moving, budget.part(), options.limit_tolerance);
-    if (!fault) return;
-    const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
-    if (result.fault == Fault::none ||
-        fault->sample + (position ? 0 : stencil + 1) <= result.sample) {
-      record(fault->kind, fault->sample, fault->reason);
+    if (fault) {
+      const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
+      if (result.fault == Fault::none ||
+          fault->sample + (position ? 0 : stencil + 1) <= result.sample) {
+        record(fault->kind, fault->sample, fault->reason);
+      }
     }
+    list_faults(arm, trajectory, options, of_path, budget, result);
+  }
+
+  /// Returns the fault of the path and, of deviations, the largest of a sample from there on.
+  std::vector<FaultsOfKind> path_faults() {
+    std::vector<FaultsOfKind> list;
+    if (result.fault == Fault::none) return list;
+    const bool off = result.fault == Fault::deviation;
+    add_fault(trajectory, result.fault, result.sample,
+              off ? multiple(result.deviation.measured) : 0, result.reason, list);
+    if (!off || !all_lines(route.path)) return list;
+    std::size_t worst = result.sample;
+    Deviation largest = {};
+    constexpr std::size_t most = 1'000'000;  // pairs of a sample and a line, a fraction of a second
+    const std::size_t segments = route.path.segments.size();
+    const std::size_t stride = 1 + (trajectory.size() - result.sample) * segments / most;
+    for (std::size_t k = result.sample; k < trajectory.size(); k += stride) {
+      if (budget.ended(static_cast<std::int64_t>(segments))) return list;
+      const Deviation distance = distance_from_lines(world_T_tool[k], multiple(largest));
+      if (multiple(distance) <= multiple(largest)) continue;
+      largest = distance;
+      worst = k;
+    }
+    add_fault(trajectory, Fault::deviation, worst, multiple(largest),
+              away(ReasonCode::off_path, largest, "the path"), list);
+    return list;
+  }
+
+  double multiple(const Deviation& deviation) const {
+    return std::max(deviation.position / tolerance.position,
+                    deviation.orientation / tolerance.orientation);
+  }
+
+  /// Returns the deviation from the nearest of the route's lines. The search ends at a line that is
+  /// nearer than `least` multiples of the tolerance.
+  Deviation distance_from_lines(const Pose& pose, double least) const {
+    Deviation nearest = deviation_from(route.path.segments.front(), 0, pose, task);
+    for (const Segment& segment : route.path.segments) {
+      const Deviation distance = deviation_from(segment, 0, pose, task);
+      if (multiple(distance) < multiple(nearest)) nearest = distance;
+      if (multiple(nearest) <= least) break;
+    }
+    return nearest;
   }
 };
 
 /// Reports that the budget ended the proof.
 void set_ended(Ending ending, Verification& result) {
   result.ending = ending;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  result.deviation.bound = {unknown, unknown};
   if (result.fault != Fault::none) return;
   result.reason = ended_reason(ReasonCode::ended_before_check, ending);
 }
@@ -266,7 +308,9 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   const Trajectory trajectory = checked_trajectory(arm, given);
   BudgetMeter budget(options.budget);
   Verifier verifier{arm, trajectory, route, options, budget};
+  verifier.result.deviation.bound = {};
   check_route(arm, route, verifier.task);
+  check_in_plane(arm, route.path, options.task);
   for (const Configuration& q : trajectory.positions) {
     if (budget.ended()) break;
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
@@ -274,6 +318,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   if (budget.complete()) verifier.check_route();
   if (budget.complete()) verifier.check_joints();
   if (!budget.complete()) set_ended(budget.ending(), verifier.result);
+  if (!verifier.result) verifier.result.deviation.bound = no_bound;
   return verifier.result;
 }
 
@@ -291,12 +336,26 @@ Verification verify(const Arm& arm, const Trajectory& trajectory,
                 options);
 }
 
+Verification verify(const Arm& arm, const Trajectory& given, const VerifyOptions& options) {
+  check_limit_tolerance(options.limit_tolerance);
+  const Trajectory trajectory = checked_trajectory(arm, given);
+  BudgetMeter budget(options.budget);
+  Verification result;
+  const auto fault =
+      first_joint_fault(arm, trajectory, options.moving, budget.part(), options.limit_tolerance);
+  if (fault) set_fault(trajectory, fault->kind, fault->sample, fault->reason, result);
+  list_faults(arm, trajectory, options, {}, budget, result);
+  if (!budget.complete()) set_ended(budget.ending(), result);
+  return result;
+}
+
 std::ostream& operator<<(std::ostream& out, const Verification& verification) {
   if (verification.fault != Fault::none) {
     return out << verification.fault << ": " << verification.reason;
   }
   if (!verification) return out << verification.ending << ": " << verification.reason;
-  return out << "verified, deviation at most " << verification.deviation.bound;
+  if (verification.path.segments.empty()) return out << "verified, limits of the joints only";
+  return print_bound(out << "verified, ", verification.deviation.bound);
 }
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,11 +17,15 @@
 
 namespace beeline {
 
+/// The bound on a deviation where nothing is proved.
+inline constexpr Deviation no_bound{std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity()};
+
 /// Deviation of a joint motion from its path; metres and radians. sampled <= measured <= bound.
 struct PathDeviation {
-  Deviation sampled;   ///< largest deviation at the samples
-  Deviation measured;  ///< largest deviation at the samples and at some times between them
-  Deviation bound;     ///< proved upper bound at all times
+  Deviation sampled;           ///< largest deviation at the samples
+  Deviation measured;          ///< largest deviation at the samples and at some times between them
+  Deviation bound = no_bound;  ///< proved upper bound at all times; infinite: nothing is proved
   /// Bound proved from each sample to the next: position, m, and orientation, rad, (N - 1, 2).
   std::vector<Deviation> interval_bounds;
   /// How the computation ended; unless complete, `bound` is infinite.
@@ -71,7 +76,6 @@ enum class Fault {
   tool_speed,    ///< the tool is faster than a move of a program allows
 };
 std::string name(Fault fault);
-std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
 
 /// The ends of a trajectory at which the joints may move. At the other ends they are at rest.
 struct MovingEnds {
@@ -83,7 +87,21 @@ struct MovingEnds {
 struct JointFault {
   Fault kind = Fault::none;  ///< kind of the fault
   std::size_t sample = 0;    ///< index of the sample at the fault, or of the sample before it
-  Reason reason = {};        ///< one sentence: joint, value, limit
+  Reason reason = {};        ///< why: joint, value, limit
+};
+
+/// The faults of one kind in a trajectory.
+struct FaultsOfKind {
+  Fault kind = Fault::none;  ///< kind of the faults
+  std::size_t sample = 0;  ///< index of the sample at the first of them, or of the sample before it
+  double time = 0;         ///< time of that sample, s
+  Reason first = {};       ///< the first in time
+  Reason worst = {};       ///< the largest, with its sample and time
+  /// Size of the largest, which compares faults of this kind: the excess over position limits, rad
+  /// or m; the rotation of a flip, rad; the value as a multiple of the limit for velocity,
+  /// acceleration, jerk and moving joints; the multiple of the tolerance for deviations. 0 for
+  /// kinds without a size.
+  double amount = 0;
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
@@ -110,7 +128,8 @@ constexpr double min_tolerance = 1e-8;
 
 struct VerifyOptions {
   MovingEnds moving = {};  ///< ends at which the joints may move; default: at rest at both
-  /// Task rows that are checked; default: planar for a planar arm, else spatial.
+  /// Task rows that are checked; default: planar for a planar arm, whose path must then be in
+  /// its plane, else spatial.
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, above 0
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, above 0
@@ -120,14 +139,21 @@ struct VerifyOptions {
   Budget budget = {};
 };
 
-/// The proof that a trajectory follows a path within the arm's limits, or the first fault.
+/// The proof that a trajectory follows a path within the arm's limits, or its faults.
 struct Verification {
   Fault fault = Fault::none;  ///< first fault in time
-  Reason reason = {};         ///< one sentence: time, sample, fault and amount; none if proved
+  Reason reason = {};         ///< why: time, sample, fault and amount; none if proved
   std::size_t sample = 0;     ///< index of the sample at the fault, or of the sample before it
   double time = 0;            ///< time of that sample, seconds
-  PathDeviation deviation;    ///< deviation over the whole trajectory, or up to the fault
-  ToolPath path;              ///< path of the route
+  /// Every kind of fault, the one of `fault` first, the others in the order of time. The joints are
+  /// checked over the whole trajectory, the direction on the path and between samples up to its
+  /// first fault. The worst deviation is the largest distance of a sample from all lines of the
+  /// route; with more than 1e6 pairs of a sample and a line only some samples are compared.
+  std::vector<FaultsOfKind> faults = {};
+  /// Deviation over the whole trajectory. After a fault `sampled`, `measured` and `interval_bounds`
+  /// are those up to the fault, and `bound` is infinite.
+  PathDeviation deviation;
+  ToolPath path;                        ///< path of the route
   std::vector<double> path_parameters;  ///< path parameter of each sample that is on the path
   /// Index of the first sample at or after the end of each segment (of each move, for a program),
   /// for the part of the path that the trajectory follows.
@@ -180,5 +206,10 @@ Verification verify(const Arm& arm, const Trajectory& trajectory, std::span<cons
                     const VerifyOptions& options = {});
 Verification verify(const Arm& arm, const Trajectory& trajectory,
                     std::initializer_list<Pose> waypoints, const VerifyOptions& options = {});
+
+/// Verifies the limits of the joints only, without a path: `deviation.bound` is infinite. The
+/// task and the tolerances of the options have no effect.
+Verification verify(const Arm& arm, const Trajectory& trajectory,
+                    const VerifyOptions& options = {});
 
 }  // namespace beeline

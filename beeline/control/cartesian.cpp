@@ -9,6 +9,7 @@
 #include <beeline/internal/enum_names.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/math/six_row_svd.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/tool_path.h>
@@ -169,8 +170,8 @@ void check(const CartesianOptions& options) {
 }  // namespace
 
 std::string name(CartesianMethod method) {
-  constexpr internal::EnumNames<CartesianMethod::inverse_kinematics> names(
-      "method", "inverse-jacobian inverse-kinematics");
+  constexpr internal::EnumNames<CartesianMethod> names("method",
+                                                       "inverse-jacobian inverse-kinematics");
   return names.of(method);
 }
 
@@ -182,6 +183,9 @@ ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
   options.simulation.budget = budget.part();
   check(options);
   const std::vector<Pose> waypoints = checked_waypoints(given_waypoints);
+  if (const auto plane = internal::ToolPlane::required(arm, options.task)) {
+    for (const Pose& pose : waypoints) plane->check(pose, "a waypoint");
+  }
   const Task task = options.task.value_or(default_task(arm));
   ControlledMotion motion = begin_motion(arm, start);
   const auto control = options.method == CartesianMethod::inverse_jacobian ? control_by_jacobian

@@ -19,7 +19,8 @@ std::string name(CartesianMethod method);
 
 struct CartesianOptions {
   CartesianMethod method = CartesianMethod::inverse_jacobian;
-  /// Task rows that are controlled; default: planar for a planar arm, else spatial.
+  /// Task rows that are controlled; default: planar for a planar arm, whose waypoints must then be
+  /// in its plane, else spatial.
   std::optional<Task> task = std::nullopt;
   double gain = 0.1;  ///< K_p of the chapter, fraction of the error per step, above 0
   /// Number of poses on each line, including its end, 1 or more; for

@@ -5,6 +5,7 @@
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/planning/internal/printed_motion.h>
 #include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 
@@ -86,6 +87,8 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
   result.trajectory = std::move(samples);
   result.arrivals = {result.trajectory.size() - 1};
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
+  result.limits = limit_usage(arm, result.trajectory, budget.part());
+  if (!budget.complete()) set_ended(ReasonCode::ended_before_check, budget.ending(), result);
   return result;
 }
 
@@ -116,6 +119,11 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
   if (motion.status == MotionStatus::cancelled) return motion;
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);
   return motion;
+}
+
+std::ostream& operator<<(std::ostream& out, const ControlledMotion& motion) {
+  internal::print_motion(out, motion);
+  return motion ? out << ", error " << number(motion.error) : out;
 }
 
 }  // namespace beeline

@@ -10,6 +10,7 @@
 #include <beeline/model/arm.h>
 #include <beeline/planning/branch.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/limit_usage.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -17,17 +18,25 @@ namespace beeline {
 /// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};                 ///< one sentence; none if reached
+  Reason reason = {};                 ///< why; none if reached
   Trajectory trajectory;              ///< all steps of the motion, also if the goal was not reached
   std::vector<std::size_t> arrivals;  ///< index of the sample at which each goal was reached
   int steps = 0;                      ///< number of steps
   int slowed = 0;        ///< number of steps that were scaled down for the velocity limits
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
   double error = 0;      ///< remaining error at the last goal, radians or metres
+  /// Fractions of the limits that the trajectory of move_joints() uses, and which of them are
+  /// assumed; empty for simulated motions.
+  LimitUsage limits = {};
 
   /// Returns whether the goal was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
+  /// Returns the duration of the trajectory, s.
+  double duration() const { return trajectory.duration(); }
 };
+
+/// Prints the status with its reason, or the duration, the samples and the remaining error.
+std::ostream& operator<<(std::ostream& out, const ControlledMotion& motion);
 
 struct SimulationOptions {
   /// Max error at a goal that counts as reached, metres and radians, above 0.

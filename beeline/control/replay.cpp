@@ -5,6 +5,7 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
+#include <beeline/planning/internal/printed_motion.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline {
@@ -90,6 +91,13 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
     internal::add_advice(arm, recording, options, attempt, budget, result.reason);
   }
   return result;
+}
+
+std::ostream& operator<<(std::ostream& out, const Replay& replay) {
+  internal::print_motion(out, replay);
+  if (!replay) return out;
+  return out << ", up to " << percent_at_most(replay.limits.velocity.fraction)
+             << " of the velocity limits";
 }
 
 }  // namespace beeline

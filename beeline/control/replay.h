@@ -16,6 +16,9 @@ struct SpeedChange {
   double speed = 1;  ///< target speed from 0 (a pause) to 1 (the recording's own speed)
 };
 
+/// Samples per second of a replay with `speed_at`, unless `rate` is given.
+constexpr double default_replay_rate = 100;
+
 struct ReplayOptions {
   /// Samples per second, 0 or at least 0.001. With 0 the samples are the recorded ones or, with
   /// `speed_at`, 100 per second.
@@ -39,7 +42,7 @@ struct ReplayOptions {
 /// The replay of a recording on an arm.
 struct Replay {
   MotionStatus status = MotionStatus::reached;
-  Reason reason = {};     ///< one sentence; none if reached
+  Reason reason = {};     ///< why; none if reached
   Trajectory trajectory;  ///< replayed trajectory; empty unless reached
   double lead_in = 0;     ///< duration of the motion from `start` to the first sample, seconds
   /// Duration of the recording in the replay / requested duration. It is above 1 if a rate needs
@@ -52,7 +55,13 @@ struct Replay {
 
   /// Returns whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
+  /// Returns the duration of the trajectory, s.
+  double duration() const { return trajectory.duration(); }
 };
+
+/// Prints the status with its reason, or the duration, the samples and the use of the velocity
+/// limits.
+std::ostream& operator<<(std::ostream& out, const Replay& replay);
 
 /// Replays a recording on the arm. Joints are matched by name, and continuous joints are unwrapped
 /// (see unwrapped()). The replay has the recording's columns, and its motion is the motion that

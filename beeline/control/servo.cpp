@@ -268,8 +268,7 @@ Twist ServoLoop::command_towards(const ConfigurationRef& q, const Pose& world_T_
 }  // namespace internal
 
 std::string name(ServoLimit limit) {
-  constexpr internal::EnumNames<ServoLimit::singular> names(
-      "limit", "none velocity acceleration position singular");
+  constexpr internal::EnumNames<ServoLimit> names("limit");
   return names.of(limit);
 }
 

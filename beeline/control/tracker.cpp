@@ -241,8 +241,7 @@ const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
 }  // namespace internal
 
 std::string name(TrackerStatus status) {
-  constexpr internal::EnumNames<TrackerStatus::unreachable> names(
-      "status", "following limited singular unreachable");
+  constexpr internal::EnumNames<TrackerStatus> names("status");
   return names.of(status);
 }
 

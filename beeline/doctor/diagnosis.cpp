@@ -24,10 +24,7 @@ Diagnosis diagnose(const std::string& text, const ChainEnds& ends) {
 }
 
 std::string name(FindingKind kind) {
-  constexpr internal::EnumNames<FindingKind::fault> names(
-      "finding",
-      "length_unit angle_unit rounded_angle nearly_special coincident_axes missing_axis "
-      "axis_length no_range unknown_velocity fault");
+  constexpr internal::EnumNames<FindingKind> names("finding");
   return names.of(kind);
 }
 

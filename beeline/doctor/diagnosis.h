@@ -20,7 +20,7 @@ enum class FindingKind {
   axis_length,       ///< an axis that is not of unit length
   no_range,          ///< limits that leave no or nearly no range
   unknown_velocity,  ///< a velocity limit that is missing where other joints have one
-  fault              ///< a fault of the file outside the chain
+  fault              ///< a fault of the file beside the chain, or text of it that is ignored
 };
 std::string name(FindingKind kind);
 
@@ -48,7 +48,8 @@ struct Diagnosis {
 Diagnosis diagnose(const Arm& arm);
 
 /// Diagnoses an arm as read_arm() reads it, and checks its file: a missing axis element, an axis
-/// not of unit length, angles in another unit than the file declares, faults outside the chain.
+/// not of unit length, angles in another unit than the file declares, faults beside the chain, and
+/// elements and attributes that are ignored.
 /// Throws Error and FileError as read_arm() does.
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 

@@ -5,6 +5,7 @@
 #include <beeline/draw/internal/animation_frames.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_drawing.h>
+#include <beeline/draw/internal/scene_drawing.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
@@ -101,6 +102,95 @@ double van_der_corput(int i, int base) {
   return value;
 }
 
+/// The arm at q, among the obstacles of `model` unless it is null.
+Figure configuration_figure(const Arm& arm, const CollisionModel* model, const ConfigurationRef& q,
+                            const ArmFigureOptions& options) {
+  Drawing drawing;
+  add_arm(drawing, arm, q,
+          {.frames = options.frames, .tool = !options.jacobian, .thin = model != nullptr});
+  std::string caption = "tool at " + tool_text(arm, q);
+  if (model != nullptr) {
+    add_obstacles(drawing, *model);
+    add_link_shapes(drawing, *model, q);
+    if (model->pair_count() > 0) {
+      const BodyDistance nearest = nearest_pair(*model, q);
+      add_nearest_pair(drawing, nearest);
+      caption += "\n" + nearest_text(nearest);
+    }
+  }
+  if (options.jacobian) {
+    add_jacobian_arrows(drawing, arm, q, jacobian_arrow_scale(arm, q), arm.planar());
+  }
+  if (!options.caption.empty()) caption = options.caption;
+  return views_of(std::move(drawing), arm, caption, options);
+}
+
+/// Adds the obstacles, the shapes of the links at the end and at the closest approach, and the
+/// nearest pair there. Returns its description.
+std::string add_scene_of_motion(Drawing& drawing, const CollisionModel& model,
+                                const Trajectory& trajectory) {
+  add_obstacles(drawing, model);
+  add_link_shapes(drawing, model, trajectory.positions.back());
+  if (model.pair_count() == 0) return "";
+  const TimedPair nearest = nearest_sample(model, trajectory);
+  if (nearest.time != trajectory.times.back()) {
+    const Configuration q = sample(trajectory, nearest.time).position;
+    add_arm(drawing, model.arm(), q, {.faded = true, .thin = true});
+    add_link_shapes(drawing, model, q, true);
+  }
+  add_nearest_pair(drawing, nearest.pair);
+  return "\n" + nearest_text(nearest.pair) + ", at " + number(nearest.time) + " s";
+}
+
+Figure still_motion(const Arm& arm, const CollisionModel* model, const Trajectory& given,
+                    const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  const Trajectory trajectory = checked(arm, given, options);
+  const Configuration& end = trajectory.positions.back();
+  Drawing drawing;
+  for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
+    add_arm(drawing, arm, sample(trajectory, t).position,
+            {.faded = true, .thin = model != nullptr});
+  }
+  add_arm(drawing, arm, end,
+          {.frames = options.frames,
+           .tool = waypoints.empty() && !options.jacobian,
+           .thin = model != nullptr});
+  std::string caption = motion_caption(arm, trajectory);
+  if (model != nullptr) caption += add_scene_of_motion(drawing, *model, trajectory);
+  add_trail(drawing, arm, trajectory, {.dots = options.dots});
+  add_poses(drawing, waypoints);
+  if (options.jacobian) add_jacobian_arrows(drawing, arm, end, jacobian_arrow_scale(arm, end));
+  if (!options.caption.empty()) caption = options.caption;
+  return views_of(std::move(drawing), arm, caption, options);
+}
+
+Animation moving_arm(const Arm& arm, const CollisionModel* model, const Trajectory& given,
+                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  const Trajectory trajectory = checked(arm, given, options);
+  Drawing drawing;
+  if (options.ghosts > 0)
+    add_arm(drawing, arm, trajectory.positions.front(), {.faded = true, .thin = model != nullptr});
+  if (model != nullptr) add_obstacles(drawing, *model);
+  add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
+  add_poses(drawing, waypoints);
+  double arrow_scale = 0;
+  Animation animation = motion_frames(trajectory, [&](Drawing& frame, const Configuration& q) {
+    add_arm(frame, arm, q,
+            {.frames = options.frames, .tool = !options.jacobian, .thin = model != nullptr});
+    if (model != nullptr) {
+      add_link_shapes(frame, *model, q);
+      if (model->pair_count() > 0) add_nearest_pair(frame, nearest_pair(*model, q), false);
+    }
+    if (!options.jacobian) return;
+    if (arrow_scale == 0) arrow_scale = jacobian_arrow_scale(arm, q);
+    add_jacobian_arrows(frame, arm, q, arrow_scale);
+  });
+  const std::string caption =
+      options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
+  animation.figure = views_of(std::move(drawing), arm, caption, options);
+  return animation;
+}
+
 }  // namespace
 
 Configuration display_configuration(const Arm& arm) {
@@ -130,52 +220,32 @@ Configuration display_configuration(const Arm& arm) {
 }
 
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options) {
-  Drawing drawing;
-  add_arm(drawing, arm, q, {.frames = options.frames, .tool = !options.jacobian});
-  if (options.jacobian) {
-    add_jacobian_arrows(drawing, arm, q, jacobian_arrow_scale(arm, q), arm.planar());
-  }
-  const std::string caption =
-      options.caption.empty() ? "tool at " + tool_text(arm, q) : options.caption;
-  return views_of(std::move(drawing), arm, caption, options);
+  return configuration_figure(arm, nullptr, q, options);
 }
 
-Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<Pose>& waypoints,
-                     const ArmFigureOptions& options) {
-  const Trajectory trajectory = checked(arm, given, options);
-  const Configuration& end = trajectory.positions.back();
-  Drawing drawing;
-  for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
-    add_arm(drawing, arm, sample(trajectory, t).position, {.faded = true});
-  }
-  add_arm(drawing, arm, end,
-          {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
-  add_trail(drawing, arm, trajectory, {.dots = options.dots});
-  add_poses(drawing, waypoints);
-  if (options.jacobian) add_jacobian_arrows(drawing, arm, end, jacobian_arrow_scale(arm, end));
-  const std::string caption =
-      options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
-  return views_of(std::move(drawing), arm, caption, options);
+Figure arm_figure(const CollisionModel& model, const ConfigurationRef& q,
+                  const ArmFigureOptions& options) {
+  return configuration_figure(model.arm(), &model, q, options);
 }
 
-Animation motion_animation(const Arm& arm, const Trajectory& given,
+Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
+                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  return still_motion(arm, nullptr, trajectory, waypoints, options);
+}
+
+Figure motion_figure(const CollisionModel& model, const Trajectory& trajectory,
+                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  return still_motion(model.arm(), &model, trajectory, waypoints, options);
+}
+
+Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  const Trajectory trajectory = checked(arm, given, options);
-  Drawing drawing;
-  if (options.ghosts > 0) add_arm(drawing, arm, trajectory.positions.front(), {.faded = true});
-  add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
-  add_poses(drawing, waypoints);
-  double arrow_scale = 0;
-  Animation animation = motion_frames(trajectory, [&](Drawing& frame, const Configuration& q) {
-    add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian});
-    if (!options.jacobian) return;
-    if (arrow_scale == 0) arrow_scale = jacobian_arrow_scale(arm, q);
-    add_jacobian_arrows(frame, arm, q, arrow_scale);
-  });
-  const std::string caption =
-      options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
-  animation.figure = views_of(std::move(drawing), arm, caption, options);
-  return animation;
+  return moving_arm(arm, nullptr, trajectory, waypoints, options);
+}
+
+Animation motion_animation(const CollisionModel& model, const Trajectory& trajectory,
+                           const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  return moving_arm(model.arm(), &model, trajectory, waypoints, options);
 }
 
 }  // namespace beeline

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/collision/collision_model.h>
 #include <beeline/draw/animation.h>
 #include <beeline/draw/figure.h>
 #include <beeline/error.h>
@@ -59,6 +60,12 @@ struct ArmFigureOptions {
 /// small views beside it. Throws Error when q does not fit the arm.
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options = {});
 
+/// Draws the arm of a model in the same way among its obstacles, with the shapes of its links and a
+/// line between the nearest points of the pair with the least distance beyond its clearance. The
+/// caption states that pair. Throws Error when q does not fit the arm.
+Figure arm_figure(const CollisionModel& model, const ConfigurationRef& q,
+                  const ArmFigureOptions& options = {});
+
 /// Returns a configuration that shows the arm well: the middle of the position limits or, if the
 /// arm is singular there, a configuration far from singularities. Of 200 configurations around the
 /// middle, it has the largest inverse condition number above the plane of the base.
@@ -72,9 +79,21 @@ Configuration display_configuration(const Arm& arm);
 Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 
+/// Draws a motion in the same way among the obstacles of a model, with the shapes of the links at
+/// the end and at the closest approach, where it draws the line between the nearest points. The
+/// closest approach is the one of 201 times; prove_clearance() proves it.
+Figure motion_figure(const CollisionModel& model, const Trajectory& trajectory,
+                     const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
+
 /// Draws a motion as an animation in real time: the arm moves and leaves the trail of its tool.
 /// There is one frame each 1/50 s, and at most 1000 frames.
 Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
+                           const std::vector<Pose>& waypoints = {},
+                           const ArmFigureOptions& options = {});
+
+/// Draws a motion as an animation among the obstacles of a model, with the shapes of the links and
+/// the line between the nearest points at each time.
+Animation motion_animation(const CollisionModel& model, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints = {},
                            const ArmFigureOptions& options = {});
 

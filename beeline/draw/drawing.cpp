@@ -30,6 +30,11 @@ struct Check {
       for (const Vector3& corner : corners) check_point(corner, "tile");
     }
   }
+  void operator()(const Solid& solid) const {
+    check_points(solid.points, "body");
+    check_points(solid.framed, "body");
+    check_point({solid.radius, 0, 0}, "body's radius");
+  }
   void operator()(const JointSymbol& joint) const {
     check_point(joint.centre, "joint");
     check_point(joint.axis, "joint's axis");

@@ -23,6 +23,7 @@ struct Colour {
 
 constexpr Colour ink{0.13, 0.15, 0.18};    ///< outlines and text
 constexpr Colour steel{0.66, 0.74, 0.82};  ///< the links of an arm
+constexpr Colour sand{0.82, 0.70, 0.50};   ///< obstacles
 constexpr Colour paper_white{1, 1, 1};
 constexpr Colour amber{0.85, 0.37, 0.01};             ///< trails and goals
 constexpr Colour construction_grey{0.45, 0.47, 0.5};  ///< construction lines and commanded paths
@@ -58,6 +59,21 @@ struct Tiles {
   using Corners = std::array<Vector3, 4>;
   std::vector<Corners> tiles = {};
   Colour colour = steel;
+};
+
+/// A convex body: the points within `radius` of the convex hull of `points`. Its outline in the
+/// view is filled, and its faces that are turned to the viewer are drawn in it. What exceeds the
+/// plot of a panel is cut off.
+struct Solid {
+  std::vector<Vector3> points;
+  double radius = 0;  ///< m
+  /// Plane faces of the hull: indices of points, anticlockwise seen from outside.
+  std::vector<std::vector<std::size_t>> faces = {};
+  Colour fill = steel;
+  Colour line = ink;
+  double line_width = 0.8;
+  std::vector<Vector3> framed = {};  ///< points that the page must contain
+  bool shell = false;  ///< whether it is drawn over what is inside it, not under what is before it
 };
 
 /// The symbol of a joint: a short cylinder along the axis of a revolute joint (a circle when seen
@@ -98,7 +114,8 @@ struct Label {
   double right = 1, up = 1;  ///< preferred direction from the point, on paper
 };
 
-using Primitive = std::variant<Polyline, Dots, Tiles, JointSymbol, FrameTriad, BaseSymbol, Label>;
+using Primitive =
+    std::variant<Polyline, Dots, Tiles, Solid, JointSymbol, FrameTriad, BaseSymbol, Label>;
 
 /// Layers are drawn in this order. Items of `ghost` and `body` are drawn from far to near, other
 /// items in the order in which they were added.

@@ -37,6 +37,29 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
   return chart;
 }
 
+Chart clearance_chart(const ClearanceOverTime& clearance) {
+  const double required = clearance.clearance.value_or(0);
+  Chart chart{.heading = "clearance",
+              .x_name = "time [s]",
+              .left_name = clearance.clearance ? "distance [m]" : "beyond it [m]",
+              .from_zero = true};
+  Curve sampled{.name = "sampled", .colour = amber, .width = 0.9};
+  CurveCollector points(sampled, clearance.sampled.size());
+  for (std::size_t i = 0; i < clearance.sampled.size(); ++i) {
+    points.add(clearance.sample_times[i], clearance.sampled[i] + required);
+  }
+  points.finish();
+  Curve proved{.name = "proved", .colour = ink, .width = 0.7};
+  for (std::size_t i = 0; i < clearance.proved.size(); ++i) {
+    const double bound = clearance.proved[i] + required;
+    proved.x.insert(proved.x.end(), {clearance.times[i], clearance.times[i + 1]});
+    proved.y.insert(proved.y.end(), {bound, bound});
+  }
+  chart.curves = {std::move(sampled), std::move(proved)};
+  chart.reference_lines = {{"required", required}};
+  return chart;
+}
+
 /// Returns the trail above the charts of the deviation, with total height `height` points.
 ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed,
                         double height) {
@@ -97,6 +120,9 @@ Picture timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
+  if (options.clearance && !options.clearance->proved.empty()) {
+    over_time.charts.push_back(clearance_chart(*options.clearance));
+  }
   add_numbered_markers(over_time.charts, waypoint_times(trajectory, options));
   const double height = static_cast<double>(over_time.charts.size()) * (plot_height + 20) + 30;
   sheet.columns.push_back(std::move(over_time));

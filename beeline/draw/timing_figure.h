@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/draw/figure.h>
 #include <beeline/draw/paper.h>
@@ -32,6 +33,10 @@ struct TimingFigureOptions {
   std::optional<Task> task = std::nullopt;
   /// Times at which waypoints 1, 2, ... are passed, seconds; default: the times by the path.
   std::vector<double> waypoint_times = {};
+  /// Distance from obstacles over time (clearance_over_time()); adds a chart of it, as proved and
+  /// as sampled, with the required clearance. If the clearances differ, it is of the distance
+  /// beyond them.
+  std::optional<ClearanceOverTime> clearance = std::nullopt;
 };
 
 /// Draws a motion over time: positions, velocities and accelerations of all joints with their

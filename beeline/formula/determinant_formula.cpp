@@ -198,7 +198,7 @@ DeterminantFormula determinant_formula(const SymbolicArm& arm, const Task& task)
   if (task.size() != arm.dof) {
     throw Error("the determinant needs as many rows as joints: the task " + name(task) + " has " +
                 std::to_string(task.size()) + ", arm " + arm.name + " " + std::to_string(arm.dof) +
-                "; another --task may fit");
+                "; another task may fit");
   }
   const TransformList list = internal::transform_list(arm);
   const TwistFrame frame = best_frame(arm, list, task);

@@ -185,8 +185,9 @@ std::vector<std::string> notes_of(const SymbolicArm& arm) {
     const double tolerance = std::pow(10, std::ceil(std::log10(std::max(largest, 1e-15))));
     notes.push_back("Constant angles within " + number(largest) +
                     " rad of a multiple of 15 degrees: " + std::to_string(count) +
-                    ". The option --angle-tolerance " + number(tolerance) +
-                    " takes them as exact, which makes the formulas shorter.");
+                    ". An angle tolerance of " + number(tolerance) +
+                    " rad (angle_tolerance, --angle-tolerance) takes them as exact, which makes "
+                    "the formulas shorter.");
   }
   return notes;
 }

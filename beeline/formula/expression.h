@@ -52,6 +52,7 @@ class Coefficient {
 
 enum class SymbolKind {
   length,        ///< constant length of the arm, metres
+  pitch,         ///< constant pitch of a helical joint, metres per radian
   angle,         ///< constant angle of the arm, rad
   joint_angle,   ///< coordinate of a revolute or helical joint, rad
   displacement,  ///< coordinate of a prismatic joint, metres
@@ -72,6 +73,10 @@ struct Symbol {
   std::string meaning = {};  ///< meaning in words
 
   std::string name() const { return letter + subscript; }  ///< ASCII name, as in generated code
+  /// Whether it is a coordinate of the configuration, and not the value of a mimic joint.
+  bool is_coordinate() const {
+    return coordinate >= 0 && kind != SymbolKind::rate && ratio == 1 && value == 0;
+  }
 };
 
 /// An integer combination of angle symbols: multiples of symbol numbers, in ascending order. Angles

@@ -37,7 +37,7 @@ struct SymbolicOptions {
   /// Distance from a multiple of 15 degrees up to which a constant angle is taken as exact, rad.
   /// SymbolicArm::rounding reports the largest change.
   double angle_tolerance = 1e-9;
-  /// Max total number of symbols of a matrix, Expression::size(); an Error is thrown above it.
+  /// Max total number of symbols of a matrix's entries; an Error is thrown above it.
   std::size_t max_symbols = 50000;
 };
 

@@ -30,15 +30,21 @@ Rows rows_of(const Arm& arm, RowOf row_of) {
   return rows;
 }
 
+/// Adds the motion of joint i about or along z, with its offset.
+void add_joint(ArmNamer& namer, const DhRow& row, std::size_t i) {
+  const std::string index = std::to_string(i + 1);
+  if (row.kind == JointKind::revolute) namer.move(i, 2);
+  namer.rotate(2, row.theta, "theta", index, "joint offset");
+  namer.translate(2, row.d, "d", index, "link offset");
+  if (row.kind == JointKind::prismatic) namer.move(i, 2);
+}
+
 void add_standard(ArmNamer& namer, const Rows& rows) {
   namer.arm().convention = NamingConvention::standard;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string index = std::to_string(i + 1);
     namer.begin_transform();
-    if (rows[i].kind == JointKind::revolute) namer.move(i, 2);
-    namer.rotate(2, rows[i].theta, "theta", index, "joint offset");
-    namer.translate(2, rows[i].d, "d", index, "link offset");
-    if (rows[i].kind == JointKind::prismatic) namer.move(i, 2);
+    add_joint(namer, rows[i], i);
     namer.translate(0, rows[i].a, "a", index, "link length");
     namer.rotate(0, rows[i].alpha, "alpha", index, "link twist");
   }
@@ -48,14 +54,11 @@ void add_standard(ArmNamer& namer, const Rows& rows) {
 void add_modified(ArmNamer& namer, const Rows& rows) {
   namer.arm().convention = NamingConvention::modified;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string before = std::to_string(i), index = std::to_string(i + 1);
+    const std::string before = std::to_string(i);
     namer.begin_transform();
     namer.translate(0, rows[i].a, "a", before, "link length");
     namer.rotate(0, rows[i].alpha, "alpha", before, "link twist");
-    if (rows[i].kind == JointKind::revolute) namer.move(i, 2);
-    namer.rotate(2, rows[i].theta, "theta", index, "joint offset");
-    namer.translate(2, rows[i].d, "d", index, "link offset");
-    if (rows[i].kind == JointKind::prismatic) namer.move(i, 2);
+    add_joint(namer, rows[i], i);
   }
 }
 

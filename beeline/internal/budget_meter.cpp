@@ -1,3 +1,4 @@
+#include <cmath>
 #include <utility>
 
 #include <beeline/error.h>
@@ -7,8 +8,7 @@
 namespace beeline {
 
 std::string name(Ending ending) {
-  constexpr internal::EnumNames<Ending::work_limit> names(
-      "ending", "complete time_limit cancelled work_limit");
+  constexpr internal::EnumNames<Ending> names("ending");
   return names.of(ending);
 }
 
@@ -40,24 +40,29 @@ void BudgetMeter::start() {
     throw Error("", "max_work",
                 " is " + std::to_string(*budget_.max_work) + "; it must be 0 or more");
   }
-  limited_ = budget_.time_limit || budget_.max_work || budget_.cancelled || budget_.whole;
+  limited_ = budget_.time_limit || budget_.max_work || budget_.cancelled ||
+             budget_.whole.meter_ != nullptr;
 }
 
 Budget BudgetMeter::part() {
   if (!limited_) return {};
-  return {.whole = [this](std::int64_t work) { return ended(work) ? ending() : Ending::complete; }};
+  return {.whole = WholeComputation(*this)};
 }
 
 Budget BudgetMeter::part(double begin, double end) {
   Budget some = part();
   if (reports()) {
-    some.progress = [this, begin, end](double share) { report(begin + share * (end - begin)); };
+    some.progress = [this, begin, end](double fraction) {
+      report(std::lerp(begin, end, fraction));
+    };
   }
   return some;
 }
 
 void BudgetMeter::report(double fraction) {
   if (!budget_.progress || fraction <= reported_) return;
+  const std::lock_guard lock(reporting_);
+  if (fraction <= reported_) return;  // another thread was first
   reported_ = fraction;
   budget_.progress(fraction);
 }
@@ -74,14 +79,18 @@ bool BudgetMeter::exceeded(std::int64_t work) {
 Ending BudgetMeter::reached_limit(std::int64_t work) {
   using Clock = std::chrono::steady_clock;
   const std::int64_t all = work_.fetch_add(work, std::memory_order_relaxed) + work;
-  if (budget_.whole) {
-    const Ending ending = budget_.whole(work);
-    if (ending != Ending::complete) return ending;
-  }
+  BudgetMeter* const whole = budget_.whole.meter_;
+  if (whole != nullptr && whole->ended(work)) return whole->ending();
   if (budget_.cancelled && budget_.cancelled()) return Ending::cancelled;
   if (budget_.max_work && all > *budget_.max_work) return Ending::work_limit;
   const bool late = deadline_ != Clock::time_point::max() && Clock::now() >= deadline_;
   return late ? Ending::time_limit : Ending::complete;
+}
+
+void FinishedSteps::add(std::int64_t steps) {
+  const std::int64_t before = count_.fetch_add(steps), now = before + steps;
+  if (hundredths(now) == hundredths(before)) return;
+  budget_.report(static_cast<double>(now) / static_cast<double>(all_));
 }
 
 Reason ended_reason(ReasonCode code, Ending ending) {

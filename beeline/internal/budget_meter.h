@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include <beeline/budget.h>
 #include <beeline/reason.h>
@@ -33,8 +34,9 @@ class BudgetMeter {
   /// and reports its fraction.
   Budget part(double begin, double end);
 
-  /// Reports the fraction computed, unless a greater one was reported: a search that begins again
-  /// with finer steps does not run backwards.
+  /// Reports the fraction computed, unless it or a greater one was reported: a search that begins
+  /// again with finer steps does not run backwards. Several threads may call it; the calls of
+  /// Budget::progress follow each other.
   void report(double fraction);
   bool reports() const { return static_cast<bool>(budget_.progress); }
 
@@ -48,8 +50,26 @@ class BudgetMeter {
   bool limited_ = false;
   std::atomic<Ending> ending_ = Ending::complete;
   std::atomic<std::int64_t> work_ = 0;
+  std::mutex reporting_;
   std::atomic<double> reported_ = -1;
   std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
+};
+
+/// The steps that the threads of a computation have finished, of `all`.
+class FinishedSteps {
+ public:
+  FinishedSteps(BudgetMeter& budget, std::int64_t all) : budget_(budget), all_(all) {}
+
+  /// Adds steps, and reports each hundredth of them all.
+  void add(std::int64_t steps);
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::int64_t hundredths(std::int64_t count) const { return 100 * count / all_; }
+
+  BudgetMeter& budget_;
+  const std::int64_t all_;
+  std::atomic<std::int64_t> count_ = 0;
 };
 
 /// The meter of a computation without limits, which never ends.

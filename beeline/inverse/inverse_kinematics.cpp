@@ -13,12 +13,9 @@ namespace {
 
 using internal::EnumNames;
 
-constexpr EnumNames<InverseMethod::numerical> methods("method", "automatic closed_form numerical");
-constexpr EnumNames<Redundancy::centred> redundancies("redundancy", "any nearest centred");
-constexpr EnumNames<InverseStatus::work_limit> statuses(
-    "status",
-    "solved unreachable orientation_unreachable outside_limits not_found time_limit cancelled "
-    "work_limit");
+constexpr EnumNames<InverseMethod> methods("method");
+constexpr EnumNames<Redundancy> redundancies("redundancy");
+constexpr EnumNames<InverseStatus> statuses("status");
 
 }  // namespace
 
@@ -30,16 +27,22 @@ std::string name(Redundancy redundancy) { return redundancies.of(redundancy); }
 
 std::string name(InverseStatus status) { return statuses.of(status); }
 
+std::vector<std::string> inverse_status_names() { return statuses.all(); }
+
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
   if (result.solutions.empty()) return out << ": " << result.reason;
   const std::size_t count = result.solutions.size();
   out << ", " << count << (count == 1 ? " solution" : " solutions")
       << (result.self_motion_dimension > 0 ? " of infinitely many, " : ", ") << result.method;
-  for (const Configuration& q : result.solutions) {
+  constexpr std::size_t most = 20;
+  for (std::size_t i = 0; i < std::min(count, most); ++i) {
     out << '\n';
-    for (const double value : q) out << "  " << number(std::abs(value) < 1e-12 ? 0 : value);
+    for (const double value : result.solutions[i]) {
+      out << "  " << number(std::abs(value) < 1e-12 ? 0 : value);
+    }
   }
+  if (count > most) out << "\n  and " << count - most << " more";
   return out;
 }
 
@@ -60,6 +63,7 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
+  if (state_->plane) state_->plane->check(world_T_tool);
   internal::BudgetMeter budget(state_->options.budget);
   if (auto found = internal::one_solution_fast(*state_, world_T_tool, seed, budget)) return *found;
   return internal::solve(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
@@ -72,6 +76,7 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
     throw Error("solutions need " + std::to_string(state_->arm.dof()) +
                 " rows and at least one column");
   }
+  if (state_->plane) state_->plane->check(world_T_tool);
   const Pose goal = checked_pose(world_T_tool);
   internal::BudgetMeter budget(state_->options.budget);
   if (const std::optional<int> count =

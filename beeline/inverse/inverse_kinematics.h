@@ -15,7 +15,8 @@
 namespace beeline {
 
 enum class InverseMethod {
-  automatic,    ///< closed form if the arm has one, else numerical
+  automatic,    ///< closed form if the arm has one, else numerical; for one solution of a redundant
+                ///< arm also a search from a seed near the pose, to stay near it
   closed_form,  ///< all solutions by formulas and polynomials; Error if the arm has no closed form
   numerical,    ///< damped least squares from the seed and from random configurations
 };
@@ -27,7 +28,8 @@ std::string name(InverseMethod method);
 /// rows. With a closed form the optimum is global over the range of the redundant joint, otherwise
 /// it is local in the null space.
 enum class Redundancy {
-  any,      ///< the first solution found, searching outwards from the seed
+  any,      ///< the first solution found, searching outwards from the seed; near the seed if the
+            ///< tool is near the pose there
   nearest,  ///< minimise the distance from the seed
   centred,  ///< maximise the least margin of a joint to its limits, relative to its range
 };
@@ -39,7 +41,8 @@ struct InverseOptions {
   /// middle_configuration(), the middle of the limits. It may be outside the limits.
   std::optional<Configuration> seed = std::nullopt;
   /// Components of the pose: spatial, position, planar, or a mask such as 111110, with :tool for
-  /// the tool's axes; default: planar for a planar arm, else spatial.
+  /// the tool's axes; default: planar for a planar arm, whose poses must then be in its plane, else
+  /// spatial.
   std::optional<Task> task = std::nullopt;
   InverseMethod method = InverseMethod::automatic;  ///< method of computation
   /// Whether all solutions are computed, instead of one. A closed form finds all solutions; for a
@@ -90,6 +93,7 @@ enum class InverseStatus {
   work_limit,  ///< the budget's work ended the search; as for `time_limit`
 };
 std::string name(InverseStatus status);
+std::vector<std::string> inverse_status_names();  ///< in the order of their numbers
 
 /// The configuration nearest to the requested pose.
 struct NearestMiss {
@@ -128,8 +132,8 @@ struct InverseResult {
   /// Dimension of the set of solutions, limits ignored, with `all`. 0: each solution is isolated. 1
   /// or more: there are infinitely many solutions, connected by self-motions of the arm, and
   /// `solutions` has samples of them. A redundant arm has as many dimensions as redundant joints;
-  /// `lock` keeps a joint, and `redundancy` selects one solution. At a singular configuration 1
-  /// means 1 or more.
+  /// `lock` keeps a joint, and `redundancy` selects one solution. If every solution is singular, it
+  /// is estimated from solutions found beside them.
   int self_motion_dimension = 0;
   /// Values of the redundant joint, with `all`, for a redundant arm that has a closed form once one
   /// joint is locked.
@@ -148,7 +152,7 @@ struct InverseResult {
   std::optional<Eigen::VectorXd> deviation;
   /// Configuration nearest to the pose, if there are no solutions.
   std::optional<NearestMiss> nearest;
-  Reason reason = {};  ///< one sentence; none if solved and not singular
+  Reason reason = {};  ///< why; none if solved and not singular
   std::string
       method;  ///< name of the method, such as `closed form: three axes meet (joints 4, 5, 6)`
   int iterations = 0;  ///< number of iterations of the numerical solver, over all starts

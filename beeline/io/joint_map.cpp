@@ -45,6 +45,16 @@ MappedJoint joint_from_json(const JsonDocument& document, const Json& json, cons
   return mapped;
 }
 
+/// The first joint that has the name of one before; null if there is none.
+const MappedJoint* find_repeated(const JointMap& map) {
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    for (std::size_t before = 0; before < i; ++before) {
+      if (map[before].name == map[i].name) return &map[i];
+    }
+  }
+  return nullptr;
+}
+
 JointMap joint_map_from_file(const std::string& path, const Arm& arm) {
   const JsonDocument document(read_file(path), path);
   document.check_keys(document.root(), arm.joint_names());
@@ -54,6 +64,11 @@ JointMap joint_map_from_file(const std::string& path, const Arm& arm) {
     const Json* json = document.find(document.root(), joint.name);
     map.push_back(json == nullptr ? MappedJoint{.name = joint.name}
                                   : joint_from_json(document, *json, joint));
+    const MappedJoint* twice = find_repeated(map);
+    if (twice == nullptr) continue;
+    const std::string fault = "gives " + internal::in_quotes(twice->name) + " to two joints";
+    if (json != nullptr) document.refuse(*json, fault);
+    throw FileError(path, 0, fault);
   }
   return map;
 }
@@ -85,6 +100,9 @@ JointMap read_joint_map(const std::string& text, const Arm& arm) {
                                      std::to_string(arm.dof()) + ", for " +
                                      listed(arm.joint_names()) +
                                      "; a file of a joint map ends in .json");
+  }
+  if (const MappedJoint* twice = find_repeated(map)) {
+    throw Error("the ", "joint_map", " gives " + twice->name + " to two joints");
   }
   return map;
 }

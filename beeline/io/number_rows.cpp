@@ -70,7 +70,7 @@ class CsvNumbers {
   /// The columns are the form's, or they are once the units in their names are split off.
   static std::optional<Match> match(const std::vector<std::string>& names,
                                     const std::vector<std::string>& form, bool in_units) {
-    ColumnsInUnits columns{.names = names, .given = names, .units = {}, .sources = {}};
+    ColumnsInUnits columns{.names = names, .given = names};
     columns.units.resize(names.size());
     auto positions = positions_of(names, form);
     if (!positions && in_units) {
@@ -86,11 +86,13 @@ class CsvNumbers {
     std::vector<std::string> wanted;
     for (const std::size_t position : positions) wanted.push_back(units[position]);
     try {
-      const std::vector<double> factors = factors_to(wanted, columns, rows_.stated());
+      const std::vector<double> factors = factors_to(wanted, columns, rows_.stated(), file_.path());
       const auto is_one = [](double factor) { return factor == 1; };
       if (std::all_of(factors.begin(), factors.end(), is_one)) return;
       factors_.resize(factors.size());
       for (std::size_t i = 0; i < factors.size(); ++i) factors_[positions[i]] = factors[i];
+    } catch (const FileError&) {
+      throw;
     } catch (const Error& error) {
       throw FileError(file_.path(), rows_.line(), error.what());
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/io/internal/controller_form.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
@@ -9,6 +10,7 @@
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/internal/trajectory_yaml.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
@@ -17,7 +19,7 @@
 namespace beeline {
 namespace {
 
-constexpr double urscript_rate = 125;
+constexpr internal::EnumNames<ControllerForm> form_names("form of a controller");
 
 const internal::FormDescription& description(ControllerForm form) {
   const auto& forms = internal::controller_forms();
@@ -37,6 +39,15 @@ std::string guarantees(const ControllerFile& file) {
   return comment("Guarantees that still hold for this file: " + file.proof);
 }
 
+/// A further comment of the file. ROS and tables of numbers are UTF-8.
+std::string remark(const internal::FormDescription& form, std::string text) {
+  if (form.six_axes) return comment(std::move(text));
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  }
+  return text;
+}
+
 std::string with_comments(const std::vector<std::string>& comments, const std::string& text) {
   std::string result;
   for (const std::string& line : comments) result += "# " + line + '\n';
@@ -52,7 +63,7 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
     case ControllerForm::ros2:
       return with_comments(comments, internal::trajectory_to_json(samples));
     case ControllerForm::urscript:
-      return internal::urscript_program(source, 1 / options.rate.value_or(urscript_rate));
+      return internal::urscript_program(source, 1 / options.rate.value_or(default_urscript_rate));
     case ControllerForm::rapid:
       return internal::rapid_program(source);
     case ControllerForm::krl:
@@ -76,7 +87,9 @@ TrajectoryFormat trajectory_format(const std::string& path) {
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
   const std::string ending = extension(path);
   const auto table = [&] {
-    return internal::begins_with_joint_state(text) ? TrajectoryFormat::yaml : TrajectoryFormat::csv;
+    const bool yaml =
+        internal::begins_with_joint_state(text) || internal::begins_with_trajectory(text);
+    return yaml ? TrajectoryFormat::yaml : TrajectoryFormat::csv;
   };
   if (ending.empty()) {
     return internal::first_character(text) == '{' ? TrajectoryFormat::json : table();
@@ -94,28 +107,25 @@ TrajectoryFormat trajectory_format(const std::string& path, std::string_view tex
 }
 
 std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format) {
-  return format == TrajectoryFormat::csv ? internal::trajectory_to_csv(trajectory)
-                                         : internal::trajectory_to_json(trajectory);
+  switch (format) {
+    case TrajectoryFormat::csv:
+      return internal::trajectory_to_csv(trajectory);
+    case TrajectoryFormat::json:
+    case TrajectoryFormat::yaml:  // JSON is YAML
+      return internal::trajectory_to_json(trajectory);
+  }
+  return "";
 }
 
 void write_trajectory(const std::string& path, const Trajectory& trajectory) {
   write_file(path, trajectory_text(trajectory, trajectory_format(path)));
 }
 
-std::string name(ControllerForm form) { return description(form).name; }
+std::string name(ControllerForm form) { return form_names.of(form); }
 
-std::vector<std::string> controller_form_names() {
-  std::vector<std::string> names;
-  for (const auto& form : internal::controller_forms()) names.emplace_back(form.name);
-  return names;
-}
+std::vector<std::string> controller_form_names() { return form_names.all(); }
 
-ControllerForm controller_form_named(const std::string& name) {
-  for (const auto& form : internal::controller_forms()) {
-    if (form.name == name) return form.form;
-  }
-  throw unknown_name("form of a controller", name, controller_form_names());
-}
+ControllerForm controller_form_named(const std::string& name) { return form_names.named(name); }
 
 std::vector<std::string> controller_file_endings(ControllerForm form) {
   return description(form).endings;
@@ -149,7 +159,7 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   Trajectory samples = matched_to(arm, trajectory);
   if (samples.size() == 0) throw Error("the trajectory has no samples");
   std::optional<double> rate = options.rate;
-  if (form == ControllerForm::urscript && !rate) rate = urscript_rate;
+  if (form == ControllerForm::urscript && !rate) rate = default_urscript_rate;
   samples = rate ? internal::setpoints(samples, *rate) : internal::from_time_zero(samples);
   if (form == ControllerForm::csv) {
     samples.velocities.clear();
@@ -168,6 +178,7 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
         "Beeline: " + std::to_string(file.samples) + " samples in " + number(file.duration) + " s",
         guarantees(file)};
     if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
+    for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
   }
   file.text = text_in_form(form, samples, comments, options, frames);
   return file;
@@ -191,11 +202,12 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       internal::note_on_frames(form, frames) + internal::note_on_form(described, motion.trajectory);
   file.samples = program.moves.size();
   file.duration = motion.trajectory.times.back();
-  const std::vector<std::string> comments{
-      "Beeline: " + std::to_string(file.samples) + " moves, planned and certified with " +
-          number(file.duration) + " s and a deviation of at most " +
-          deviation_text(motion.deviation.bound),
-      guarantees(file), comment("Note: " + file.note)};
+  std::vector<std::string> comments{"Beeline: " + std::to_string(file.samples) +
+                                        " moves, planned and certified with " +
+                                        number(file.duration) + " s and a deviation of at most " +
+                                        deviation_text(motion.deviation.bound),
+                                    guarantees(file), comment("Note: " + file.note)};
+  for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
   const internal::MoveSource source{
       motion.trajectory.positions.front(),
       internal::controller_moves(arm, program, motion, frames.frame_of_poses()), comments,

@@ -62,15 +62,17 @@ std::string name(JointUnit unit);  ///< rad, deg, m, mm
 
 struct RecordingOptions {
   /// Options of matching the joints. The unit of a joint's values is given by the joint map, else
-  /// by its column's name, such as joint1_deg, else by `match.angle_unit`.
+  /// by its column's name, such as joint1_deg, else by a comment, else by `match.angle_unit`. Rates
+  /// are in it per second, unless their names or a comment give them another one.
   MatchOptions match = {};
   /// Whether a file that has none of the joint map's names is matched by name, as if there were no
   /// map.
   bool map_is_optional = false;
-  /// Unit of the times of a .csv file. Default: the unit in the column's name, such as time_ms;
-  /// otherwise seconds or, for times since 1970, the unit inferred from their size. A unit other
-  /// than seconds is refused for a file without times and for a file whose format gives their unit:
-  /// messages of ROS, as .json, .yaml, or with columns of seconds and nanoseconds.
+  /// Unit of the times of a .csv file. Default: the unit in the column's name, such as time_ms, or
+  /// in a comment; otherwise seconds or, for times since 1970, the unit inferred from their size. A
+  /// unit that contradicts the name or the comment is refused. So is one other than seconds for a
+  /// file without times and for a file whose format gives their unit: messages of ROS, as .json,
+  /// .yaml, or with columns of seconds and nanoseconds.
   std::optional<TimeUnit> time_unit = std::nullopt;
   /// Whether such a file is read as if no time unit were given.
   bool time_unit_is_optional = false;
@@ -89,16 +91,24 @@ struct RecordingOptions {
 /// The kind of a note on a recording: an assumption about data that the file does not state, or an
 /// inference from its numbers.
 enum class RecordingNoteKind {
-  no_header,            ///< the columns of a table without a header are read as `columns`
-  times_since_1970,     ///< the times in `columns`, in `time_unit`, or dates where there is none,
-                        ///< count from the first sample
-  named_unit,           ///< `columns` are in `joint_unit`, as their names say; if there are none,
-                        ///< a comment gives the unit of the joints' other columns
-  read_in_degrees,      ///< because `joint` is at `value`: RecordingOptions::detect_degrees
-  read_in_radians,      ///< though degrees are possible too: RecordingOptions::detect_degrees
-  likely_degrees,       ///< `joint` is at `value`, out of range in radians but not in degrees
-  many_revolutions,     ///< `joint`, without limits, is at `value`: perhaps degrees
-  likely_millimetres,   ///< `joint` is at `value`, out of range in metres but not in millimetres
+  no_header,           ///< the columns of a table without a header are read as `columns`
+  times_since_1970,    ///< the times in `columns`, in `time_unit`, or dates where there is none,
+                       ///< count from the first sample
+  other_times,         ///< `columns` have times too, which are not read
+  index_column,        ///< `columns` number the rows and are not read
+  unread_rates,        ///< `columns` are not read: they are not complete, or lack velocities
+  named_unit,          ///< `columns` are in `joint_unit`, as their names say; if there are none,
+                       ///< a comment gives the unit of the joints' other columns
+  named_rate_unit,     ///< the rates in `columns` are in `joint_unit` per second, as a comment says
+  no_unit,             ///< the names of `columns` give no unit, other names do; they are read
+                       ///< in `joint_unit`
+  unclear_comment,     ///< `comment` is not clear about units; values without a unit are read in
+                       ///< `joint_unit` or times in `time_unit`
+  read_in_degrees,     ///< because `joint` is at `value`: RecordingOptions::detect_degrees
+  read_in_radians,     ///< though degrees are possible too: RecordingOptions::detect_degrees
+  likely_degrees,      ///< `joint` is at `value`, out of range in radians but not in degrees
+  many_revolutions,    ///< `joint`, without limits, is at `value`: perhaps degrees
+  likely_millimetres,  ///< `joint` is at `value`, out of range in metres but not in millimetres
   likely_milliseconds,  ///< the samples are `value` seconds apart, and no joint is fast
 };
 std::string name(RecordingNoteKind kind);
@@ -107,11 +117,15 @@ std::string name(RecordingNoteKind kind);
 struct RecordingNote {
   RecordingNoteKind kind = RecordingNoteKind::no_header;  ///< kind of the note
   std::string path = {};                                  ///< path of the file
-  /// Names of all columns, of the columns with times, or of the columns in a unit.
+  /// Names of all columns, of the columns with times, of the columns in a unit, or of columns that
+  /// are not read.
   std::vector<std::string> columns = {};
-  /// Unit of times since 1970 in the first of `columns`; a second column refines it.
+  /// Unit of times since 1970 in the first of `columns`, or of all times.
   std::optional<TimeUnit> time_unit = std::nullopt;
+  /// Unit of the second of `columns`, which refines the times since 1970.
+  std::optional<TimeUnit> finer_unit = std::nullopt;
   std::optional<JointUnit> joint_unit = std::nullopt;  ///< unit of the columns
+  std::string comment = {};                            ///< text of a comment
   std::string joint = {};  ///< joint of the arm whose value suggests a unit
   /// Recorded value of that joint, with the signs and offsets of a joint map, or the mean time
   /// between samples, s.
@@ -142,7 +156,10 @@ struct Recording {
 ///     comment, which names all joints
 ///   - joints as matched_to() finds them, with a unit of JointUnit behind the name, as joint1_deg,
 ///     joint1 (mm), joint1/deg or joint1_vel [deg/s], or of angles in front, as deg_joint1
-///   - units in a row below the header, `s,deg,deg`, or in a comment before it, `# units: deg`
+///   - units in a row below the header, `s,deg,deg`, or in comments before the first row, also of
+///     .yaml files, `# units: deg` or `# positions in rad, velocities in deg/s`
+///   - what `rostopic echo -p` and `ros2 topic echo --csv` print of sensor_msgs/JointState
+///   - a first column without a name, as pandas writes its index, which is not read
 ///   - rates in columns such as joint1_velocity and acceleration_joint1, and efforts, which are not
 ///     read
 /// Throws as read_trajectory() and, as FileError, matched_to() do.
@@ -186,6 +203,9 @@ std::vector<std::string> controller_file_endings(ControllerForm form);
 void check_controller_form(const Arm& arm, ControllerForm form);
 void check_controller_form(const Arm& arm, const Program& program, ControllerForm form);
 
+/// Setpoints per second of urscript unless a rate is given: the control rate of the CB3 series.
+constexpr double default_urscript_rate = 125;
+
 struct ControllerFileOptions {
   /// Setpoints per second of the motion that the trajectory's columns mean. Default: the
   /// trajectory's own samples; for urscript 125, the control rate of the CB3 series (e-Series:
@@ -196,6 +216,7 @@ struct ControllerFileOptions {
   /// Pose in the world of the frame in which the poses of a program are written. The file states it
   /// relative to the controller's root frame. Default: the root frame.
   std::optional<Pose> work = std::nullopt;
+  std::vector<std::string> remarks = {};  ///< further comments of the file, a line each
   bool comments = true;  ///< whether comments are written; false for ros2 as JSON, which has none
 };
 

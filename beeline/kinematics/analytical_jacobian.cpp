@@ -8,7 +8,7 @@
 namespace beeline {
 namespace {
 
-constexpr internal::EnumNames<OrientationCoordinates::rotation_vector> coordinate_names(
+constexpr internal::EnumNames<OrientationCoordinates> coordinate_names(
     "orientation coordinates", "rpy quaternion rotation-vector");
 
 /// The matrix that maps the angular velocity in the world's axes to roll', pitch', yaw'.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <beeline/error.h>
@@ -17,6 +18,12 @@ Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q);
 /// Returns the pose of the tool of a planar arm that is `pose` in the arm's plane, z included.
 /// Throws Error when the arm is not planar.
 Pose pose_in_plane(const Arm& arm, const Pose2& pose);
+
+/// Throws Error for a pose outside the plane of a planar arm, whose default task ignores height and
+/// tilt: its origin is 1e-6 m or more off the plane, or its z axis 1e-6 rad or more off the
+/// world's. The message calls the pose `what` and, if `offers_task`, offers the argument `task`.
+void check_in_plane(const Arm& arm, const Pose& pose, const std::string& what = "the pose",
+                    bool offers_task = true);
 
 /// Returns the poses of all links in the world, from link 0 (the base) to link n: n + 1 poses for n
 /// joints, mimic joints included. The pose of the tool is the last one times arm.tool().

@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-constexpr internal::EnumNames<Frame::space> frame_names("frame", "base tool space");
+constexpr internal::EnumNames<Frame> frame_names("frame");
 
 /// For arms with mimic joints, whose columns are added to their leader's. Returns the tool's pose.
 Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {

@@ -61,8 +61,7 @@ void compare_with_limits(const Arm& arm, JointRates& result) {
 }  // namespace
 
 std::string name(RatesStatus status) {
-  constexpr internal::EnumNames<RatesStatus::too_few_joints> names(
-      "status", "solved damped singular too_few_joints");
+  constexpr internal::EnumNames<RatesStatus> names("status");
   return names.of(status);
 }
 

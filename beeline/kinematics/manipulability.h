@@ -100,7 +100,7 @@ struct JointRates {
   std::vector<int> without_limit = {};
   /// The largest factor of v, at most 1, with which all rates keep the known velocity limits.
   double scale = 1;
-  Reason reason = {};  ///< reason of the status in one sentence; none if solved or damped
+  Reason reason = {};  ///< why; none if solved or damped
 
   /// Whether the rates are solved or damped.
   explicit operator bool() const {

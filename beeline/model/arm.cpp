@@ -92,6 +92,13 @@ bool moves_about_z(const Arm& arm, bool in_plane) {
   return !in_plane || (tool_z - Vector3::UnitZ()).isZero(rounding);
 }
 
+/// Whether an angle is more than a revolution, and would be within the limits in degrees.
+bool rather_in_degrees(const Limits& limits, double angle) {
+  constexpr double degree = std::numbers::pi / 180;
+  return std::abs(angle) > 2 * std::numbers::pi && angle * degree >= limits.lower &&
+         angle * degree <= limits.upper;
+}
+
 /// The largest |d| of the link along the joint's axis within its limits, metres.
 double largest_translation(const Joint& joint, const Limits& limits,
                            const Arm::JointCoupling& coupling) {
@@ -188,6 +195,12 @@ std::vector<std::string> Arm::joint_names() const {
   return names;
 }
 
+bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position) {
+  constexpr double far = 10;  // times the radius
+  return (position - sphere.centre).norm() > far * sphere.radius &&
+         (position / 1000 - sphere.centre).norm() <= sphere.radius;
+}
+
 Arm with_tool(const Arm& arm, const Pose& tool) {
   return {arm.name(), arm.joints(), tool, arm.base(), arm.controller()};
 }
@@ -272,6 +285,10 @@ std::vector<Reason> limit_violations(const Arm& arm, const ConfigurationRef& q, 
     Reason outside = internal::joint_reason(ReasonCode::joint_outside_limits, arm.joint_of(k));
     outside.set(ReasonField::value, q[k]);
     outside.set(ReasonField::lower, limits.lower).set(ReasonField::upper, limits.upper);
+    const bool revolute = kind(arm.joint_of(k)) == JointKind::revolute;
+    if (revolute && rather_in_degrees(limits, q[k])) {
+      outside.set(ReasonField::in_degrees, true);
+    }
     violations.push_back(std::move(outside));
   }
   return violations;

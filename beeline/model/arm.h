@@ -140,6 +140,16 @@ class Arm {
   Reach reach_;
 };
 
+/// Whether a position is rather in millimetres: farther from the sphere's centre than ten times its
+/// radius, and within it if read in millimetres.
+bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position);
+
+/// Returns the arm of a Denavit-Hartenberg table: one joint for each row, named joint1, joint2 and
+/// so on, with `limits`, one for each row, or none. Throws Error as dh_joint() and Arm do, and for
+/// another number of limits.
+Arm arm_from_dh(const std::string& name, std::span<const DhRow> rows, DhConvention convention,
+                std::span<const Limits> limits = {});
+
 /// Returns a copy with another tool on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);
 

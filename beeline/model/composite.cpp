@@ -26,13 +26,15 @@ struct Row {
   std::vector<Joint> (*expand)(const std::string& name, double pitch);
 };
 
+JointType one_dof(JointKind kind) { return {letter(kind), name(kind), false}; }
+
 const std::vector<Row>& table() {
   static const std::vector<Row> rows{
-      {{'R', "revolute", false},
+      {one_dof(JointKind::revolute),
        [](const std::string& name, double) { return std::vector{revolute(name, z_axis)}; }},
-      {{'P', "prismatic", false},
+      {one_dof(JointKind::prismatic),
        [](const std::string& name, double) { return std::vector{prismatic(name, x_axis)}; }},
-      {{'H', "helical", false},
+      {one_dof(JointKind::helical),
        [](const std::string& name, double pitch) {
          return std::vector{revolute(name, z_axis, pitch)};
        }},

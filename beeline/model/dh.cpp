@@ -1,5 +1,5 @@
 #include <beeline/error.h>
-#include <beeline/model/joint.h>
+#include <beeline/model/arm.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {
@@ -26,6 +26,22 @@ Joint dh_joint(const DhRow& row, DhConvention convention) {
   }
   joint.offset = along_z;
   return with_link_frame(joint, along_x);
+}
+
+Arm arm_from_dh(const std::string& name, std::span<const DhRow> rows, DhConvention convention,
+                std::span<const Limits> limits) {
+  if (!limits.empty() && limits.size() != rows.size()) {
+    throw Error(
+        "", "limits",
+        ": " + std::to_string(limits.size()) + " for " + std::to_string(rows.size()) + " joints");
+  }
+  std::vector<Joint> joints;
+  for (const DhRow& row : rows) {
+    joints.push_back(dh_joint(row, convention));
+    if (!limits.empty()) joints.back().limits = limits[joints.size() - 1];
+    joints.back().name = "joint" + std::to_string(joints.size());
+  }
+  return Arm(name, joints);
 }
 
 }  // namespace beeline

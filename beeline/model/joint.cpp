@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/model/internal/axis_direction.h>
 #include <beeline/model/joint.h>
 
@@ -45,9 +46,9 @@ JointKind kind(const Joint& joint) {
 
 char letter(JointKind kind) { return "RPH"[static_cast<int>(kind)]; }
 
-const char* name(JointKind kind) {
-  constexpr const char* names[] = {"revolute", "prismatic", "helical"};
-  return names[static_cast<int>(kind)];
+std::string name(JointKind kind) {
+  constexpr internal::EnumNames<JointKind> names("joint kind");
+  return names.of(kind);
 }
 
 const char* unit(const Joint& joint) { return kind(joint) == JointKind::prismatic ? "m" : "rad"; }

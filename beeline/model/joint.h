@@ -124,7 +124,7 @@ struct Joint {
 /// The kind of a joint, from its screw: P without rotation, H with rotation and pitch, else R.
 JointKind kind(const Joint& joint);
 char letter(JointKind kind);       ///< 'R', 'P' or 'H'
-const char* name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
+std::string name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
 
 /// The unit of the joint's coordinate, "rad" or "m", and a value of it formatted for a message:
 /// `1.5708 rad (90 deg)` or `0.25 m`.
@@ -170,7 +170,8 @@ struct DhRow {
   JointKind kind = JointKind::revolute;  ///< kind of the joint
 };
 
-/// Returns the joint of one row, with the convention's link frame.
+/// Returns the joint of one row, with the convention's link frame and without a name, which arms
+/// need: see arm_from_dh().
 /// Throws Error for a helical row, which neither convention has.
 Joint dh_joint(const DhRow& row, DhConvention convention);
 

@@ -21,7 +21,7 @@ struct Blend {
 };
 
 /// Lines with blended corners: the segments are the remaining parts of the lines, and
-/// SplineSegments between them.
+/// spline segments between them.
 struct BlendedPath {
   /// Twice continuously differentiable except at sharp corners. Messages name its segments `line 2
   /// of 5 (pose 2 to 3)` and `the blend at pose 3`.

@@ -43,12 +43,8 @@ struct SplineSegment {
   Matrix6 terms = Matrix6::Zero();
 };
 
-/// One segment of a tool path; the segment parameter s runs from 0 to 1. A new type of segment is
-/// added here; the compiler then asks for its overload in each std::visit over it: motion() and
-/// back() in segment.cpp, bound_of() in certificate/internal/segment_chord_bound.cpp (the bound on
-/// its deviation from the chord), and Change in planning/nearby_path.cpp. length_of() and
-/// rotates_about_z() have a general case that holds for constant speed and a constant axis only:
-/// check these too.
+/// One segment of a tool path; the segment parameter s runs from 0 to 1. CONTRIBUTING.md says where
+/// a new type of segment is added.
 using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 
 /// The arc from `from` to `to` through a third position. Throws Error if the three positions do not

@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-constexpr internal::EnumNames<PathKind::spline> kind_names("path", "line screw arc spline");
+constexpr internal::EnumNames<PathKind> kind_names("path");
 
 }  // namespace
 

@@ -13,23 +13,23 @@
 
 namespace beeline {
 
-/// The outcome of a motion. Every status except `reached` has a reason of one sentence.
+/// The outcome of a motion. Every status except `reached` has a reason.
 enum class MotionStatus {
   reached,         ///< the goal is reached, within tolerance
-  unreachable,     ///< no configuration reaches a pose of the path: by geometry or search, see
-                   ///< InverseStatus
+  unreachable,     ///< no configuration reaches a pose of the path: by geometry or search
   not_found,       ///< no configuration was found for a pose of the path; one may exist
   outside_limits,  ///< a joint would have to leave its limits
   singular,    ///< the arm is at a singularity and can continue only by a jump to another branch
   not_proved,  ///< the deviation between samples is not proved to be within tolerance
   too_many_samples,  ///< the tolerance needs more than the option max_samples
   not_converged,     ///< a feedback controller did not converge to the goal, see ControlledMotion
+  collides,          ///< a planned motion brings two bodies closer than their clearance
+  not_decided,       ///< whether a planned motion keeps its clearance is not decided
   time_limit,        ///< the budget's time ended the search
   cancelled,         ///< the search was cancelled
   work_limit,        ///< the budget's work ended the search
 };
 std::string name(MotionStatus status);
-std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)
 
 /// Returns the status of a motion through a pose for which inverse kinematics has this status.
 MotionStatus motion_status(InverseStatus status);

@@ -3,13 +3,14 @@
 #include <utility>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
-#include <beeline/planning/internal/nearby_path_work.h>
 #include <beeline/planning/internal/planned_motion.h>
+#include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/internal/motion_start.h>
@@ -149,6 +150,7 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   check_options(options);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
+  check_in_plane(arm, route.path, options.task);
   check_stops(route);
   if (!start) return move(arm, start, route, options);
   const Configuration from = checked_start(arm, *start);
@@ -175,6 +177,19 @@ PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                        options);
 }
 
+PathMotion move_in_lines(const Arm& arm, std::initializer_list<double> start,
+                         std::span<const Pose> waypoints, const PathMotionOptions& options) {
+  const auto size = static_cast<Eigen::Index>(start.size());
+  const Configuration q = Eigen::Map<const Configuration>(start.begin(), size);
+  return move_in_lines(arm, q, waypoints, options);
+}
+
+PathMotion move_in_lines(const Arm& arm, std::initializer_list<double> start,
+                         std::initializer_list<Pose> waypoints, const PathMotionOptions& options) {
+  return move_in_lines(arm, start, std::span<const Pose>(waypoints.begin(), waypoints.size()),
+                       options);
+}
+
 PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
                          const PathMotionOptions& options) {
   check_options(options);
@@ -187,11 +202,9 @@ PathMotion move_in_lines(const Arm& arm, std::initializer_list<Pose> poses,
 }
 
 std::ostream& operator<<(std::ostream& out, const PathMotion& motion) {
-  if (!motion) return out << motion.status << ": " << motion.reason;
-  return out << motion.status << " in " << number(motion.trajectory.times.back()) << " s, "
-             << motion.trajectory.size() << " samples, deviation at most "
-             << Deviation{rounded_up(motion.deviation.bound.position, 3),
-                          rounded_up(motion.deviation.bound.orientation, 3)};
+  print_motion(out, motion);
+  return motion ? print_assumed(print_bound(out << ", ", motion.deviation.bound), motion.limits)
+                : out;
 }
 
 }  // namespace beeline

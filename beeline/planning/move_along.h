@@ -40,9 +40,9 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       bool rotate);
 
 struct PathMotionOptions {
-  /// Rows that matter; default: planar for a planar arm, else spatial. Lines allow any task; other
-  /// segments need all orientation rows or none, and position rows in Frame::base, the world's
-  /// axes.
+  /// Rows that matter; default: planar for a planar arm, whose path must then be in its plane, else
+  /// spatial. Lines allow any task; other segments need all orientation rows or none, and position
+  /// rows in Frame::base, the world's axes.
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, 1e-8 or more
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, 1e-8 or more
@@ -65,10 +65,10 @@ struct PathMotionOptions {
 };
 
 /// A trajectory along a path, with its proof. Only status, reason, path_parameter and nearby are
-/// set unless reached.
+/// set unless reached: the bound of the deviation is then infinite.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};              ///< reason in one sentence, with the position; none if reached
+  Reason reason = {};              ///< why, with the position; none if reached
   double path_parameter = 0;       ///< path parameter up to which the plan follows the path
   std::vector<NearbyPath> nearby;  ///< paths that the arm can follow, with the option `suggest`
   Trajectory trajectory;           ///< trajectory from rest to rest
@@ -85,6 +85,8 @@ struct PathMotion {
 
   /// Whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
+  /// Returns the duration of the trajectory, s.
+  double duration() const { return trajectory.duration(); }
 };
 
 /// Prints the status with its reason, or with the duration and the proved deviation.
@@ -117,6 +119,13 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const PathMotionOptions& options = {});
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
+                         std::initializer_list<Pose> waypoints,
+                         const PathMotionOptions& options = {});
+
+/// The same with the joint values at the start as a list: move_in_lines(arm, {0, 1.57, 0}, {pose}).
+PathMotion move_in_lines(const Arm& arm, std::initializer_list<double> start,
+                         std::span<const Pose> waypoints, const PathMotionOptions& options = {});
+PathMotion move_in_lines(const Arm& arm, std::initializer_list<double> start,
                          std::initializer_list<Pose> waypoints,
                          const PathMotionOptions& options = {});
 

@@ -3,7 +3,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/planning/internal/nearby_path_work.h>
+#include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/move_along.h>
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
@@ -9,6 +10,7 @@
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/motion_request.h>
+#include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/self_motion_starts.h>
@@ -22,14 +24,14 @@ using namespace internal;
 
 namespace {
 
-constexpr internal::EnumNames<MoveKind::spline> move_kinds("motion", "joint line screw arc spline");
+constexpr internal::EnumNames<MoveKind> move_kinds("motion");
 
 // Configurations for a pose from which the next moves are tried, the soonest reached first: all of
 // them for an arm without redundant joints, and some on a coarse grid for one with.
 constexpr std::size_t max_candidates = 64, max_redundant_candidates = 12;
 constexpr int coarse_grid = 6;
 
-constexpr double max_trajectory = 1e7;  // samples: some 3 GB for seven joints
+constexpr std::size_t max_trajectory = 10'000'000;  // samples: some 3 GB for seven joints
 
 /// Seconds of a joint move at the velocity limits.
 double least_duration(const Arm& arm, const Configuration& from, const Configuration& to) {
@@ -89,6 +91,7 @@ class ProgramPlanner {
       failure.status = motion_.status;
       failure.reason = motion_.reason;
       failure.failed = motion_.failed;
+      failure.limit_margin = failure.inverse_condition = 0;
       return failure;
     }
     return motion_;
@@ -169,19 +172,17 @@ class ProgramPlanner {
     const ProgramPart& part = parts_[p];
     ahead = move_along(arm_, q, part.route, options_);
     if (*ahead) return true;
-    const ReasonValue* const segment = ahead->reason.find(ReasonField::segment);
-    if (segment != nullptr) {  // whose name is the move's
-      motion_.status = ahead->status;
-      motion_.reason = ahead->reason;
-      motion_.failed = part.moves[std::get<std::size_t>(*segment) - 1];
-      motion_.reason.set(ReasonField::move, motion_.failed + 1);
-      return false;
+    Reason& reason = ahead->reason;
+    if (const ReasonValue* const segment = reason.find(ReasonField::segment)) {
+      const std::size_t move = part.moves[std::get<std::size_t>(*segment) - 1];
+      return fail(move, ahead->status, reason);
     }
-    if (part.first > 0 && ahead->reason.has(ReasonField::beginning)) {  // the waypoint before
-      ahead->reason.set(ReasonField::beginning, false);
-      return fail(part.first - 1, ahead->status, ahead->reason);
+    if (part.first > 0 && reason.has(ReasonField::beginning)) {  // the waypoint of the move before
+      std::erase_if(reason.fields,
+                    [](const auto& entry) { return entry.first == ReasonField::beginning; });
+      return fail(part.first - 1, ahead->status, reason);
     }
-    return fail(part.first, ahead->status, ahead->reason, part_name(program_, part));
+    return fail(part.first, ahead->status, reason, part_name(program_, part));
   }
 
   /// Finds the configuration reached first of those from which the path of part p is possible.
@@ -234,7 +235,8 @@ class ProgramPlanner {
   /// Adds the dwell of move i.
   bool pause(std::size_t i) {
     const double dwell = program_.moves[i].dwell;
-    if (static_cast<double>(trajectory_.last()) + dwell * options_.rate > max_trajectory) {
+    const double needed = static_cast<double>(trajectory_.last()) + dwell * options_.rate;
+    if (needed > static_cast<double>(max_trajectory)) {
       return fail(i, MotionStatus::too_many_samples,
                   {ReasonCode::program_too_long, {{ReasonField::max_samples, max_trajectory}}});
     }
@@ -342,8 +344,6 @@ class ProgramPlanner {
 
 std::string name(MoveKind value) { return move_kinds.of(value); }
 
-std::vector<std::string> move_kind_names() { return move_kinds.all(); }
-
 MoveKind move_kind_named(std::string_view name) { return move_kinds.named(name); }
 
 std::string move_name(const Program& program, std::size_t i) {
@@ -352,12 +352,19 @@ std::string move_name(const Program& program, std::size_t i) {
          (move.place.empty() ? "" : ", " + move.place) + ")";
 }
 
+std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion) {
+  print_motion(out, motion);
+  if (!motion) return out;
+  out << ", " << motion.moves.size() << (motion.moves.size() == 1 ? " move, " : " moves, ");
+  return print_assumed(print_bound(out, motion.deviation.bound), motion.limits);
+}
+
 MoveError::MoveError(const Program& program, std::size_t move, const std::string& fault)
     : Error(move_name(program, move) + ": " + fault), move_(move), fault_(fault) {}
 
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options) {
-  check_program(arm, program);
+  check_program(arm, program, options.task);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
   return ProgramPlanner(arm, program, options).run(start);
 }

@@ -13,13 +13,12 @@ namespace beeline {
 
 enum class MoveKind {
   joint,   ///< a straight line in joint space
-  line,    ///< a straight line of the tool, as the others one of PathKind
+  line,    ///< a straight line of the tool
   screw,   ///< a screw motion of the tool
   arc,     ///< a circular arc through Move::via
   spline,  ///< consecutive spline moves make one spline; a dwell ends it
 };
 std::string name(MoveKind kind);
-std::vector<std::string> move_kind_names();
 
 /// Throws Error listing the kinds for another name.
 MoveKind move_kind_named(std::string_view name);
@@ -80,10 +79,10 @@ struct PlannedMove {
 };
 
 /// A trajectory of a program, with its proof. Only status, reason and failed are set unless
-/// reached.
+/// reached: the bound of the deviation is then infinite, and the margins are 0.
 struct ProgramMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};  ///< reason in one sentence that names the move; none if reached
+  Reason reason = {};  ///< why, with the move; none if reached
   /// Index of the move where the motion ends; the number of moves if it is complete.
   std::size_t failed = 0;
   Trajectory trajectory;           ///< trajectory from rest to rest
@@ -99,7 +98,13 @@ struct ProgramMotion {
 
   /// Whether the end was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
+  /// Returns the duration of the trajectory, s.
+  double duration() const { return trajectory.duration(); }
 };
+
+/// Prints the status with its reason, or the duration, the samples, the moves and the proved
+/// deviation.
+std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 
 /// Plans the moves of a program as one trajectory from rest to rest.
 ///

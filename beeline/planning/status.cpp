@@ -1,19 +1,12 @@
-#include <ostream>
-
 #include <beeline/internal/enum_names.h>
 #include <beeline/planning/branch.h>
 
 namespace beeline {
 
 std::string name(MotionStatus status) {
-  constexpr internal::EnumNames<MotionStatus::work_limit> names(
-      "status",
-      "reached unreachable not_found outside_limits singular not_proved too_many_samples "
-      "not_converged time_limit cancelled work_limit");
+  constexpr internal::EnumNames<MotionStatus> names("status");
   return names.of(status);
 }
-
-std::ostream& operator<<(std::ostream& out, MotionStatus status) { return out << name(status); }
 
 MotionStatus motion_status(InverseStatus status) {
   switch (status) {
@@ -28,9 +21,11 @@ MotionStatus motion_status(InverseStatus status) {
       return MotionStatus::cancelled;
     case InverseStatus::work_limit:
       return MotionStatus::work_limit;
-    default:
-      return MotionStatus::not_found;
+    case InverseStatus::solved:
+    case InverseStatus::not_found:
+      break;
   }
+  return MotionStatus::not_found;
 }
 
 }  // namespace beeline

@@ -54,7 +54,7 @@ Ending compute_units(internal::Parts& parts, const std::vector<internal::SlabRan
       const Ending ending = parts.compute(units[i], unit);
       if (ending != Ending::complete) return ending;
     }
-    if (budget.reports()) budget.report(fraction(i + 1));
+    budget.report(fraction(i + 1));
   }
   return Ending::complete;
 }

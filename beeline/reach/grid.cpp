@@ -146,7 +146,6 @@ std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
 
 ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
     : cylindrical_(options.azimuths), planar_(arm.planar()), directions_(pi / 2) {
-  constexpr double default_spacing = pi / 6;
   const bool alone = options.orientation || options.any_orientation;
   if ((alone && (options.directions || options.rolls)) ||
       (options.orientation && options.any_orientation)) {
@@ -176,10 +175,10 @@ ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
   } else if (arm.planar()) {
     if (options.rolls) throw Error("a planar arm has headings, no rolls");
     orientations_ = ReachOrientations::headings;
-    direction_count_ =
-        angles_around(options.directions.value_or(default_spacing), "headings", "directions");
+    direction_count_ = angles_around(options.directions.value_or(default_direction_spacing),
+                                     "headings", "directions");
   } else {
-    directions_ = DirectionGrid(options.directions.value_or(default_spacing));
+    directions_ = DirectionGrid(options.directions.value_or(default_direction_spacing));
     direction_count_ = directions_.size();
     if (options.rolls) {
       orientations_ = ReachOrientations::rolls;

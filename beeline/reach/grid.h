@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,9 @@ enum class ReachOrientations {
 };
 std::string name(ReachOrientations orientations);
 
+/// The angle between tool directions, or headings, of a map unless its options give it, rad.
+constexpr double default_direction_spacing = std::numbers::pi / 6;
+
 /// The positions and orientations that a map covers.
 struct ReachGridOptions {
   /// Edge of the cells, m; default: a twentieth of the radius of the arm's reach.
@@ -84,8 +88,8 @@ struct ReachGridOptions {
   std::optional<Rotation> orientation = std::nullopt;
   /// Whether any orientation counts as reached; for maps by sampling.
   bool any_orientation = false;
-  /// Angle between tool directions, or headings, rad, 0.01 to pi/2: see DirectionGrid. Default: 30
-  /// degrees.
+  /// Angle between tool directions, or headings, rad, 0.01 to pi/2: see DirectionGrid. Default:
+  /// 30 degrees.
   std::optional<double> directions = std::nullopt;
   /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll counts as
   /// reached.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -8,6 +7,7 @@
 #include <beeline/batch/internal/copies.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/reach/internal/pose_solver.h>
@@ -176,6 +176,11 @@ std::optional<Placement> placement_at(const Arm& arm, const Pose& world_T_mount,
 void check_options(const ReachMap& map, std::span<const Pose> poses,
                    const PlacementOptions& options) {
   if (poses.empty()) throw Error("there are no poses to reach");
+  if (const auto plane = internal::ToolPlane::required(map.arm(), std::nullopt)) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (!plane->contains(poses[i])) throw Error(plane->fault("pose " + std::to_string(i + 1)));
+    }
+  }
   const auto check = [](const char* what, int value, int most) {
     if (value >= 1 && value <= most) return;
     throw Error(std::string(what) + " is " + std::to_string(value) + "; it can be 1 to " +
@@ -204,26 +209,23 @@ std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts
       internal::PoseSolver(map.arm(), map.header().redundant_values));
   std::mutex adding;
   std::vector<Placement> found;
-  std::atomic<std::int64_t> checked = 0;
-  internal::in_parallel(
-      std::ssize(ranks), 16, options.threads, [&](Eigen::Index first, Eigen::Index last) {
-        const auto solver = solvers.borrow();
-        for (Eigen::Index i = first; i < last; ++i) {
-          if (budget.ended(std::ssize(poses))) return;
-          const Pose world_T_mount = mounts.pose(ranks[i].mount);
-          std::optional<Placement> placement =
-              placement_at(map.arm(), world_T_mount, poses, *solver);
-          ++checked;
-          if (!placement) continue;
-          placement->heading = mounts.heading(ranks[i].mount);
-          const std::lock_guard lock(adding);
-          found.push_back(std::move(*placement));
-        }
-        if (budget.reports()) {
-          budget.report(static_cast<double>(checked) / static_cast<double>(ranks.size()));
-        }
-      });
-  result.checked = checked;
+  internal::FinishedSteps checked(budget, std::ssize(ranks));
+  internal::in_parallel(std::ssize(ranks), 16, options.threads,
+                        [&](Eigen::Index first, Eigen::Index last) {
+                          const auto solver = solvers.borrow();
+                          for (Eigen::Index i = first; i < last; ++i) {
+                            if (budget.ended(std::ssize(poses))) return;
+                            const Pose world_T_mount = mounts.pose(ranks[i].mount);
+                            std::optional<Placement> placement =
+                                placement_at(map.arm(), world_T_mount, poses, *solver);
+                            checked.add(1);
+                            if (!placement) continue;
+                            placement->heading = mounts.heading(ranks[i].mount);
+                            const std::lock_guard lock(adding);
+                            found.push_back(std::move(*placement));
+                          }
+                        });
+  result.checked = checked.count();
   result.reaching = std::ssize(found);
   // The result must not depend on the order of threads, so equal placements are ordered by their
   // mounts.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <limits>
 
 #include <beeline/batch/internal/copies.h>
@@ -31,8 +30,8 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
                        const ReachOptions& options) {
   internal::check_positions(grid, first, last);
   if (options.redundant_values < 1 || options.redundant_values > 1000) {
-    throw Error("redundant_values is " + std::to_string(options.redundant_values) +
-                "; it can be 1 to 1000");
+    throw Error("", "redundant_values",
+                " is " + std::to_string(options.redundant_values) + "; it can be 1 to 1000");
   }
   if (options.samples < 0 || options.samples > max_samples) {
     throw Error("samples is " + std::to_string(options.samples) + "; it can be 0 to 1e12");
@@ -46,7 +45,7 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
   internal::Copies<CellSolver> solvers(
       {internal::BranchSolver(arm, free, options.redundant_values),
        internal::CellExpansion(arm, grid, free, options.redundant_values)});
-  std::atomic<Eigen::Index> computed = 0;
+  internal::FinishedSteps computed(budget, last - first);
   // Positions counted without azimuths, which are solved together.
   const Eigen::Index begin = first / azimuths, end = (last + azimuths - 1) / azimuths;
   const Eigen::Index block = internal::block_of_positions(free.solved_orientations(grid));
@@ -57,10 +56,7 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
     const auto borrowed = solvers.borrow();
     borrowed->solver.solve(grid, begin + a, begin + b);
     borrowed->expansion.expand(borrowed->solver.take(), begin + a, from, to, first, cells);
-    computed += to - from;
-    if (budget.reports()) {
-      budget.report(static_cast<double>(computed) / static_cast<double>(last - first));
-    }
+    computed.add(to - from);
   });
   cells.ending = budget.ending();
   return cells;

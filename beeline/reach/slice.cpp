@@ -26,8 +26,7 @@ float value_of(const ReachPositions& best, std::size_t k, ReachMeasure measure) 
 }  // namespace
 
 std::string name(ReachMeasure measure) {
-  constexpr internal::EnumNames<ReachMeasure::margin> names(
-      "measure", "directions branches manipulability margin");
+  constexpr internal::EnumNames<ReachMeasure> names("measure");
   return names.of(measure);
 }
 

@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/jerk_limited.h>
 #include <beeline/timing/internal/scalar_profile.h>
@@ -9,67 +8,41 @@
 namespace beeline {
 namespace {
 
-struct Row {
-  Profile profile;
-  const char* name;
-  bool keeps_jerk;
-  TimeScaling (*scaling)(const JointPath& path, const PathLimits& limits,
-                         internal::BudgetMeter& budget);
-};
-
-template <internal::ScalarForm form>
-TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter& budget) {
-  return internal::scalar_profile(form, path, limits, budget);
-}
-
-TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits,
-                              internal::BudgetMeter& budget) {
-  return internal::fastest(path, limits, {}, budget);
-}
-
-using internal::ScalarForm;
-constexpr Row table[] = {
-    {Profile::fastest, "fastest", false, from_rest_to_rest},
-    {Profile::jerk, "jerk", true, internal::jerk_limited},
-    {Profile::trapezoidal, "trapezoidal", false, scalar<ScalarForm::trapezoidal>},
-    {Profile::quintic, "quintic", true, scalar<ScalarForm::quintic>},
-    {Profile::s_curve, "s-curve", true, scalar<ScalarForm::s_curve>},
-};
-
-constexpr bool in_order() {
-  int k = 0;
-  for (const Row& row : table) {
-    if (static_cast<int>(row.profile) != k++) return false;
-  }
-  return true;
-}
-static_assert(in_order());
-
-const Row& row(Profile profile) { return table[static_cast<int>(profile)]; }
+constexpr internal::EnumNames<Profile> profiles("profile",
+                                                "fastest jerk trapezoidal quintic s-curve");
 
 }  // namespace
 
-std::string name(Profile profile) { return row(profile).name; }
+std::string name(Profile profile) { return profiles.of(profile); }
 
-std::vector<std::string> profile_names() {
-  std::vector<std::string> names;
-  for (const Row& row : table) names.emplace_back(row.name);
-  return names;
+std::vector<std::string> profile_names() { return profiles.all(); }
+
+Profile profile_named(const std::string& name) { return profiles.named(name); }
+
+bool keeps_jerk(Profile profile) {
+  return profile != Profile::fastest && profile != Profile::trapezoidal;
 }
-
-Profile profile_named(const std::string& name) {
-  for (const Row& row : table) {
-    if (name == row.name) return row.profile;
-  }
-  throw unknown_name("profile", name, profile_names());
-}
-
-bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }
 
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget) {
+  using internal::ScalarForm;
   internal::BudgetMeter meter(budget);
-  return row(profile).scaling(path, limits, meter);
+  const auto scalar = [&](ScalarForm form) {
+    return internal::scalar_profile(form, path, limits, meter);
+  };
+  switch (profile) {
+    case Profile::fastest:
+      return internal::fastest(path, limits, {}, meter);
+    case Profile::jerk:
+      return internal::jerk_limited(path, limits, meter);
+    case Profile::trapezoidal:
+      return scalar(ScalarForm::trapezoidal);
+    case Profile::quintic:
+      return scalar(ScalarForm::quintic);
+    case Profile::s_curve:
+      return scalar(ScalarForm::s_curve);
+  }
+  throw Error("unknown profile");
 }
 
 }  // namespace beeline

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/timing/internal/possible_rate.h>
 #include <beeline/timing/internal/sampled_section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
@@ -38,13 +40,6 @@ std::vector<std::vector<Configuration>> sections_between_stops(const Trajectory&
   return all;
 }
 
-/// The number of steps between the positions of all sections.
-std::size_t steps_of(const std::vector<std::vector<Configuration>>& sections) {
-  std::size_t steps = 0;
-  for (const std::vector<Configuration>& positions : sections) steps += positions.size() - 1;
-  return steps;
-}
-
 /// The path parameters that get a sample: the positions, and for linear joints more.
 std::vector<double> required_samples(const std::vector<Configuration>& positions, bool linear) {
   std::vector<double> s = chord_length(positions);
@@ -52,12 +47,6 @@ std::vector<double> required_samples(const std::vector<Configuration>& positions
   for (int i = 1; linear && i < linear_samples; ++i) s.push_back(length * i / linear_samples);
   std::sort(s.begin(), s.end());
   return s;
-}
-
-/// The samples that a section may have after its first.
-double samples_left(const RetimeOptions& options, const Retimed& timed) {
-  const std::size_t before = std::max<std::size_t>(timed.trajectory.size(), 1);
-  return static_cast<double>(options.max_samples) - static_cast<double>(before);
 }
 
 /// Why the trajectory is not retimed: it has too many samples.
@@ -77,6 +66,75 @@ Trajectory path_of(const Arm& arm, const Trajectory& recorded, const RetimeOptio
   joints = std::move(result.joints);
   return std::move(result.trajectory);
 }
+
+/// The sections of a trajectory from stop to stop. Each gets its time scaling when it is needed.
+class Sections {
+ public:
+  Sections(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options,
+           internal::BudgetMeter& budget)
+      : arm_(arm),
+        options_{.timing = options, .tool_speeds = options.tool_speed, .budget = budget},
+        positions_(sections_between_stops(trajectory)) {}
+
+  std::size_t count() const { return positions_.size(); }
+  std::size_t steps(std::size_t i) const { return positions_[i].size() - 1; }
+  std::size_t steps() const {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < count(); ++i) all += steps(i);
+    return all;
+  }
+
+  /// Returns section i with its time scaling, or with the reason why there is none.
+  const internal::TimedSection& timed(std::size_t i) {
+    while (timed_.size() <= i) {
+      const std::vector<Configuration>& q = positions_[timed_.size()];
+      timed_.push_back(internal::timed_section(arm_, joint_spline(q, chord_length(q)), options_));
+    }
+    return timed_[i];
+  }
+
+  /// Returns the samples of section i at a rate. Its first sample is the last of the `samples` of
+  /// the motion so far, at `time`.
+  internal::SampledSection sampled(std::size_t i, double rate, std::size_t samples, double time) {
+    internal::SectionOptions section = options_;
+    section.timing.rate = rate;
+    section.samples_before = samples;
+    section.begin = time;
+    section.required =
+        required_samples(positions_[i], options_.timing.interpolation == Interpolation::linear);
+    return internal::sample_section(arm_, timed(i), section);
+  }
+
+  /// Whether all sections have samples at the rate.
+  bool possible(double rate) {
+    std::size_t samples = 1;
+    double time = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (!timed(i).scaling) return false;
+      const internal::SampledSection section = sampled(i, rate, samples, time);
+      if (!section) return false;
+      samples += section.trajectory.size() - 1;
+      time += section.duration();
+    }
+    return true;
+  }
+
+  /// Returns the duration of all time scalings, s; 0 if a section has none.
+  double shortest_duration() {
+    double duration = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (!timed(i).scaling) return 0;
+      duration += timed(i).scaling.duration();
+    }
+    return duration;
+  }
+
+ private:
+  const Arm& arm_;
+  internal::SectionOptions options_;
+  std::vector<std::vector<Configuration>> positions_;
+  std::deque<internal::TimedSection> timed_;
+};
 
 /// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
 void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
@@ -121,41 +179,38 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   timed.reason = too_long(trajectory, options);
   if (!timed) return timed;
   timed.trajectory.joint_names = arm.joint_names();
-  const bool linear = options.interpolation == Interpolation::linear;
   internal::BudgetMeter budget(options.budget);
-  const std::vector<std::vector<Configuration>> sections = sections_between_stops(trajectory);
-  const double count = static_cast<double>(steps_of(sections));
+  Sections sections(arm, trajectory, options, budget);
+  const double count = static_cast<double>(sections.steps());
   double steps = 0;  // of the sections so far
-  for (const std::vector<Configuration>& samples : sections) {
-    // The time scaling of a section is about half of its work.
-    const auto fraction = [&](double section) {
-      return (steps + section * static_cast<double>(samples.size() - 1)) / count;
-    };
-    if (budget.ended(static_cast<std::int64_t>(samples.size()))) break;
-    const internal::SectionOptions section{.timing = options,
-                                           .tool_speeds = options.tool_speed,
-                                           .samples_left = samples_left(options, timed),
-                                           .required = required_samples(samples, linear),
-                                           .budget = budget};
-    const internal::TimedSection path =
-        internal::timed_section(arm, joint_spline(samples, chord_length(samples)), section);
-    if (!budget.complete() && !path.scaling) break;
-    timed.reason = path.scaling.reason;
+  for (std::size_t i = 0; i < sections.count(); ++i) {
+    const double here = static_cast<double>(sections.steps(i));
+    if (budget.ended(static_cast<std::int64_t>(sections.steps(i) + 1))) break;
+    const internal::TimedSection& section = sections.timed(i);
+    if (!budget.complete() && !section.scaling) break;
+    timed.reason = section.scaling.reason;
     if (!timed) return timed;
-    budget.report(fraction(0.5));
-    const internal::SampledSection sampled = internal::sample_section(arm, path, section);
+    // The time scaling of a section is about half of its work.
+    budget.report((steps + 0.5 * here) / count);
+    const bool begun = timed.trajectory.size() > 0;
+    const internal::SampledSection sampled =
+        sections.sampled(i, options.rate, begun ? timed.trajectory.size() : 1,
+                         begun ? timed.trajectory.times.back() : 0);
     if (!sampled && !sampled.reason) break;  // the budget has ended
     timed.reason = sampled.reason;
     if (!timed) {
       timed.trajectory = {};
+      internal::set_possible_rate(
+          options, sections.shortest_duration(),
+          [&](double rate) { return sections.possible(rate); }, timed.reason);
       return timed;
     }
     internal::append(timed.trajectory, sampled.trajectory);
     ++timed.sections;
-    budget.report(fraction(1));
-    steps += static_cast<double>(samples.size() - 1);
+    steps += here;
+    budget.report(steps / count);
   }
-  finish(arm, options, sections.size(), budget, timed);
+  finish(arm, options, sections.count(), budget, timed);
   return timed;
 }
 

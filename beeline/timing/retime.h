@@ -53,6 +53,8 @@ struct Retimed {
 
   /// Whether there is a motion and it is the best one.
   explicit operator bool() const { return !reason; }
+  /// Returns the duration of the trajectory, s.
+  double duration() const { return trajectory.duration(); }
 };
 
 /// Throws Error unless a trajectory has two different positions, as retime() needs.

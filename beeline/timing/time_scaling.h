@@ -51,8 +51,7 @@ struct TimeScaling {
 /// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
 /// limits of velocity and acceleration. The samples of a motion keep known jerk limits with every
 /// profile; a profile without jerk in its form needs wider ramps of acceleration or a slowdown for
-/// this. To add a profile, add its name here and its row, in the same order, to the table in
-/// profile.cpp.
+/// this.
 enum class Profile {
   /// Minimum time under velocity and acceleration limits, or the motion by `jerk` if that is
   /// shorter.
@@ -90,8 +89,8 @@ constexpr Profile default_profile = Profile::jerk;
 /// over all s(t) for fastest and jerk, and over all s(t) of the profile's form for the others. If
 /// the budget ends the search of the profile jerk, returns the best time scaling so far, which
 /// keeps the limits. Returns none, with the reason, if the budget ends the computation before one
-/// is found. Throws Error for a path or limits that check_path() or check_limits() refuses, and for
-/// Profile::jerk without any jerk limit.
+/// is found. Throws Error for a path or limits that are not valid (check_path(), check_limits()),
+/// and for Profile::jerk without any jerk limit.
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget = {});
 

@@ -22,7 +22,16 @@ LimitUsage limit_usage(const Arm& arm, const Trajectory& given, const Budget& bu
     result.assumed = !(arm.limits(found.coordinate).*kind < Limits::none);
     return result;
   };
-  LimitUsage usage{fraction(1, &Limits::velocity), fraction(2, &Limits::acceleration),
+  const auto position = [&] {
+    const internal::CoordinateFraction found = internal::range_fraction(limits, trajectory, meter);
+    LimitFraction result;
+    if (found.coordinate < 0) return result;
+    result.fraction = found.fraction;
+    result.joint = arm.joint_of(found.coordinate).name;
+    result.time = trajectory.times[found.sample];
+    return result;
+  };
+  LimitUsage usage{position(), fraction(1, &Limits::velocity), fraction(2, &Limits::acceleration),
                    fraction(3, &Limits::jerk)};
   usage.ending = meter.ending();
   return usage;

@@ -22,6 +22,9 @@ struct LimitFraction {
 
 /// The fractions of the arm's limits that a trajectory uses.
 struct LimitUsage {
+  /// Use of the position limits: the largest distance of a joint from the middle of its range, as a
+  /// fraction of half the range. Its `joint` is empty if no joint has a lower and an upper limit.
+  LimitFraction position;
   LimitFraction velocity;      ///< use of the velocity limits
   LimitFraction acceleration;  ///< use of the acceleration limits
   LimitFraction jerk;          ///< use of the jerk limits
@@ -31,8 +34,9 @@ struct LimitUsage {
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the extremes of the
 /// polynomials between its samples (see Interpolation), by the zeros of their derivatives. Exact
-/// for the velocity of any trajectory, the acceleration of cubics and quintics, and the jerk of
-/// quintics. Unknown limits are assumed: see motion_limits(). Throws Error as matched_to() does.
+/// for the position and velocity of any trajectory, the acceleration of cubics and quintics, and
+/// the jerk of quintics. Unknown limits are assumed: see motion_limits(). Throws Error as
+/// matched_to() does.
 LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory, const Budget& budget = {});
 
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <beeline/error.h>
 #include <beeline/internal/enum_names.h>
@@ -10,8 +11,7 @@
 namespace beeline {
 namespace {
 
-constexpr internal::EnumNames<Interpolation::quintic> interpolations("interpolation",
-                                                                     "linear cubic quintic");
+constexpr internal::EnumNames<Interpolation> interpolations("interpolation");
 
 void check_column(const std::vector<Configuration>& column, const Trajectory& trajectory,
                   const std::string& what) {
@@ -97,6 +97,15 @@ std::string name(Interpolation value) { return interpolations.of(value); }
 std::vector<std::string> interpolation_names() { return interpolations.all(); }
 
 Interpolation interpolation_named(const std::string& name) { return interpolations.named(name); }
+
+std::ostream& operator<<(std::ostream& out, const Trajectory& trajectory) {
+  const std::size_t joints = trajectory.joint_names.size(), samples = trajectory.size();
+  out << joints << (joints == 1 ? " joint, " : " joints, ") << samples
+      << (samples == 1 ? " sample" : " samples");
+  if (samples == 0) return out;
+  return out << ", " << number(trajectory.times.back() - trajectory.times.front()) << " s, "
+             << name(trajectory.interpolation());
+}
 
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q) {
   check_configuration(arm, q);

@@ -37,11 +37,16 @@ struct Trajectory {
   std::vector<Configuration> accelerations;  ///< rad/s^2 or m/s^2; empty if unknown
 
   std::size_t size() const { return times.size(); }
+  /// Returns the time from the first sample to the last, s; 0 without samples.
+  double duration() const { return times.empty() ? 0 : times.back() - times.front(); }
   Interpolation interpolation() const {
     if (velocities.empty()) return Interpolation::linear;
     return accelerations.empty() ? Interpolation::cubic : Interpolation::quintic;
   }
 };
+
+/// Prints `7 joints, 43 samples, 0.42 s, quintic`.
+std::ostream& operator<<(std::ostream& out, const Trajectory& trajectory);
 
 /// State of the joints at one time.
 struct TrajectoryState {
@@ -97,9 +102,10 @@ std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
 /// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and
 /// `acceleration`, before or behind it, as /joint_states/joint1/position and velocity_joint1; other
 /// columns are dropped only in the last case. Upper and lower case are alike. A text in front that
-/// names another quantity, as torque_joint1, is not matched. Throws Error as
-/// check_trajectory() does, for joints that are missing or that the arm does not have, for a joint
-/// map of another length, sign or unit, and for another number of units.
+/// names another quantity, as torque_joint1, is not matched. Throws Error for
+/// columns that do not fit together (check_trajectory()), for joints that are missing or that the
+/// arm does not have, for a joint map of another length, sign or unit, and for another number of
+/// units.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
                       const MatchOptions& options = {});
 

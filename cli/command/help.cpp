@@ -1,6 +1,8 @@
 #include "help.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sstream>
 
 #include <beeline/error.h>
@@ -126,13 +128,17 @@ const std::string& conventions() {
   return text;
 }
 
-std::string short_help(const std::vector<Verb>& verbs) {
-  return usage_line + verbs_text(verbs) +
-         "\nExamples:\n"
+std::string short_help() {
+  return "Beeline plans and proves motions of serial-link robot arms: where the tool is, the "
+         "joint\n"
+         "values that bring it to a pose, and motions in straight lines within the joint limits.\n"
+         "\n"
          "  beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785\n"
          "  beeline ik rrr --pose 4.459,5.226,0 --all --degrees\n"
-         "\n`beeline help VERB` describes a verb and its options, `beeline help` units, arms and "
-         "exit codes.\n";
+         "  beeline move ur5 --from 0,-90,90,0,90,0 --to 60,-60,80,0,90,0 --degrees --method "
+         "quickest\n"
+         "\n"
+         "`beeline help` lists the verbs; `beeline help VERB` describes one, with examples.\n";
 }
 
 std::string overview(const std::vector<Verb>& verbs) {
@@ -147,24 +153,28 @@ Verb help_verb(const std::vector<Verb>& verbs) {
   Verb verb{.name = "help",
             .summary = "Describe a verb, its options and examples",
             .description = "Prints what `beeline VERB --help` prints, or the list of verbs."};
-  std::vector<std::string> names, kinds;
+  std::vector<std::string> names, kinds, parts;
   for (const Verb& other : verbs) {
     names.push_back(other.name);
-    for (const Verb& kind : other.verbs) kinds.push_back(kind.name);
+    if (other.verbs.empty()) continue;
+    std::vector<std::string> own;
+    for (const Verb& kind : other.verbs) own.push_back(kind.name);
+    kinds.insert(kinds.end(), own.begin(), own.end());
+    parts.push_back(fmt::format("Of `{}`: {}", other.name, fmt::join(own, ", ")));
   }
   names.push_back(verb.name);
-  verb.arguments = {{.name = "VERB",
-                     .help = "The verb to describe.",
-                     .target = name.get(),
-                     .required = false,
-                     .choices = names,
-                     .other_values = true},  // find_verb() suggests another
-                    {.name = "KIND",
-                     .help = "The part of a verb that has several: fk, jacobian or ik of `batch`; "
-                             "map, merge, query, slice, export or place of `reach`.",
-                     .target = part.get(),
-                     .required = false,
-                     .choices = kinds}};
+  verb.arguments = {
+      {.name = "VERB",
+       .help = "The verb to describe.",
+       .target = name.get(),
+       .required = false,
+       .choices = names,
+       .other_values = true},  // find_verb() suggests another
+      {.name = "KIND",
+       .help = fmt::format("The part of a verb that has several. {}.", fmt::join(parts, ". ")),
+       .target = part.get(),
+       .required = false,
+       .choices = kinds}};
   verb.examples = {{"All options of the verb fk", "beeline help fk"},
                    {"The options of batch ik", "beeline help batch ik"}};
   verb.json = nullptr;

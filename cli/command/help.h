@@ -14,8 +14,8 @@ std::string help_text(const Verb& verb, const std::string& command);
 /// The help of the whole command: the verbs, and what all of them share.
 std::string overview(const std::vector<Verb>& verbs);
 
-/// What `beeline` without a verb prints: usage, verbs, two examples.
-std::string short_help(const std::vector<Verb>& verbs);
+/// What `beeline` without a verb prints: what it is, three examples, and where the help is.
+std::string short_help();
 
 /// What all verbs share, in paragraphs: arms, units, output, exit codes.
 const std::string& conventions();

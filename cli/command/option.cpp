@@ -75,6 +75,8 @@ void assign(const Option& option, const std::string& name, const std::string& te
     **real = real_number(option, text, name);
   } else if (auto* const* optional = std::get_if<std::optional<double>*>(&option.target)) {
     **optional = real_number(option, text, name);
+  } else if (is_list(option)) {
+    std::get<std::vector<std::string>*>(option.target)->push_back(text);
   } else {
     *std::get<std::string*>(option.target) = text;
   }
@@ -101,5 +103,9 @@ std::string default_text(const Option& option) {
 }
 
 bool is_flag(const Option& option) { return std::holds_alternative<bool*>(option.target); }
+
+bool is_list(const Option& option) {
+  return std::holds_alternative<std::vector<std::string>*>(option.target);
+}
 
 }  // namespace beeline::command

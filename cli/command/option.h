@@ -14,9 +14,10 @@
 namespace beeline::command {
 
 /// The variable that an option sets. Its value before parsing is the option's default. Whole
-/// numbers are not negative, real numbers are finite; bool makes the option a flag.
+/// numbers are not negative, real numbers are finite; bool makes the option a flag, and a list
+/// makes it one that may be given several times.
 using Target = std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*,
-                            std::optional<std::int64_t>*, std::string*>;
+                            std::optional<std::int64_t>*, std::string*, std::vector<std::string>*>;
 
 /// The numbers that an option accepts.
 struct Range {
@@ -55,8 +56,8 @@ struct OptionRules {
   std::vector<std::string> methods = {};  ///< needs --method with one of these values
   std::string needs = {};                 ///< another option that it needs
   std::string excludes = {};              ///< an option that it cannot be combined with
-  /// The library's names of what the option sets, see Error::argument(), in addition to its own
-  /// name with underscores: start for --from.
+  /// The names of C++ arguments that this option sets, see Error::argument(), if they differ from
+  /// its own: --from sets `start`.
   std::vector<std::string> arguments = {};
 };
 
@@ -73,8 +74,8 @@ struct Option : OptionRules {
   Completes completes = Completes::nothing;  ///< file if the placeholder is a file or a folder
 };
 
-/// Sets the target from the text typed for `name`. Throws Error naming the option if the text is
-/// empty, is not such a number, or is not among the choices.
+/// Sets the target from the text typed for `name`, or appends the text to a list. Throws Error
+/// naming the option if the text is empty, is not such a number, or is not among the choices.
 void assign(const Option& option, const std::string& name, const std::string& text);
 
 /// Returns what `read` makes of an option's value. An Error of it begins with the option.
@@ -100,5 +101,6 @@ std::string default_text(const Option& option);
 std::string range_text(const Option& option);
 
 bool is_flag(const Option& option);
+bool is_list(const Option& option);  ///< whether it may be given several times
 
 }  // namespace beeline::command

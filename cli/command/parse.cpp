@@ -50,7 +50,7 @@ std::string typed_name(const Option& option, const Words& arguments) {
 }
 
 void refuse_repeated(const Option& option, const CLI::Option* result, const Words& arguments) {
-  if (result->count() <= 1) return;
+  if (result->count() <= 1 || is_list(option)) return;
   throw Error(typed_name(option, arguments) + " is given " + std::to_string(result->count()) +
               " times");
 }
@@ -95,9 +95,7 @@ std::string method_of(const Verb& verb) {
 
 /// Whether a text typed for a trajectory can only be an arm; a .json file may be either.
 bool is_arm(const std::string& text) {
-  const std::string ending = extension(text);
-  return ending == "urdf" || ending == "xml" || is_joint_string(text) ||
-         has(built_in_names(), text);
+  return has_link_tree_ending(text) || is_joint_string(text) || has(built_in_names(), text);
 }
 
 /// Throws Error if the arguments of a verb `VERB ARM FILE...` were given as `VERB FILE... ARM`.
@@ -147,7 +145,7 @@ Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Wor
     if (auto* const* flag = std::get_if<bool*>(&option->target)) {
       if (*flag != nullptr) **flag = true;
     } else {
-      assign(*option, name, result->results().front());
+      for (const std::string& text : result->results()) assign(*option, name, text);
     }
   }
   const std::string method = method_of(verb);
@@ -176,6 +174,7 @@ std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
   for (const Option& option : options) {
     const std::string names = option.name + (option.alias.empty() ? "" : "," + option.alias);
     parsed.push_back({&option, is_flag(option) ? app.add_flag(names) : app.add_option(names)});
+    if (is_list(option)) parsed.back().result->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   try {
     app.parse(Words(arguments.rbegin(), arguments.rend()));

@@ -68,14 +68,19 @@ bool sets(const Option& option, const std::string& argument) {
              option.arguments.end();
 }
 
-/// The message, with the typed option in place of the argument at fault.
+/// The message, with the option in place of the argument at fault: one that was typed or, if it is
+/// missing, the one of its name.
 std::string naming_the_option(const Error& error, const Selection& selection) {
   if (selection.verb == nullptr || error.argument().empty()) return error.what();
-  for (const Option& option : all_options(*selection.verb)) {
+  const std::vector<Option> options = all_options(*selection.verb);
+  for (const Option& option : options) {
     for (const std::string& name : selection.typed) {
       const bool typed = name == option.name || name == option.alias;
       if (typed && sets(option, error.argument())) return error.message_for(name);
     }
+  }
+  for (const Option& option : options) {
+    if (library_name(option) == error.argument()) return error.message_for(option.name);
   }
   return error.what();
 }
@@ -99,12 +104,20 @@ int print_json(const Verb& verb, const Answer& answer) {
   return exit_code(answer);
 }
 
+/// The command as it can be pasted into a shell.
+std::string command_line(const Selection& selection) {
+  std::string line = selection.command;
+  for (const std::string& word : selection.arguments) line += " " + shell_word(word);
+  return line;
+}
+
 int run(Selection& selection) {
   const Verb& verb = *selection.verb;
   if (asks_for_help(selection.arguments)) {
     return print({.text = help_text(verb, selection.command)});
   }
   selection.typed = parse(verb, selection.arguments);
+  if (verb.command_line != nullptr) *verb.command_line = command_line(selection);
   const bool json = verb.json != nullptr && *verb.json;
   return json ? print_json(verb, verb.run()) : print(verb.run());
 }
@@ -114,14 +127,16 @@ int print_version(const std::vector<std::string>& arguments) {
   return print({.text = "beeline " BEELINE_VERSION "\n"});
 }
 
-int fail(Exit exit, const std::string& message) {
+/// Refuses a command: prints the message and stores it unless `refusal` is null.
+int fail(Exit exit, const std::string& message, std::string* refusal) {
   print_error(message);
+  if (refusal != nullptr) *refusal = message;
   return static_cast<int>(exit);
 }
 
 }  // namespace
 
-int run_program(std::vector<Verb> verbs, int argc, char** argv) {
+int run_program(std::vector<Verb> verbs, int argc, char** argv, std::string* refusal) {
   prepare_streams();
   verbs.push_back(completion_verb(verbs));
   verbs.push_back(man_verb(verbs));
@@ -133,8 +148,7 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
     if (first == "--help" || first == "-h") return print({.text = overview(verbs)});
     if (first == "--version") return print_version(selection.arguments);
     if (selection.arguments.empty()) {
-      print_error("a verb is missing");
-      write_stderr("\n" + short_help(verbs));
+      write_stderr(short_help());
       return static_cast<int>(Exit::usage);
     }
     select(verbs, selection);
@@ -142,14 +156,16 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
   } catch (const ClosedPipe&) {
     return static_cast<int>(Exit::closed_pipe);
   } catch (const FileError& error) {
-    return fail(Exit::file, error.what());
+    return fail(Exit::file, error.what(), refusal);
   } catch (const Error& error) {
     return fail(Exit::usage,
-                naming_the_option(error, selection) + " (see " + selection.command + " --help)");
+                naming_the_option(error, selection) + " (see " + selection.command + " --help)",
+                refusal);
   } catch (const std::bad_alloc&) {
-    return fail(Exit::file, "the input needs more memory than is available");
+    return fail(Exit::file, "the input needs more memory than is available", refusal);
   } catch (const std::exception& error) {
-    return fail(Exit::usage, std::string("internal error, please report it: ") + error.what());
+    return fail(Exit::usage, std::string("internal error, please report it: ") + error.what(),
+                refusal);
   }
 }
 

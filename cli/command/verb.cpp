@@ -39,6 +39,17 @@ std::string verb_of_other_programs(const std::string& name) {
   return found == verbs.end() ? "" : found->second;
 }
 
+/// Refuses a verb that builds without a library lack.
+void refuse_missing(const std::string& name) {
+  const std::pair<const char*, const char*> optional[] = {{"reach", "HDF5 (BEELINE_HDF5)"},
+                                                          {"view", "cpp-httplib (BEELINE_VIEW)"}};
+  for (const auto& [verb, library] : optional) {
+    if (name != verb) continue;
+    throw Error("the verb " + name + " is not in this build, which is without " + library +
+                ", as pip's is; `make build` has it");
+  }
+}
+
 }  // namespace
 
 Json with_units(const Verb& verb, const Answer& answer) {
@@ -80,6 +91,7 @@ const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name) {
     throw Error("unknown verb \"" + name + "\"; did you mean \"" + meant +
                 "\"? (known: " + listed(names) + ")");
   }
+  refuse_missing(name);
   throw unknown_name("verb", name, names);
 }
 

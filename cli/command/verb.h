@@ -38,6 +38,8 @@ struct Verb {
   std::vector<Example> examples = {};
   /// Set by --json; null for a verb without that option.
   std::shared_ptr<bool> json = std::make_shared<bool>(false);
+  /// Set to the command line that was typed; null for a verb that does not need it.
+  std::shared_ptr<std::string> command_line = nullptr;
   std::function<Answer()> run = {};
   std::vector<Verb> verbs = {};  ///< such as fk of batch; then run is empty
 };

@@ -1,3 +1,4 @@
+#include <beeline/io/text/arm.h>
 #include <beeline/model/catalog.h>
 
 #include "completion.h"
@@ -84,10 +85,14 @@ std::string zsh_function(const std::string& name, const std::vector<Verb>& verbs
 std::string zsh_completion(const std::vector<Verb>& verbs) {
   std::string arms;
   for (const std::string& arm : built_in_names()) arms += " " + arm;
+  std::string endings;
+  for (const std::string& ending : arm_file_endings()) {
+    endings += (endings.empty() ? "" : "|") + ending;
+  }
   std::string text =
       "#compdef beeline\n# zsh completion for beeline, printed by `beeline completion zsh`\n\n"
       "_beeline_arms() {\n  compadd --" +
-      arms + "\n  _files -g '*.(urdf|xml|json)'\n}\n\n";
+      arms + "\n  _files -g '*.(" + endings + ")'\n}\n\n";
   for (const Verb& verb : verbs) {
     if (!verb.verbs.empty()) text += zsh_function("_beeline_" + verb.name, verb.verbs);
   }

@@ -6,6 +6,8 @@ result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """
 
 import copyreg as _copyreg
+import typing as _typing
+from difflib import get_close_matches as _get_close_matches
 
 from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
@@ -25,6 +27,56 @@ for _name in __all__:
         except (AttributeError, TypeError):
             pass  # a function: it cannot be changed
 del _name, _value
+
+# Names of C++, of the command's verbs and of other libraries: what does the same here.
+_OTHER_NAMES = {
+    "built_in": 'beeline.arms.panda(), or beeline.Arm.load("panda")',
+    "built_in_names": "beeline.arms.names()",
+    "read_arm": 'beeline.Arm.load("panda"); also of a joint string "RRR:1,1,1" or of a file',
+    "arm_from_joint_string": 'beeline.Arm.from_string("RRR:1,1,1")',
+    "arm_from_json": "beeline.Arm.from_json(text)",
+    "read_urdf": "beeline.Arm.from_urdf(path)",
+    "arm_from_urdf": "beeline.Arm.from_urdf(text)",
+    "arm_from_dh": "beeline.Arm.from_dh",
+    "from_dh": "beeline.Arm.from_dh",
+    "load": "beeline.Arm.load",
+    "load_arm": "beeline.Arm.load",
+    "with_limits": "arm.with_limits",
+    "with_mount": "arm.with_mount",
+    "with_tcp": "arm.with_tcp",
+    "with_tool": "arm.with_tool",
+    "middle_configuration": "arm.middle",
+    "read_trajectory": "beeline.Trajectory.load(path)",
+    "write_trajectory": "trajectory.save(path)",
+    "read_program": "beeline.Program.load(path, arm)",
+    "show": "print(arm)",
+    "fk": "beeline.forward_kinematics",
+    "fkine": "beeline.forward_kinematics",
+    "ik": "beeline.inverse_kinematics",
+    "ikine": "beeline.inverse_kinematics",
+    "jacob0": "beeline.jacobian",
+    "inverse_jacobian": "beeline.joint_rates",
+    "line": "beeline.move_in_lines",
+    "move": "beeline.move_joints",
+    "program": "beeline.move_program",
+    "check": "beeline.verify",
+    "diff": "beeline.difference",
+    "doctor": "beeline.compare_arms",
+    "export": "beeline.controller_file",
+    "batch": "beeline.batch_inverse",
+    "formula": "beeline.formula_document",
+    "reach": "beeline.reach_map",
+}
+
+
+if not _typing.TYPE_CHECKING:  # a checker would take every name for one that exists
+
+    def __getattr__(name):
+        near = _get_close_matches(name, __all__, 1)
+        known = _OTHER_NAMES.get(name) or (f"beeline.{near[0]}" if near else None)
+        place = f"; in Python it is {known}" if name in _OTHER_NAMES else f"; did you mean {known}?" if known else ""
+        raise AttributeError(f"module 'beeline' has no attribute {name!r}{place}", name=name, obj=__import__(__name__))
+
 
 # Functions pickle by name, as functions of Python do: for multiprocessing, joblib and dask.
 _copyreg.pickle(type(_core.forward_kinematics), lambda function: function.__qualname__)

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Page", "view"]
 
+SECTIONS = ("pose", "control", "line", "workspace", "lessons")
+
 
 class Page:
     """The page of an arm: one HTML document with page, core and arm inside, which needs no server and no network.
@@ -58,7 +60,7 @@ class Page:
         return f"<beeline.Page, {len(self.html)} characters of HTML>"
 
 
-def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
+def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None, section: str | None = None) -> Page:
     """Shows an arm in the page that `beeline view` serves: sliders, the tool dragged by hand, control, lines.
 
     In a notebook the page is displayed where the result is the value of the cell. Elsewhere the browser opens it,
@@ -73,6 +75,8 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
         the trajectory.
     trajectory : Trajectory, or a result that has a `trajectory`, default None
         A motion to play.
+    section : {"pose", "control", "line", "workspace", "lessons"}, default None
+        The section of the page to begin with. Default: "pose", or "line" with a trajectory.
 
     Returns
     -------
@@ -82,21 +86,23 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
     Raises
     ------
     beeline.Error
-        For `q` of another shape or not finite; for a `trajectory` with joints that the arm does not have; if the page
-        is not built: wheels carry it, in a checkout `make web` builds it.
+        For `q` of another shape or not finite; for a `trajectory` with joints that the arm does not have; for another
+        `section`; if the page is not built: wheels carry it, in a checkout `make web` builds it.
     TypeError
         For an `arm` that is none, for `trajectory` that is none and has none.
     """
     from ._page_document import document_of  # here, as few programs need what it imports
 
     _arm_of(arm)
+    if section is not None and section not in SECTIONS:
+        raise Error(f"section: expected one of {', '.join(SECTIONS)}, not {section!r}")
     if trajectory is None and isinstance(getattr(q, "trajectory", q), Trajectory):
         q, trajectory = None, q
     values = None if q is None else _configuration(arm, q)
     trajectory = getattr(trajectory, "trajectory", trajectory)
     if trajectory is not None and not isinstance(trajectory, Trajectory):
         raise TypeError(f"trajectory: expected a Trajectory or a result that has one, not {type(trajectory).__name__}")
-    page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm)))
+    page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm), section))
     if not _in_notebook():
         _open_browser(page)
     return page

@@ -17,14 +17,17 @@ _PART = re.compile(r' data-file="([^"]+)">(?=</script>)')
 """Where saved.html names the file of a part."""
 
 
-def document_of(arm: Arm, q: list[float] | None, trajectory: Trajectory | None) -> str:
-    """The page of an arm, which begins at `q` and plays the trajectory."""
+def document_of(arm: Arm, q: list[float] | None, trajectory: Trajectory | None, section: str | None = None) -> str:
+    """The page of an arm, which begins at `q` in a section and plays the trajectory."""
     state = {"json": _deflated(arm.to_json().encode())}
     texts = {}
     if q is not None:
         state["q"] = ",".join(map(repr, q))
+    if section is None and trajectory is not None:
+        section = "line"  # which plays it
+    if section is not None:
+        state["section"] = section
     if trajectory is not None:
-        state["section"] = "motion"
         texts["trajectory"] = _deflated(_csv(trajectory))
     texts["state"] = urlencode(state, safe=",")
     document = _empty_document()

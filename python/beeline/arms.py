@@ -19,10 +19,12 @@ def __getattr__(name: str) -> Callable[[], Arm]:
     if name not in names():
         raise AttributeError(f"no built-in arm {name!r}; there are {', '.join(names())}")
 
-    def arm() -> Arm:
+    def arm(*arguments: object) -> Arm:
+        if arguments:
+            raise TypeError(f"arms.{name}() takes no arguments; an arm of your own is Arm.load(\"RRR:0.4,0.3,0.2\")")
         return Arm.load(name)
 
-    arm.__name__ = name
+    arm.__name__ = arm.__qualname__ = name
     return arm
 
 

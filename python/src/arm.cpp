@@ -1,7 +1,11 @@
+#include <cmath>
+
 #include <beeline/io/text/arm.h>
+#include <beeline/io/text/pose_list.h>
 
 #include "arm_fields.h"
 #include "bindings.h"
+#include "input_warning.h"
 #include "plane_poses.h"
 #include "reason.h"
 
@@ -22,23 +26,24 @@ std::vector<DhRow> dh_rows(nb::handle value) {
   return rows;
 }
 
-Arm arm_from_dh(nb::handle rows, const std::string& convention, const std::string& name,
-                nb::handle limits) {
+/// Issues a warning for an angle that is more than a revolution.
+void warn_of_degrees(const std::vector<DhRow>& rows) {
+  for (const DhRow& row : rows) {
+    const double angle = std::max(std::abs(row.alpha), std::abs(row.theta));
+    if (angle <= plausible_angle) continue;
+    return warn_of_input("rows: an angle of " + number(angle) +
+                         " rad is more than a revolution; alpha and theta are in radians");
+  }
+}
+
+Arm arm_of_table(nb::handle rows, const std::string& convention, const std::string& name,
+                 nb::handle limits) {
   const auto named = Value<DhConvention>::from(nb::str(convention.c_str()), "convention");
-  std::vector<Joint> joints;
-  for (const DhRow& row : dh_rows(rows)) {
-    joints.push_back(dh_joint(row, named));
-    joints.back().name = "joint" + std::to_string(joints.size());
-  }
-  if (!limits.is_none()) {
-    const auto list = Value<std::vector<Limits>>::from(limits, "limits");
-    if (list.size() != joints.size()) {
-      throw Error("limits: " + std::to_string(list.size()) + " for " +
-                  std::to_string(joints.size()) + " joints");
-    }
-    for (std::size_t i = 0; i < list.size(); ++i) joints[i].limits = list[i];
-  }
-  return Arm(name, joints);
+  const std::vector<DhRow> table = dh_rows(rows);
+  const auto list = Value<std::optional<std::vector<Limits>>>::from(limits, "limits");
+  if (list && list->empty() && !table.empty()) throw Error("limits is empty; omit it");
+  warn_of_degrees(table);
+  return arm_from_dh(name, table, named, list.value_or(std::vector<Limits>()));
 }
 
 /// One limit of all coordinates.
@@ -48,15 +53,20 @@ nb::object limits_of(const Arm& arm, double Limits::*limit) {
   return Value<Configuration>::to(values);
 }
 
-/// Limits by joint name: a dict of LimitOverrides, or the path of a file.
+/// Limits by joint name: a dict of LimitOverrides or of dicts of their members, or the path of a
+/// file.
 Arm arm_with_limits(const Arm& arm, nb::handle limits) {
   if (!nb::isinstance<nb::dict>(limits)) {
-    return with_limits(arm, read_joint_limits(path_from(limits, "limits"), arm).joints);
+    const JointLimits file = read_joint_limits(path_from(limits, "limits"), arm);
+    for (const std::string& note : file.notes) warn_of_input(note);
+    return with_limits(arm, file.joints);
   }
   std::map<std::string, LimitOverrides> named;
   for (const auto& [joint, overrides] : nb::borrow<nb::dict>(limits)) {
-    named[Value<std::string>::from(joint, "joint")] =
-        Value<LimitOverrides>::from(overrides, "limits");
+    LimitOverrides& own = named[Value<std::string>::from(joint, "joint")];
+    own = nb::isinstance<nb::dict>(overrides)
+              ? options<LimitOverrides>(nb::borrow<nb::kwargs>(overrides))
+              : Value<LimitOverrides>::from(overrides, "limits");
   }
   return with_limits(arm, named);
 }
@@ -80,8 +90,8 @@ void bind_descriptions(nb::class_<Arm>& arm) {
   define_static(
       arm,
       [](nb::handle rows, nb::handle convention, nb::handle name, nb::handle limits) {
-        return arm_from_dh(rows, Value<std::string>::from(convention, "convention"),
-                           Value<std::string>::from(name, "name"), limits);
+        return arm_of_table(rows, Value<std::string>::from(convention, "convention"),
+                            Value<std::string>::from(name, "name"), limits);
       },
       dh, nb::arg("rows"), nb::kw_only(), nb::arg("convention"), nb::arg("name") = "arm",
       nb::arg("limits") = nb::none());
@@ -189,38 +199,42 @@ void bind_properties(nb::class_<Arm>& arm) {
 
 void bind_copies(nb::class_<Arm>& arm) {
   Signature tool("with_tool", "Arm", comment("with_tool"));
-  tool.takes("self").takes("tool", arm_pose_like, std::string("In the last link. ") + arm_pose_doc);
+  tool.takes("self").takes("tool", arm_pose_like,
+                           std::string("In the last link. ") + arm_frame_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_tool(self, PosePlane::at_zero(self).pose(pose, "tool"));
+        return with_tool(self, PosePlane::frame(self, pose, "tool"));
       },
       tool, nb::arg("tool"));
   Signature tcp("with_tcp", "Arm",
                 "Returns a copy with a tool centre point (TCP), given in the frame that has been "
                 "the tool's: the flange of an arm described without a tool.");
   tcp.takes("self").takes("tool_T_tcp", arm_pose_like,
-                          std::string("Of the new tool in it. ") + arm_pose_doc);
+                          std::string("Of the new tool in it. ") + arm_frame_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_tcp(self, PosePlane::at_zero(self).pose(pose, "tool_T_tcp"));
+        return with_tcp(self, PosePlane::frame(self, pose, "tool_T_tcp"));
       },
       tcp, nb::arg("tool_T_tcp"));
   Signature mount("with_mount", "Arm",
                   "Returns a copy that stands in the world: at this pose of the frame that has "
                   "been the world.");
   mount.takes("self").takes("world_T_mount", arm_pose_like,
-                            std::string("Of the former world. ") + arm_pose_doc);
+                            std::string("Of the former world. ") + arm_frame_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_mount(self, PosePlane::at_zero(self).pose(pose, "world_T_mount"));
+        return with_mount(self, PosePlane::frame(self, pose, "world_T_mount"));
       },
       mount, nb::arg("world_T_mount"));
   Signature limits("with_limits", "Arm", "Returns a copy in which joints have other limits.");
-  limits.takes("self").takes("limits", std::string("dict[str, LimitOverrides] | ") + path_like,
-                             "By joint name; or a file: MoveIt's joint_limits.yaml, or JSON.");
+  limits.takes("self").takes(
+      "limits",
+      std::string("collections.abc.Mapping[str, LimitOverrides | dict[str, float]] | ") + path_like,
+      "By joint name, such as `{\"joint1\": {\"lower\": -1, \"upper\": 1}}`; "
+      "or a file: MoveIt's joint_limits.yaml, or JSON.");
   define(arm, &arm_with_limits, limits, nb::arg("limits"));
   Signature scale("with_speed_scale", "Arm",
                   "Returns a copy whose velocity limits are multiplied by k, acceleration limits "
@@ -244,6 +258,15 @@ void bind_copies(nb::class_<Arm>& arm) {
       outside, nb::arg("q"));
 }
 
+/// Throws the error of Arm("panda"), Arm("RRR:1,1,1") and Arm(path), which says what reads them.
+[[noreturn]] void refuse_without_joints(nb::handle name) {
+  const bool path = nb::isinstance<nb::str>(name) || nb::hasattr(name, "__fspath__");
+  const std::string source = path ? nb::repr(nb::str(name)).c_str() : "\"panda\"";
+  throw nb::type_error(("Arm() needs the argument joints; Arm.load(" + source +
+                        ") reads a built-in arm, a joint string or a file")
+                           .c_str());
+}
+
 void bind_constructor(nb::class_<Arm>& arm) {
   Signature made("__init__", "None",
                  "Makes an arm of its joints. Raises Error for joints or names that no arm has.");
@@ -265,6 +288,7 @@ void bind_constructor(nb::class_<Arm>& arm) {
       arm,
       [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base,
          nb::handle controller_base, nb::handle flange) {
+        if (joints.is_none()) refuse_without_joints(name);
         const auto pose = [](nb::handle value, const char* what) {
           return Value<std::optional<Pose>>::from(value, what);
         };
@@ -281,9 +305,9 @@ void bind_constructor(nb::class_<Arm>& arm) {
         check_names(result);
         new (self) Arm(std::move(result));
       },
-      made, nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
-      nb::arg("base") = nb::none(), nb::arg("controller_base") = nb::none(),
-      nb::arg("flange") = nb::none());
+      made, nb::arg("name"), nb::arg("joints") = nb::none(), nb::kw_only(),
+      nb::arg("tool") = nb::none(), nb::arg("base") = nb::none(),
+      nb::arg("controller_base") = nb::none(), nb::arg("flange") = nb::none());
 }
 
 }  // namespace
@@ -302,13 +326,13 @@ void bind_arms(nb::module_& m) {
   bind_properties(arm);
   bind_frames(arm);
   bind_copies(arm);
-  arm.def(
-      "to_json", [](const Arm& self) { return arm_to_json(self); },
-      "Returns the arm as JSON, which reads back exactly.");
+  Signature json("to_json", "str", "Returns the arm as JSON, which reads back exactly.");
+  define(
+      arm, [](const Arm& self) { return arm_to_json(self); }, json.takes("self"));
   arm.def("__repr__", &printed);
   arm.def("__getstate__", [](const Arm& self) { return arm_to_json(self); });
-  arm.def("__setstate__", [](Arm& self, const std::string& json) {
-    new (&self) Arm(arm_from_json(json, "pickle"));
+  arm.def("__setstate__", [](Arm& self, const std::string& text) {
+    new (&self) Arm(arm_from_json(text, "pickle"));
   });
   bind_equality(arm, [](const Arm& a, const Arm& b) { return arm_to_json(a) == arm_to_json(b); });
   arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
@@ -320,9 +344,9 @@ void bind_arms(nb::module_& m) {
       },
       nb::arg().none(), nb::sig("def _arm_of(value: object, /) -> Arm"),
       "Returns the arm. Raises TypeError where the value is none.");
-  m.def(
-      "built_in_arms", [] { return Value<std::vector<BuiltInArm>>::to(built_in_arms()); },
-      nb::sig("def built_in_arms() -> list[BuiltInArm]"), "The built-in arms, by name.");
+  const Signature built_in("built_in_arms", "list[BuiltInArm]", "The built-in arms, by name.");
+  define(
+      m, [] { return Value<std::vector<BuiltInArm>>::to(built_in_arms()); }, built_in);
 }
 
 }  // namespace beeline::python

@@ -9,6 +9,9 @@ namespace {
 Verification verified(const Arm& arm, const Trajectory& trajectory, nb::handle along,
                       const nb::kwargs& keywords) {
   auto asked = options<VerifyOptions>(keywords);
+  if (along.is_none()) {
+    return unlocked(asked.budget, [&] { return verify(arm, trajectory, asked); });
+  }
   const Route* route = nullptr;
   if (nb::try_cast<const Route*>(along, route) && route) {
     return unlocked(asked.budget, [&] { return verify(arm, trajectory, *route, asked); });
@@ -32,11 +35,13 @@ void bind_verify(nb::module_& m) {
       "waypoints, dwells and tool speeds.");
   proof.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("along", std::string("Route | Program | ") + arm_poses_like,
+      .takes("along", std::string("Route | Program | ") + arm_poses_like + " | None",
              "A route; a program; or waypoints (N, 4, 4), world_T_tool, of straight lines from the "
-             "trajectory's first pose; of a planar arm also (N, 3), x, y, theta each.")
+             "trajectory's first pose; of a planar arm also (N, 3), x, y, theta each. None: the "
+             "limits of the joints only.",
+             "None")
       .options<VerifyOptions>();
-  define(m, &verified, proof, nb::arg("arm"), nb::arg("trajectory"), nb::arg("along"),
+  define(m, &verified, proof, nb::arg("arm"), nb::arg("trajectory"), nb::arg("along") = nb::none(),
          nb::arg("keywords"));
 
   Signature fault("first_joint_fault", "JointFault | None",
@@ -126,6 +131,7 @@ void bind_path_parameters(nb::module_& m) {
 void bind_certificates(nb::module_& m) {
   bind_record<MovingEnds>(m);
   bind_record<JointFault>(m);
+  bind_record<FaultsOfKind>(m);
   bind_record<PathDeviation>(m);
   bind_record<Verification>(m);
   bind_path_deviation(m);

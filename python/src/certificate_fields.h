@@ -18,6 +18,11 @@ template <>
 struct Fields<JointFault> : Members<&JointFault::kind, &JointFault::sample, &JointFault::reason> {};
 
 template <>
+struct Fields<FaultsOfKind>
+    : Members<&FaultsOfKind::kind, &FaultsOfKind::sample, &FaultsOfKind::time, &FaultsOfKind::first,
+              &FaultsOfKind::worst, &FaultsOfKind::amount> {};
+
+template <>
 struct Fields<PathDeviation>
     : Members<&PathDeviation::sampled, &PathDeviation::measured, &PathDeviation::bound,
               &PathDeviation::interval_bounds, &PathDeviation::ending> {};
@@ -33,7 +38,8 @@ struct Fields<VerifyOptions>
 template <>
 struct Fields<Verification>
     : Members<&Verification::fault, &Verification::reason, &Verification::sample,
-              &Verification::time, &Verification::deviation, &Verification::path,
-              &Verification::path_parameters, &Verification::arrivals, &Verification::ending> {};
+              &Verification::time, &Verification::faults, &Verification::deviation,
+              &Verification::path, &Verification::path_parameters, &Verification::arrivals,
+              &Verification::ending> {};
 
 }  // namespace beeline::python

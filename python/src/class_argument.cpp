@@ -1,7 +1,6 @@
 #include "class_argument.h"
 
 #include <algorithm>
-#include <deque>
 #include <string>
 
 #include <beeline/model/catalog.h>
@@ -34,11 +33,6 @@ void raise_class(const char* name, nb::handle type, nb::handle value) {
       std::string(name) + ": expected " + (vowel ? "an " : "a ") + expected + ", not " +
       (value.is_none() ? "None" : name_of(value.type())) + cure(expected, value);
   throw nb::type_error(message.c_str());
-}
-
-const char* const* kept_names(std::vector<const char*> names) {
-  static std::deque<std::vector<const char*>> all;
-  return all.emplace_back(std::move(names)).data();
 }
 
 }  // namespace beeline::python

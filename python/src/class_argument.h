@@ -3,7 +3,6 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <nanobind/nanobind.h>
 
@@ -47,6 +46,16 @@ inline constexpr bool is_object =
     std::is_lvalue_reference_v<P>&& std::is_const_v<std::remove_reference_t<P>>&&
         nb::detail::is_base_caster_v<nb::detail::make_caster<P>>;
 
+/// Whether the argument is of the class that its parameter needs, if that is one of the module's.
+template <class P, class Value>
+bool is_of_class(const Value& value) {
+  if constexpr (is_object<P> && std::is_same_v<Value, nb::handle>) {
+    return nb::isinstance<std::remove_cvref_t<P>>(value);
+  } else {
+    return true;
+  }
+}
+
 /// The parameter that nanobind sees: any object in place of one of a class.
 template <class P, bool keep>
 using Accepted = std::conditional_t<is_object<P> && !keep, nb::handle, P>;
@@ -57,41 +66,6 @@ decltype(auto) given(std::remove_reference_t<Accepted<P, keep>>& value, const ch
     return object_of<std::remove_cvref_t<P>>(value, name);
   } else {
     return static_cast<P&&>(value);
-  }
-}
-
-template <std::size_t unnamed, class Function, class... P, std::size_t... I>
-auto naming(Function function, const char* const* names, std::type_identity<std::tuple<P...>>,
-            std::index_sequence<I...>) {
-  return [function, names](Accepted<P, (I < unnamed)>... values) {
-    return function(given<P, (I < unnamed)>(values, I < unnamed ? "" : names[I - unnamed])...);
-  };
-}
-
-/// Keeps the names of a function's arguments for the life of the process.
-const char* const* kept_names(std::vector<const char*> names);
-
-template <class Argument>
-void add_name(const Argument& argument, std::vector<const char*>& names) {
-  if constexpr (nb::detail::arg_traits<Argument>::is_arg) names.push_back(argument.name_);
-}
-
-/// The function with parameters that accept any object in place of one of a class; `self`, which
-/// has no nb::arg, excepted. A function without nb::arg stays as it is.
-template <class Function, class... Extra>
-auto naming_arguments(Function function, const Extra&... extra) {
-  using Parameters = typename decltype(parameters_of<Function>())::type;
-  constexpr std::size_t count = std::tuple_size_v<Parameters>;
-  constexpr std::size_t named =
-      (std::size_t{0} + ... + (nb::detail::arg_traits<Extra>::is_arg ? 1 : 0));
-  if constexpr (named == 0 || named > count) {
-    return function;
-  } else {
-    std::vector<const char*> names;
-    (add_name(extra, names), ...);
-    return naming<count - named>(function, kept_names(std::move(names)),
-                                 std::type_identity<Parameters>(),
-                                 std::make_index_sequence<count>());
   }
 }
 

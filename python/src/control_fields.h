@@ -35,7 +35,7 @@ template <>
 struct Fields<ControlledMotion>
     : Members<&ControlledMotion::status, &ControlledMotion::reason, &ControlledMotion::trajectory,
               &ControlledMotion::arrivals, &ControlledMotion::steps, &ControlledMotion::slowed,
-              &ControlledMotion::overshoot, &ControlledMotion::error> {};
+              &ControlledMotion::overshoot, &ControlledMotion::error, &ControlledMotion::limits> {};
 
 template <>
 struct Fields<SpeedChange> : Members<&SpeedChange::time, &SpeedChange::speed> {

@@ -11,7 +11,8 @@ namespace beeline::python {
 template <>
 struct Fields<ControllerFileOptions>
     : Members<&ControllerFileOptions::rate, &ControllerFileOptions::program_name,
-              &ControllerFileOptions::work, &ControllerFileOptions::comments> {};
+              &ControllerFileOptions::work, &ControllerFileOptions::remarks,
+              &ControllerFileOptions::comments> {};
 
 template <>
 struct Fields<ControllerFile>
@@ -25,7 +26,8 @@ void bind_controller_file(nb::module_& m) {
                           "Returns the trajectory in the form that a controller takes, from time 0 "
                           "at its first sample. Raises Error for a trajectory that does not fit "
                           "the arm or that the form cannot hold.");
-  of_trajectory.summary_has_motions()
+  of_trajectory.overloaded()
+      .summary_has_motions()
       .takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .choice<ControllerForm>("form", "")

@@ -1,6 +1,7 @@
 #include <beeline/draw/arm_figure.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "draw_fields.h"
 #include "plane_poses.h"
 #include "planning_fields.h"
@@ -12,18 +13,44 @@ std::vector<Pose> waypoints_from(const Arm& arm, nb::handle value) {
   return value.is_none() ? std::vector<Pose>() : PosePlane(arm).poses(value, "waypoints");
 }
 
-Picture arm_picture(const Arm& arm, nb::handle q, const nb::kwargs& keywords) {
+const Arm& arm_of(const Arm& arm) { return arm; }
+const Arm& arm_of(const CollisionModel& model) { return model.arm(); }
+
+/// The picture of an arm, or of the arm of a model among its obstacles.
+template <class Drawn>
+Picture arm_picture(const Drawn& drawn, nb::handle q, const nb::kwargs& keywords) {
   const auto given = options<ArmFigureOptions>(keywords);
   const Configuration at =
-      q.is_none() ? display_configuration(arm) : Value<Configuration>::from(q, "q");
-  return compose(arm_figure(arm, at, given));
+      q.is_none() ? display_configuration(arm_of(drawn)) : Value<Configuration>::from(q, "q");
+  return without_lock([&] { return compose(arm_figure(drawn, at, given)); });
 }
 
+template <class Drawn>
+Picture motion_picture(const Drawn& drawn, const Trajectory& trajectory, nb::handle waypoints,
+                       const nb::kwargs& keywords) {
+  const std::vector<Pose> marked = waypoints_from(arm_of(drawn), waypoints);
+  const auto given = options<ArmFigureOptions>(keywords);
+  return without_lock([&] { return compose(motion_figure(drawn, trajectory, marked, given)); });
+}
+
+template <class Drawn>
+PlayedAnimation played_motion(const Drawn& drawn, const Trajectory& trajectory,
+                              nb::handle waypoints, const nb::kwargs& keywords) {
+  const std::vector<Pose> marked = waypoints_from(arm_of(drawn), waypoints);
+  const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
+  Animation animation =
+      without_lock([&] { return motion_animation(drawn, trajectory, marked, std::get<0>(given)); });
+  return PlayedAnimation(std::move(animation), std::get<1>(given));
+}
+
+constexpr const char* model_doc = "The arm among obstacles.";
+
 void bind_chapter(nb::module_& m) {
-  m.def(
-      "chapter_figures", [] { return Value<std::vector<std::string>>::to(chapter_figures()); },
-      nb::sig("def chapter_figures() -> list[str]"),
+  const Signature figures(
+      "chapter_figures", "list[str]",
       "The figures of Dellaert, *Serial Link Manipulators*, that chapter_figure() draws.");
+  define(
+      m, [] { return Value<std::vector<std::string>>::to(chapter_figures()); }, figures);
   Signature figure("chapter_figure", "Picture",
                    "Draws a figure of Dellaert, *Serial Link Manipulators*.");
   figure.takes("number", "str", "One of `chapter_figures()`, such as `1.7`.");
@@ -51,40 +78,42 @@ void bind_motion_figures(nb::module_& m) {
   constexpr const char* waypoints_doc =
       "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta each.";
   const std::string poses = std::string(arm_poses_like) + " | None";
-  Signature figure("motion_figure", "Picture", comment("motion_figure"));
-  figure.takes("arm", "Arm", "The arm.")
-      .takes("trajectory", "Trajectory", trajectory_doc)
-      .takes("waypoints", poses, waypoints_doc, "None")
-      .options<ArmFigureOptions>();
-  define(
-      m,
-      [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
-         const nb::kwargs& keywords) {
-        const std::vector<Pose> marked = waypoints_from(arm, waypoints);
-        const auto given = options<ArmFigureOptions>(keywords);
-        return without_lock([&] { return compose(motion_figure(arm, trajectory, marked, given)); });
-      },
-      figure, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
-      nb::arg("options"));
-  Signature moving("motion_animation", "Animation",
-                   "Draws the same in motion: the arm moves and leaves the trail of its tool.");
-  moving.takes("arm", "Arm", "The arm.")
-      .takes("trajectory", "Trajectory", trajectory_doc)
-      .takes("waypoints", poses, waypoints_doc, "None")
-      .options<ArmFigureOptions>()
-      .options<PlaybackOptions>();
-  define(
-      m,
-      [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
-         const nb::kwargs& keywords) {
-        const std::vector<Pose> marked = waypoints_from(arm, waypoints);
-        const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
-        Animation drawn = without_lock(
-            [&] { return motion_animation(arm, trajectory, marked, std::get<0>(given)); });
-        return PlayedAnimation(std::move(drawn), std::get<1>(given));
-      },
-      moving, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
-      nb::arg("options"));
+  const auto figure = [&](const char* name, const char* type, const char* doc,
+                          const char* summary) {
+    Signature signature("motion_figure", "Picture", summary);
+    signature.takes(name, type, doc)
+        .takes("trajectory", "Trajectory", trajectory_doc)
+        .takes("waypoints", poses, waypoints_doc, "None")
+        .options<ArmFigureOptions>();
+    return signature;
+  };
+  define(m, &motion_picture<CollisionModel>,
+         figure("model", "CollisionModel", model_doc,
+                "Draws a motion among the obstacles of a model, with the shapes of "
+                "the links at the end and at the closest approach of 201 times, where it draws the "
+                "line between the nearest points.")
+             .overloaded(),
+         nb::arg("model"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
+         nb::arg("options"));
+  define(m, &motion_picture<Arm>, figure("arm", "Arm", "The arm.", comment("motion_figure")),
+         nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
+         nb::arg("options"));
+  const auto moving = [&](const char* name, const char* type, const char* doc) {
+    Signature signature(
+        "motion_animation", "Animation",
+        "Draws the same in motion: the arm moves and leaves the trail of its tool.");
+    signature.takes(name, type, doc)
+        .takes("trajectory", "Trajectory", trajectory_doc)
+        .takes("waypoints", poses, waypoints_doc, "None")
+        .options<ArmFigureOptions>()
+        .options<PlaybackOptions>();
+    return signature;
+  };
+  define(m, &played_motion<CollisionModel>,
+         moving("model", "CollisionModel", model_doc).overloaded(), nb::arg("model"),
+         nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
+  define(m, &played_motion<Arm>, moving("arm", "Arm", "The arm."), nb::arg("arm"),
+         nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
 }
 
 void bind_charts(nb::module_& m) {
@@ -95,15 +124,18 @@ void bind_charts(nb::module_& m) {
       .member<&TimingFigureOptions::title>()
       .takes("task", "str | None", "Default: planar for planar arms, else spatial.", "None")
       .takes("tolerance", "Deviation | None", "Drawn as a reference line.", "None")
-      .takes("waypoint_times", array_like, comment("TimingFigureOptions::waypoint_times"), "()");
+      .takes("waypoint_times", array_like, comment("TimingFigureOptions::waypoint_times"), "()")
+      .takes("clearance", "ClearanceOverTime | None", comment("TimingFigureOptions::clearance"),
+             "None");
   define(
       m,
       [](const Arm& arm, nb::handle motion, nb::handle title, nb::handle task, nb::handle tolerance,
-         nb::handle waypoint_times) {
+         nb::handle waypoint_times, nb::handle clearance) {
         TimingFigureOptions given;
         given.title = Value<std::string>::from(title, "title");
         given.task = Value<std::optional<Task>>::from(task, "task");
         given.waypoint_times = Value<std::vector<double>>::from(waypoint_times, "waypoint_times");
+        given.clearance = Value<std::optional<ClearanceOverTime>>::from(clearance, "clearance");
         const PathMotion* along = nullptr;
         if (nb::try_cast<const PathMotion*>(motion, along) && along) {
           given.path = FollowedPath{along->path, along->path_parameters,
@@ -116,16 +148,17 @@ void bind_charts(nb::module_& m) {
       },
       timing, nb::arg("arm"), nb::arg("motion"), nb::kw_only(), nb::arg("title") = "",
       nb::arg("task") = nb::none(), nb::arg("tolerance") = nb::none(),
-      nb::arg("waypoint_times") = nb::make_tuple());
+      nb::arg("waypoint_times") = nb::make_tuple(), nb::arg("clearance") = nb::none());
   Signature responses("step_response_figure", "Picture", comment("step_response_figure"));
   responses.takes("motions", "collections.abc.Mapping[str, Trajectory]", "By the curves' names.")
       .takes("goal", array_like, "Configuration (n,).")
       .takes("title", "str", "Title.", "''");
   define(
       m,
-      [](const nb::dict& motions, nb::handle goal, nb::handle title) {
+      [](nb::handle motions, nb::handle goal, nb::handle title) {
+        if (!nb::isinstance<nb::dict>(motions)) raise_type("motions", "a dict", motions);
         std::vector<NamedMotion> named;
-        for (const auto& [name, motion] : motions) {
+        for (const auto& [name, motion] : nb::borrow<nb::dict>(motions)) {
           named.push_back({Value<std::string>::from(name, "motions"),
                            Value<Trajectory>::from(motion, "motions")});
         }
@@ -142,12 +175,23 @@ void bind_pictures(nb::module_& m) {
   bind_chapter(m);
   bind_motion_figures(m);
   bind_charts(m);
-  Signature figure("arm_figure", "Picture", comment("arm_figure"));
-  figure.takes("arm", "Arm", "The arm.")
-      .takes("q", std::string(array_like) + " | None",
-             "Configuration (n,). Default: `display_configuration(arm)`.", "None")
-      .options<ArmFigureOptions>();
-  define(m, &arm_picture, figure, nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
+  const auto figure = [](const char* name, const char* type, const char* doc, const char* summary) {
+    Signature signature("arm_figure", "Picture", summary);
+    signature.takes(name, type, doc)
+        .takes("q", std::string(array_like) + " | None",
+               "Configuration (n,). Default: `display_configuration(arm)`.", "None")
+        .options<ArmFigureOptions>();
+    return signature;
+  };
+  define(m, &arm_picture<CollisionModel>,
+         figure("model", "CollisionModel", model_doc,
+                "Draws the arm of a model among its obstacles, with the shapes of "
+                "its links and a line between the nearest points of the pair with the least "
+                "distance beyond its clearance.")
+             .overloaded(),
+         nb::arg("model"), nb::arg("q") = nb::none(), nb::arg("options"));
+  define(m, &arm_picture<Arm>, figure("arm", "Arm", "The arm.", comment("arm_figure")),
+         nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
   Signature shown(
       "display_configuration", array_type,
       "Returns a configuration (n,) that shows the arm well: the middle of the position limits or, "

@@ -57,6 +57,12 @@ template <class T>
 requires requires { Fields<T>::required; }
 inline constexpr std::size_t required_members<T> = Fields<T>::required;
 
+/// Whether the constructor takes members by position.
+template <class T>
+inline constexpr bool takes_positions = required_members<T> > 0 || requires {
+  Fields<T>::positional;
+};
+
 /// The type of the member that a field describes.
 template <class F>
 struct MemberOf;

@@ -248,13 +248,13 @@ void bind_solver(nb::module_& m) {
       "computed once. Threads that call one solver take turns; a copy for each works in parallel.");
   Signature made("__init__", "None", "Computes what does not depend on the pose.");
   made.takes("self").takes("arm", "Arm", "The arm.").options<InverseOptions>();
-  solver.def(
-      "__init__",
+  define(
+      solver,
       [](Solver* self, nb::handle arm, const nb::kwargs& keywords) {
         object_of<Arm>(arm, "arm");
         new (self) Solver(nb::borrow(arm), nb::dict(keywords));
       },
-      nb::arg("arm").none(), nb::arg("keywords"), nb::sig(made.text()), made.doc());
+      made, nb::arg("arm"), nb::arg("keywords"));
 
   Signature one("solve", "InverseResult",
                 "Computes joint configurations that bring the tool to a pose.");

@@ -1,6 +1,7 @@
 #include <beeline/error.h>
 
 #include "bindings.h"
+#include "input_warning.h"
 #include "interruption.h"
 #include "numpy_arrays.h"
 
@@ -30,6 +31,7 @@ NB_MODULE(_core, module) {
   file_error.attr("__doc__") =
       "Invalid input in a file. The message begins with its path and line.";
   module.attr("ModelWarning") = model_warning();
+  module.attr("InputWarning") = input_warning();
   module.attr("__version__") = BEELINE_VERSION;
   bind_poses(module);
   bind_arms(module);
@@ -43,6 +45,7 @@ NB_MODULE(_core, module) {
   bind_joint_paths(module);
   bind_timing(module);
   bind_certificates(module);
+  bind_collisions(module);
   bind_planning(module);
   bind_pose_lists(module);
   bind_programs(module);

@@ -29,12 +29,22 @@ void bind_planar_poses(nb::module_& m) {
         return Value<Pose>::to(to_space(planar, Value<double>::from(height, "height")));
       },
       space, nb::arg("pose"), nb::arg("height") = 0.0);
-  Signature plane("to_plane", "Pose2",
-                  "Returns the planar part of a pose, without its height and tilt.");
-  plane.takes("pose", array_like, pose_doc);
+  Signature plane(
+      "to_plane", "typing.Any",
+      "Returns the planar part of a pose, without its height and tilt: a Pose2. Of many "
+      "poses a list of them.");
+  plane.takes("pose", array_like,
+              "Pose (4, 4), or poses (N, 4, 4) as forward_kinematics() returns.");
   define(
-      m, [](nb::handle spatial) { return to_plane(Value<Pose>::from(spatial, "pose")); }, plane,
-      nb::arg("pose"));
+      m,
+      [](nb::handle spatial) -> nb::object {
+        const InputArray array(matrix_of(spatial), "pose");
+        if (array.dimensions() != 3) return nb::cast(to_plane(Value<Pose>::from(spatial, "pose")));
+        nb::list all;
+        for (const Pose& each : poses_from(spatial, "pose")) all.append(nb::cast(to_plane(each)));
+        return all;
+      },
+      plane, nb::arg("pose"));
 }
 
 }  // namespace beeline::python

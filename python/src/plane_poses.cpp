@@ -24,10 +24,18 @@ PosePlane::PosePlane(const Arm& arm) : arm_(arm.name()) {
   if (arm.planar()) height_ = pose_in_plane(arm, {}).translation().z();
 }
 
-PosePlane PosePlane::at_zero(const Arm& arm) {
+Pose PosePlane::frame(const Arm& arm, nb::handle value, const char* name) {
   PosePlane plane(arm);
-  if (plane.height_) plane.height_ = 0;
-  return plane;
+  if (plane.height_) {
+    plane.height_ = 0;
+  } else if (is_array(value) || is_list(value)) {
+    const InputArray array(value, name);
+    if (array.dimensions() == 1 && array.shape()[0] == 3) {
+      const Vector3 position(array.data()[0], array.data()[1], array.data()[2]);
+      return checked_pose(make_pose(position, Rotation::Identity()), name);
+    }
+  }
+  return plane.pose(value, name);
 }
 
 Pose PosePlane::pose_of(const double* numbers) const {

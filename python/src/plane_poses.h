@@ -15,6 +15,10 @@ namespace beeline::python {
 inline constexpr const char* arm_pose_like = "Pose2 | numpy.typing.ArrayLike";
 inline constexpr const char* arm_pose_doc =
     "Pose (4, 4); of a planar arm also [x, y, theta] or a Pose2.";
+/// The same of a frame on the arm or in its cell, such as a tool.
+inline constexpr const char* arm_frame_doc =
+    "Pose (4, 4), or the position [x, y, z] of a frame that is not turned. Of a planar arm three "
+    "numbers are [x, y, theta], and it may be a Pose2.";
 inline constexpr const char* arm_poses_like =
     "collections.abc.Sequence[Pose2] | numpy.typing.ArrayLike";
 inline constexpr const char* arm_poses_doc =
@@ -26,8 +30,9 @@ class PosePlane {
  public:
   /// The plane of the tool: for poses world_T_tool.
   explicit PosePlane(const Arm& arm);
-  /// The plane z = 0: for frames on the arm, such as a tool.
-  static PosePlane at_zero(const Arm& arm);
+  /// The pose of a frame on the arm, such as a tool: in the plane z = 0 if the arm is planar; else
+  /// three numbers are its position.
+  static Pose frame(const Arm& arm, nb::handle value, const char* name);
 
   /// The argument's pose. Throws Error, which names the argument, for what is none.
   Pose pose(nb::handle value, const char* name) const;

@@ -7,8 +7,8 @@
 namespace beeline::python {
 
 template <>
-struct Fields<PoseFormat> : Members<&PoseFormat::unit, &PoseFormat::triple, &PoseFormat::pose_form,
-                                    &PoseFormat::millimetres> {};
+struct Fields<PoseFormat> : Members<&PoseFormat::angle_unit, &PoseFormat::triple,
+                                    &PoseFormat::pose_form, &PoseFormat::millimetres> {};
 
 template <>
 struct Fields<PoseList>

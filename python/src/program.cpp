@@ -57,9 +57,10 @@ void check_forms(const Arm& arm, const ProgramRows& program) {
 }
 
 Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle states,
-               nb::handle start, nb::handle millimetres) {
-  const auto unit = Value<AngleUnit>::from(unit_name, "unit");
-  const PoseFormat format{.unit = unit,
+               nb::handle start, nb::handle millimetres, nb::handle former_unit) {
+  refuse_former(former_unit, "unit", "angle_unit");
+  const auto unit = Value<AngleUnit>::from(unit_name, "angle_unit");
+  const PoseFormat format{.angle_unit = unit,
                           .millimetres = Value<bool>::from(millimetres, "millimetres")};
   const NamedStates named = states_from(arm, states);
   const ProgramRows rows = read_program_rows(path_from(path, "path"), format);
@@ -77,7 +78,7 @@ void bind_load(nb::class_<Program>& program) {
   load.takes("path", path_like, "Path.")
       .takes("arm", "Arm", "The arm.")
       .keywords()
-      .takes("unit", Value<AngleUnit>::type(), "Of angles in the file.", "'radians'")
+      .takes("angle_unit", Value<AngleUnit>::type(), "Of angles in the file.", "'radians'")
       .takes("states", std::string("dict[str, ") + array_like + "] | None",
              "Configurations by the names that the column q may have.", "None")
       .takes("start", std::string(arm_pose_like) + " | None",
@@ -89,8 +90,9 @@ void bind_load(nb::class_<Program>& program) {
              "Positions of poses in the file are in millimetres; speeds and blends are in metres.",
              "False");
   define_static(program, &loaded, load, nb::arg("path"), nb::arg("arm"), nb::kw_only(),
-                nb::arg("unit") = "radians", nb::arg("states") = nb::none(),
-                nb::arg("start") = nb::none(), nb::arg("millimetres") = false);
+                nb::arg("angle_unit") = "radians", nb::arg("states") = nb::none(),
+                nb::arg("start") = nb::none(), nb::arg("millimetres") = false,
+                nb::arg("unit") = nb::none());
 }
 
 }  // namespace

@@ -20,20 +20,21 @@ struct PythonValue {
   }
 };
 
-ReasonValue value_from(ReasonField field, nb::handle value) {
-  const char* what = "a field of a Reason";
-  if (nb::isinstance<nb::bool_>(value)) return Value<bool>::from(value, what);
-  if (nb::isinstance<nb::int_>(value)) return Value<std::size_t>::from(value, what);
-  if (nb::isinstance<nb::float_>(value)) return Value<double>::from(value, what);
-  if (!nb::isinstance<nb::str>(value)) {
-    const auto p = Value<std::vector<double>>::from(value, what);
-    if (p.size() != 3) raise_type(what, "a point of three numbers", value);
+/// Converts a value to the type of its first argument.
+struct FieldValue {
+  nb::handle value;
+  const char* name;
+
+  ReasonValue operator()(const Eigen::Vector3d&) const {
+    const auto p = Value<std::vector<double>>::from(value, name);
+    if (p.size() != 3) raise_type(name, "a point of three numbers", value);
     return Eigen::Vector3d(p[0], p[1], p[2]);
   }
-  const auto text = Value<std::string>::from(value, what);
-  if (field != ReasonField::ending && field != ReasonField::search_ending) return text;
-  return Value<Ending>::from(value, what);
-}
+  template <class T>
+  ReasonValue operator()(const T&) const {
+    return Value<T>::from(value, name);
+  }
+};
 
 }  // namespace
 
@@ -55,7 +56,9 @@ Reason Value<Reason>::from(nb::handle value, const char* name) {
   Reason reason{reason_code_named(Value<std::string>::from(value.attr("code"), "code"))};
   for (const auto& [key, field_value] : nb::dict(value.attr("fields"))) {
     const ReasonField field = reason_field_named(Value<std::string>::from(key, "a field's name"));
-    reason.set(field, value_from(field, field_value));
+    const std::string field_name = beeline::name(field);
+    reason.set(field,
+               std::visit(FieldValue{field_value, field_name.c_str()}, default_value(field)));
   }
   for (nb::handle detail : value.attr("details")) reason.details.push_back(from(detail, name));
   return reason;

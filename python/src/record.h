@@ -10,11 +10,6 @@
 
 namespace beeline::python {
 
-/// From the first sample to the last, seconds.
-inline double duration_of(const Trajectory& trajectory) {
-  return trajectory.size() == 0 ? 0 : trajectory.times.back() - trajectory.times.front();
-}
-
 /// Whether a result has a trajectory, whose duration it then has too.
 template <class T>
 inline constexpr bool has_trajectory = requires(const T& result) {
@@ -41,8 +36,8 @@ inline constexpr bool is_constructible = requires {
 }
 || requires { Fields<T>::required; };
 
-/// The struct of the values of its members: positional ones in their order where it has `required`
-/// ones, then keywords.
+/// The struct of the values of its members: positional ones in their order where it
+/// takes_positions, then keywords.
 template <class T>
 T made_record(const nb::args& values, const nb::kwargs& keywords) {
   constexpr std::size_t required = required_members<T>;
@@ -50,9 +45,14 @@ T made_record(const nb::args& values, const nb::kwargs& keywords) {
   std::apply([&](const auto&... field) { (names.emplace_back(field.name), ...); },
              Fields<T>::all());
   const std::size_t positional = values.size();
-  if (positional > (required > 0 ? names.size() : 0)) {
-    throw nb::type_error(
-        (std::string(Fields<T>::name) + ": too many positional arguments").c_str());
+  const std::size_t accepted = takes_positions<T> ? names.size() : 0;
+  if (positional > accepted) {
+    const std::string call = std::string(Fields<T>::name) + "()";
+    throw nb::type_error((accepted == 0
+                              ? call + " takes its values by name: " + listed(names)
+                              : call + " takes at most " + std::to_string(accepted) + " values, " +
+                                    listed(names) + ", not " + std::to_string(positional))
+                             .c_str());
   }
   nb::kwargs named;
   for (std::size_t i = 0; i < positional; ++i) named[names[i].c_str()] = values[i];
@@ -162,7 +162,8 @@ void bind_equality(nb::class_<T>& bound, Same same) {
   bound.attr("__hash__") = nb::none();
 }
 
-/// Adds repr(), with every member; str(), where C++ prints the struct; the truth value.
+/// Adds repr(), with every member; str(), where C++ prints the struct or has a sentence() of it;
+/// the truth value.
 template <class T>
 void bind_text(nb::class_<T>& bound) {
   using Described = Fields<T>;
@@ -184,6 +185,8 @@ void bind_text(nb::class_<T>& bound) {
       out << self;
       return out.str();
     });
+  } else if constexpr (requires(const T& value) { std::string(sentence(value)); }) {
+    bound.def("__str__", [](const T& self) { return sentence(self); });
   }
   if constexpr (std::is_constructible_v<bool, T>) {
     bound.def(
@@ -234,12 +237,12 @@ nb::class_<T> bind_record(nb::module_& module) {
   nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), struct_doc<T>());
   if constexpr (has_trajectory<T>) {
     bound.def_prop_ro(
-        "duration", [](const T& self) { return duration_of(self.trajectory); },
+        "duration", [](const T& self) { return self.trajectory.duration(); },
         getter("duration", "float"), "Of the trajectory, s; 0 without samples.");
   }
   std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
   if constexpr (is_constructible<T>) {
-    Signature signature("__init__", "None", "Makes one of the values of its members.");
+    Signature signature("__init__", "None", "Makes one from the values of its members.");
     signature.takes("self").template members<T>();
     if constexpr (!requires { Described::check; }) signature.any_values();
     define(

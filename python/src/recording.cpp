@@ -25,7 +25,7 @@ JointMap joint_map_from(const Arm& arm, nb::handle value) {
 
 /// The unit of angles: radians by default. `unit` is the former name of the keyword.
 AngleUnit angle_unit_from(nb::handle angle_unit, nb::handle unit) {
-  if (!unit.is_none()) throw nb::type_error("the keyword unit is called angle_unit");
+  refuse_former(unit, "unit", "angle_unit");
   return Value<std::optional<AngleUnit>>::from(angle_unit, "angle_unit")
       .value_or(AngleUnit::radians);
 }

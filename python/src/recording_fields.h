@@ -17,8 +17,8 @@ void bind_recordings(nb::module_& m);
 template <>
 struct Fields<RecordingNote>
     : Members<&RecordingNote::kind, &RecordingNote::path, &RecordingNote::columns,
-              &RecordingNote::time_unit, &RecordingNote::joint_unit, &RecordingNote::joint,
-              &RecordingNote::value> {};
+              &RecordingNote::time_unit, &RecordingNote::finer_unit, &RecordingNote::joint_unit,
+              &RecordingNote::comment, &RecordingNote::joint, &RecordingNote::value> {};
 
 template <>
 struct Fields<Recording>

@@ -87,6 +87,7 @@ Signature Signature::of_arm() const {
   Signature method = *this;
   method.parameters_.replace(0, parameter.size(), "self");
   method.documented_.erase(0, documented.size());
+  method.names_.erase(method.names_.begin());
   return method;
 }
 
@@ -104,6 +105,7 @@ Signature& Signature::takes(const std::string& name, const std::string& type,
                             const std::string& doc, const std::string& fallback) {
   if (!parameters_.empty()) parameters_ += ", ";
   parameters_ += name;
+  if (name != "self") names_.push_back(name);
   if (!type.empty()) parameters_ += ": " + type;
   if (!fallback.empty()) parameters_ += " = " + fallback;
   refuses(name, type);
@@ -127,7 +129,9 @@ Signature& Signature::returns(std::string doc) {
 
 void Signature::budget(bool reports) {
   takes("time_limit", "float | None",
-        "Seconds after which the search ends. What it ends depends on the machine.", "None");
+        "Seconds after which the search ends; with 0 at its first check, within a millisecond. "
+        "What it ends depends on the machine.",
+        "None");
   takes("max_work", "int | None",
         "Units of work, of some microseconds each, after which the search ends.", "None");
   if (reports) progress();

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include <beeline/budget.h>
 
-#include "class_argument.h"
+#include "call_arguments.h"
 #include "fields.h"
 
 namespace beeline::python {
@@ -66,10 +67,10 @@ class Signature {
     keywords();
     return members<Options>();
   }
-  /// Adds a parameter for each field; keywords unless the struct has `required` members.
+  /// Adds a parameter for each field; keywords unless the struct takes_positions.
   template <class T>
   Signature& members() {
-    if (required_members<T> == 0) keywords();
+    if (!takes_positions<T>) keywords();
     const T defaults{};
     std::size_t i = 0;
     std::apply(
@@ -92,10 +93,19 @@ class Signature {
   /// The summary says which trajectories are refused: the section "Raises" adds nothing of them.
   Signature& summary_has_motions();
 
+  /// Another function of the name follows, which takes the calls that do not fit this one.
+  Signature& overloaded() {
+    overloaded_ = true;
+    return *this;
+  }
+  bool is_overloaded() const { return overloaded_; }
+
   /// The signature of the method of Arm: the first parameter, `arm`, is self.
   Signature of_arm() const;
 
   const char* name() const { return name_.c_str(); }
+  /// The names of the parameters, without self.
+  const std::vector<std::string>& parameters() const { return names_; }
   /// The signature as Python source, below a decorator where one is given.
   const char* text(const char* decorator = nullptr) const;
   const char* doc() const;
@@ -116,66 +126,36 @@ class Signature {
   std::string raised() const;
 
   std::string name_, returns_, summary_, returned_, parameters_, documented_, refused_;
+  std::vector<std::string> names_;
   std::string arrays_, outputs_, files_, values_,
       motions_;  ///< names of parameters that may be refused
   bool keywords_ = false, any_values_ = false, has_arm_ = false, summary_has_motions_ = false;
+  bool overloaded_ = false;
 };
 
-/// nanobind's description of the parameter that is the `from_last`th from the last one. A handle
-/// may be None: the function's body refuses it, naming the argument.
-template <class Parameters, std::size_t from_last, class Argument>
-auto accepting_none(const Argument& argument) {
-  using Traits = nb::detail::arg_traits<Argument>;
-  if constexpr (Traits::is_arg) {
-    using Type = std::tuple_element_t<std::tuple_size_v<Parameters> - from_last, Parameters>;
-    constexpr auto flags = Traits::flags | nb::detail::cast_flags::accepts_none;
-    if constexpr (!std::is_same_v<Type, nb::handle>) {
-      return argument;
-    } else if constexpr (Traits::has_default) {
-      return nb::arg_v_t<flags, Traits::locked>(argument, nb::object(argument.value));
-    } else {
-      return argument.none();
-    }
-  } else {
-    return argument;
-  }
-}
-
-template <class Parameters, class... Extra, class Add>
-void with_none(Add add, const Extra&... extra) {
-  static constexpr bool is_argument[] = {nb::detail::arg_traits<Extra>::is_arg..., false};
-  constexpr auto from_last = [](std::size_t i) {
-    std::size_t count = 0;
-    for (; i < sizeof...(Extra); ++i) count += is_argument[i] ? 1 : 0;
-    return count;
-  };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    add(accepting_none<Parameters, from_last(I)>(extra)...);
-  }
-  (std::index_sequence_for<Extra...>());
-}
-
 /// Adds a function or method whose signature and docstring `signature` gives. An object of another
-/// class than a parameter's is refused by a line that names the argument.
+/// class than a parameter's, a missing argument, too many and an unknown one are refused by a line
+/// that names the argument.
 template <class Scope, class Function, class... Extra>
 void define(Scope& scope, Function function, const Signature& signature, const Extra&... extra) {
-  const auto checking = naming_arguments(function, extra...);
-  const auto add = [&](const auto&... arguments) {
-    scope.def(signature.name(), checking, arguments..., nb::sig(signature.text()), signature.doc());
+  const auto add = [&](const auto& call, const auto&... annotations) {
+    scope.def(signature.name(), call, annotations..., nb::sig(signature.text()), signature.doc());
   };
-  with_none<typename decltype(parameters_of<std::decay_t<decltype(checking)>>())::type>(add,
-                                                                                        extra...);
+  const bool constructs = std::string_view(signature.name()) == "__init__";
+  const std::string name = constructs ? nb::str(scope.attr("__name__")).c_str() : signature.name();
+  add_strict(add, name, signature.parameters(), signature.is_overloaded(), function, extra...);
 }
 
 /// Adds a static method.
 template <class T, class Function, class... Extra>
 void define_static(nb::class_<T>& scope, Function function, const Signature& signature,
                    const Extra&... extra) {
-  const auto add = [&](const auto&... arguments) {
-    scope.def_static(signature.name(), function, arguments...,
+  const auto add = [&](const auto& call, const auto&... annotations) {
+    scope.def_static(signature.name(), call, annotations...,
                      nb::sig(signature.text("staticmethod")), signature.doc());
   };
-  with_none<typename decltype(parameters_of<Function>())::type>(add, extra...);
+  add_strict(add, signature.name(), signature.parameters(), signature.is_overloaded(), function,
+             extra...);
 }
 
 /// Adds a function whose first parameter is the arm, and a method of Arm that does the same.

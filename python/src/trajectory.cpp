@@ -63,7 +63,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
       getter("interpolation", Value<Interpolation>::type()),
       "The motion between the samples: polynomials of degree 1, 3 or 5 in time.");
   trajectory.def_prop_ro(
-      "duration", [](const Trajectory& self) { return duration_of(self); },
+      "duration", [](const Trajectory& self) { return self.duration(); },
       "From the first sample to the last, s.");
 
   Signature states("sample", "TrajectoryState", comment("sample"));

@@ -76,7 +76,8 @@ struct Fields<LimitFraction>
               &LimitFraction::exact, &LimitFraction::assumed> {};
 
 template <>
-struct Fields<LimitUsage> : Members<&LimitUsage::velocity, &LimitUsage::acceleration,
-                                    &LimitUsage::jerk, &LimitUsage::ending> {};
+struct Fields<LimitUsage>
+    : Members<&LimitUsage::position, &LimitUsage::velocity, &LimitUsage::acceleration,
+              &LimitUsage::jerk, &LimitUsage::ending> {};
 
 }  // namespace beeline::python

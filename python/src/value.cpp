@@ -37,6 +37,11 @@ void raise_type(const char* name, const std::string& expected, nb::handle value)
       (std::string(name) + ": expected " + expected + ", not " + name_of_type(value)).c_str());
 }
 
+void refuse_former(nb::handle value, const char* former, const char* name) {
+  if (value.is_none()) return;
+  throw nb::type_error(("the keyword " + std::string(former) + " is called " + name).c_str());
+}
+
 std::string path_from(nb::handle path, const char* name) {
   if (path.is_none()) raise_type(name, "a path", path);
   const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
@@ -120,7 +125,9 @@ Pose Value<Pose>::from(nb::handle value, const char* name) {
   const nb::object matrix = matrix_of(value);
   const InputArray array(matrix, name);
   if (array.dimensions() != 2 || array.shape()[0] != 4 || array.shape()[1] != 4) {
-    raise_shape(array, "a pose (4, 4)");
+    const bool triple = array.dimensions() == 1 && array.shape()[0] == 3;
+    raise_shape(array, triple ? "a pose (4, 4), which make_pose([x, y, z]) makes of a position"
+                              : "a pose (4, 4), which pose_of() makes of numbers");
   }
   return checked_pose(pose_of(array.data()), name);
 }

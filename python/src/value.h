@@ -35,6 +35,9 @@ std::string path_from(nb::handle path, const char* name);
 
 [[noreturn]] void raise_type(const char* name, const std::string& expected, nb::handle value);
 
+/// Throws TypeError if a keyword is given by its former name.
+void refuse_former(nb::handle value, const char* former, const char* name);
+
 /// The annotation of an argument, which may be more than a result: any array, any sequence.
 template <class T>
 std::string argument_type() {

@@ -1,3 +1,4 @@
+#include <functional>
 #include <gtest/gtest.h>
 
 #include <beeline/batch/batch.h>
@@ -78,6 +79,25 @@ TEST(BatchBudget, PosesAreSolvedOrNaN) {
         EXPECT_LE(result.computed, std::min<Eigen::Index>(count, n));
       }
     }
+  }
+}
+
+TEST(BatchBudget, ThreadsReportProgressOneAfterTheOther) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  constexpr Eigen::Index count = 50'000, few = 400;
+  Eigen::MatrixXd q(6, count), poses(16, count), found(6, few);
+  for (auto column : q.colwise()) column = random.configuration(arm);
+  for (int threads = 1; threads <= 4; ++threads) {
+    testing::Reports rows, solutions;
+    batch_forward<double>(arm, q, poses,
+                          {.threads = threads, .budget = {.progress = std::ref(rows)}});
+    EXPECT_EQ(rows.last, 1);
+    EXPECT_GT(rows.calls, 20);
+    batch_inverse(arm, poses.leftCols(few), middle_configuration(arm), found, {},
+                  {.threads = threads, .budget = {.progress = std::ref(solutions)}});
+    EXPECT_EQ(solutions.last, 1);
+    EXPECT_LE(solutions.calls, 100);
   }
 }
 

@@ -22,7 +22,7 @@ TEST(BatchInverse, IsTheSolversAnswers) {
       seeds.col(i) = random.configuration(arm);
     }
     batch_forward<double>(arm, goal, poses);
-    poses.col(50).segment<3>(12).setConstant(1e3);  // out of reach
+    poses.col(50).segment<2>(12).setConstant(1e3);  // out of reach
     poses(3, 60) = std::numeric_limits<double>::quiet_NaN();
 
     MatrixXd q(arm.dof(), count), one = MatrixXd::Zero(arm.dof(), 1);

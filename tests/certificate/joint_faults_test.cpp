@@ -1,6 +1,13 @@
+#include <algorithm>
+#include <cmath>
+
 #include <beeline/certificate/verify.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/planning/move_along.h>
 
 #include <tests/certificate/two_joints.h>
+#include <tests/random.h>
 #include <tests/reason.h>
 
 namespace beeline {
@@ -113,6 +120,96 @@ TEST(FirstJointFault, HoldsAssumedLimitsOfVelocityAndAcceleration) {
   // No jerk: minimum-time motions do not keep an assumed one.
   EXPECT_FALSE(first(
       nothing, [](double t) { return 50 * t * t * t; }, 0.02));
+}
+
+const FaultsOfKind* of_kind(const Verification& verification, Fault kind) {
+  for (const FaultsOfKind& faults : verification.faults) {
+    if (faults.kind == kind) return &faults;
+  }
+  return nullptr;
+}
+
+// Joints that are linear between samples, checked by hand: the kinds of fault, the first of each,
+// and the largest.
+TEST(VerifyWithoutPath, ListsEveryKindWithTheFirstAndTheWorst) {
+  Random random;
+  const Arm arm = two_joints();
+  int seen = 0;
+  for (int trial = 0; trial < cases(300); ++trial) {
+    Trajectory motion = along(nothing, nothing, 20);
+    for (Configuration& q : motion.positions) {
+      q = Configuration{{random.uniform(-1.02, 1.02), random.uniform(-2.5, 2.5)}};
+    }
+    std::size_t outside = motion.size(), flips = motion.size(), fast = motion.size();
+    double excess = 0, rotation = 0, fraction = 0;
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double beyond = std::abs(motion.positions[k][0]) - 1;
+      if (beyond > 0) outside = std::min(outside, k);
+      excess = std::max(excess, beyond);
+      if (k + 1 == motion.size()) continue;
+      const Configuration step = motion.positions[k + 1] - motion.positions[k];
+      const double h = motion.times[k + 1] - motion.times[k];
+      if (std::abs(step[1]) >= pi) flips = std::min(flips, k);
+      rotation = std::max(rotation, std::abs(step[1]));
+      const double used = std::max(std::abs(step[0]) / h / 1, std::abs(step[1]) / h / 10);
+      if (used > 1) fast = std::min(fast, k);
+      fraction = std::max(fraction, used);
+    }
+    const Verification checked = verify(arm, motion, VerifyOptions{.moving = {true, true}});
+    ASSERT_FALSE(checked);  // the velocity jumps
+    ASSERT_FALSE(checked.faults.empty());
+    EXPECT_EQ(checked.faults.front().kind, checked.fault);
+    const auto expect = [&](Fault kind, bool is_there, std::size_t first, double amount) {
+      const FaultsOfKind* const faults = of_kind(checked, kind);
+      ASSERT_EQ(faults != nullptr, is_there) << kind;
+      if (faults == nullptr) return;
+      ++seen;
+      EXPECT_EQ(faults->sample, first) << kind;
+      EXPECT_EQ(faults->time, motion.times[first]) << kind;
+      EXPECT_NEAR(faults->amount, amount, 1e-9 * amount + 1e-12) << kind;
+      EXPECT_EQ(testing::field<std::size_t>(faults->first, ReasonField::sample), first + 1);
+      EXPECT_GE(testing::field<std::size_t>(faults->worst, ReasonField::sample).value_or(0),
+                first + 1);
+    };
+    expect(Fault::limits, excess > 0, outside, excess);
+    expect(Fault::flip, rotation >= pi, flips, rotation);
+    expect(Fault::velocity, fraction > 1, fast, fraction);
+  }
+  EXPECT_GT(seen, cases(300));
+}
+
+TEST(VerifyWithoutPath, PassesAnArmAtRestAndBoundsNoDeviation) {
+  const Verification checked = verify(two_joints(), along(nothing, nothing, 10));
+  EXPECT_TRUE(checked);
+  EXPECT_TRUE(checked.faults.empty());
+  EXPECT_FALSE(std::isfinite(checked.deviation.bound.position));
+  EXPECT_TRUE(checked.path.segments.empty());
+  const Verification ended =
+      verify(two_joints(), along(nothing, nothing, 10), VerifyOptions{.budget = {.max_work = 1}});
+  EXPECT_FALSE(ended);
+  EXPECT_EQ(ended.reason.code, ReasonCode::ended_before_check);
+}
+
+// The tool leaves the line at one sample and, by more, at a later one; a joint is too fast as well.
+TEST(Verify, ListsFaultsOfThePathAndOfTheJoints) {
+  const Arm rrr = built_in("rrr");
+  const Configuration start{{0, 1.57, 0}};
+  const PathMotion planned =
+      move_in_lines(rrr, start, {Eigen::Translation3d(0.3, 0, 0) * forward_kinematics(rrr, start)});
+  ASSERT_TRUE(planned);
+  Trajectory motion = planned.trajectory;
+  motion.velocities.clear();
+  motion.accelerations.clear();
+  const std::size_t first = motion.size() / 3, worst = 2 * motion.size() / 3;
+  motion.positions[first][0] += 1e-3;
+  motion.positions[worst][0] += 0.1;
+  const Verification checked = verify(rrr, motion, {pose_at(planned.path, 1)}, {.tolerance = 1e-3});
+  const FaultsOfKind* const deviation = of_kind(checked, Fault::deviation);
+  ASSERT_NE(deviation, nullptr);
+  EXPECT_LE(deviation->sample, first);
+  EXPECT_EQ(testing::field<std::size_t>(deviation->worst, ReasonField::sample), worst + 1);
+  EXPECT_GT(deviation->amount, 100);
+  EXPECT_NE(of_kind(checked, Fault::velocity), nullptr);
 }
 
 }  // namespace

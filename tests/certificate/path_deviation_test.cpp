@@ -48,7 +48,8 @@ TEST(PathDeviation, MeasuresEveryLineFromItsOwnWaypoint) {
   EXPECT_NEAR(path_parameters[1], 0.5, 1e-12);
   const PathDeviation told = path_deviation(arm, linear(arm, samples), path_parameters, path, task);
   EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
-  EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
+  EXPECT_GE(told.bound.position, 0.5);
+  EXPECT_NEAR(told.bound.position, 0.5, 1e-12) << "slides leave no arc";
   EXPECT_EQ(told.sampled.orientation, 0);
 }
 

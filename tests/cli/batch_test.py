@@ -187,7 +187,13 @@ def test_a_pose_without_solution_is_nan_and_counted(batch):
         found, document = batch("ik", "rrr", poses, out=out, code=1)
         assert document["solved"] == 2 and document["unsolved"] == 1
         assert np.isnan(found[1]).all() and np.isfinite(found[[0, 2]]).all()
-        assert "1 of 3 poses without a solution" in document["err"]
+        assert document["err"].endswith(f"beeline: {document['reason']}\n")
+        assert document["code"] == "poses_unsolved" and document["fields"] == {"count": 1, "of": 3}
+        assert "statuses" not in document
+    _, document = batch("ik", "rrr", poses, "--status", code=1)
+    assert document["statuses"] == {"solved": 2, "unreachable": 1}
+    _, document = batch("ik", "rrr", poses[[0, 2]])
+    assert (document["reason"], document["code"], document["fields"]) == ("", None, {})
 
 
 def test_limits_are_respected_unless_ignored(batch, rows):
@@ -247,3 +253,17 @@ def test_memory_stays_the_same_for_any_number_of_rows(build, tmp_path, rows):
 
     few, many = most_memory(100_000), most_memory(1_000_000)  # 48 MB come in, 64 go out
     assert many < few + 8000
+
+
+@pytest.mark.parametrize("row", [",,", ", ,", "--- --- ---", "nan,,", ";;"])
+@pytest.mark.parametrize("header", ["", "x,y,theta\n"])
+def test_a_row_without_data_is_a_bad_row(beeline, batch, tmp_path, row, header):
+    separator = " " if "---" in row else ","
+    text = header + "\n".join(["1,0,0", row, "0.5,0.5,0"]) + "\n"
+    text = text.replace(",", separator)
+    (tmp_path / "rows.csv").write_text(text)
+    answer = beeline("batch", "ik", "rrr", "--in", "rows.csv", "--out", "out.csv")
+    line = 3 if header else 2
+    assert answer.code == 3 and f"rows.csv:{line}: row 2: " in answer.err, answer.err
+    _, document = batch("ik", "rrr", "rows.csv", "--skip-bad", code=None)
+    assert document["rows"] == 2 and document["bad_rows"] == 1

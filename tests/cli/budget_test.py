@@ -56,6 +56,14 @@ def test_time_zero_ends_a_verb(beeline, files, verb):
     assert plain.out == "" or "time_limit" in plain.out or verb.startswith("batch")
 
 
+def test_time_zero_permits_an_answer_by_closed_form(beeline):
+    for arm, pose in (("ur5", "0.4,0.1,0.3,3.1,0,0"), ("panda", "0.4,0.1,0.5,3.1,0,0"), ("rrr", "4,3,0.2")):
+        free, limited = (beeline("ik", arm, "--pose", pose, "--json", *limit).json for limit in ((), ("--time-limit", "0")))
+        assert free["method"].startswith("closed form") and limited == free
+    for verb in ("ik", "line", "batch ik", "retime"):
+        assert "With 0 a search ends at its first check" in " ".join(beeline(*verb.split(), "--help").out.split()), verb
+
+
 @pytest.mark.parametrize("verb", VERBS)
 def test_an_ample_limit_changes_nothing(beeline, files, verb):
     free = beeline(*VERBS[verb], "--json")

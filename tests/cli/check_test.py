@@ -271,3 +271,67 @@ def test_a_start_near_the_first_pose_means_the_same_to_line_and_check(
     assert made.code == 0, made.err
     answer = beeline("check", "ur5", "move.csv", "--through", through, *path)
     assert answer.code == 0, answer.err
+
+
+def test_every_kind_of_fault_is_listed_with_its_first_place_and_the_worst(beeline, made, written):
+    through, rows = made("ur5", "--profile", "quintic")
+    for row in rows:
+        for name in list(row):
+            if name.endswith(("_vel", "_acc")):
+                del row[name]
+    first, worst = len(rows) // 3, len(rows) // 2
+    rows[first]["joint1"] = repr(float(rows[first]["joint1"]) + 0.01)
+    rows[worst]["joint2"] = repr(7.0)  # beyond 2 pi
+    text = ",".join(rows[0]) + "\n" + "".join(",".join(row.values()) + "\n" for row in rows)
+    report = beeline("check", "ur5", written("bad.csv", text), "--through", through, "--json").json
+    faults = {fault["fault"]: fault for fault in report["faults"]}
+    assert report["faults"][0]["fault"] == report["fault"]
+    assert {"limits", "flip", "deviation", "velocity", "acceleration"} <= set(faults)
+    limits = faults["limits"]
+    assert limits["sample"] == worst + 1 and limits["first"] == limits["worst"]
+    assert limits["amount"] == pytest.approx(7 - 2 * math.pi)
+    assert limits["worst"]["fields"]["joint"] == "joint2"
+    assert faults["deviation"]["sample"] <= first + 1
+    assert faults["deviation"]["worst"]["fields"]["sample"] == worst + 1
+    assert faults["deviation"]["worst"]["fields"]["distance"] > faults["deviation"]["first"]["fields"]["distance"]
+    text = beeline("check", "ur5", "bad.csv", "--through", through).out
+    assert text.count("\nfault ") == len(faults)
+    assert "\nposition      at most 111" in text and " of the half range, joint joint2 at " in text
+
+
+def test_positions_have_a_row(beeline, made):
+    through, _ = made("ur5")
+    answer = beeline("check", "ur5", "move.csv", "--through", through)
+    assert answer.code == 0 and "\nposition      at most " in answer.out
+    usage = beeline("check", "ur5", "move.csv", "--through", through, "--json").json["limits"]["position"]
+    assert 0 < usage["fraction"] <= 1 and usage["exact"]
+    through, _ = made("rrr")
+    assert "\nposition      no joint has position limits\n" in beeline("check", "rrr", "move.csv", "--through", through).out
+
+
+def test_without_poses_the_limits_are_checked_and_the_answer_says_what_is_not(beeline, made):
+    made("ur5")
+    answer = beeline("check", "ur5", "move.csv")
+    assert answer.code == 0 and answer.out.startswith("passed: ")
+    assert "\nnot checked   the tool's path: --through FILE gives its poses; collisions: --scene FILE" in answer.out
+    report = beeline("check", "ur5", "move.csv", "--json").json
+    assert report["checked"] == ["limits"] and report["deviation_bound"] is None
+    slow = beeline("check", "ur5", "move.csv", "--velocity", "0.1", "--json")
+    assert slow.code == 1 and "velocity" in {fault["fault"] for fault in slow.json["faults"]}
+
+
+def test_waypoints_have_the_numbers_of_the_file_with_and_without_a_start(beeline, lines, written, tmp_path):
+    with open(tmp_path / lines("ur5")) as file:
+        rows = file.read().splitlines()
+    far = written("far.csv", "\n".join([*rows[:3], "9" + rows[3][rows[3].index(","):]]) + "\n")
+    for start in ([], ["--from", STARTS["ur5"]]):
+        answer = beeline("line", "ur5", *start, "--through", far, "--json")
+        assert answer.code == 1 and "(waypoint 2 to 3) stops after" in answer.json["reason"]
+
+
+def test_quickest_joint_moves_report_limits_that_are_assumed(beeline):
+    move = ("move", "ur5", "--from", "0,0,0,0,0,0", "--to", "1,1,1,0,0,0", "--method", "quickest")
+    text, report = beeline(*move).out, beeline(*move, "--json").json
+    assert "of the assumed limit" in text and report["limits"]["acceleration"]["assumed"]
+    assert 0.5 < max(use["fraction"] for use in report["limits"].values() if use) <= 1 + 1e-6
+    assert "limits" not in beeline(*move[:-1], "feedback", "--json").json

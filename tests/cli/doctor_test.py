@@ -117,6 +117,34 @@ def test_a_wrong_number_is_found(beeline, written, wrong, kind, says):
     assert "j1" in finding["place"] or finding["joint"] == 1
 
 
+@pytest.mark.parametrize("axis, says", [
+    ('<Axis xyz="0 1 0"/><axis xyz="0 0 1"/>', 'unknown element "<Axis>"; did you mean "<axis>"?'),
+    ('<axis xyz="0 0 1" XYZ="1 0 0"/>', 'unknown attribute of <axis> "XYZ"; did you mean "xyz"?'),
+    ('<axis xyz="0 0 1"/><limit lower="-2" upper="2" velocity="2" min="-1"/>', 'unknown attribute of <limit> "min" (known: lower, upper,'),
+    ('<axis xyz="0 0 1"/><axis xyz="0 1 0"/>', "joint j1 has 2 elements <axis>; the first one counts"),
+    ('<axis xyz="0 0 1"/><mimic joint="j2" multiplier="0"/>', "mimics joint j2 with multiplier 0: it is constant at 0"),
+])
+def test_what_is_ignored_is_named_with_its_line(beeline, written, axis, says):
+    written("r.urdf", URDF.format(**RIGHT | {"axis": axis}))
+    findings = [finding for finding in beeline("doctor", "r.urdf", "--json").json["findings"] if says in finding["what"]]
+    assert [(finding["kind"], finding["place"]) for finding in findings] == [("fault", "line 3")]
+    shown = beeline("fk", "r.urdf", "--q", "0" if "mimic" in axis else "0,0")
+    assert f"beeline: warning: r.urdf:3: joint j1" in shown.err and says in shown.err and shown.code == 0
+    printed = beeline("doctor", "r.urdf")
+    assert printed.code == 1 and printed.out.count("r.urdf") == 1
+    assert "warning" not in printed.err
+
+
+def test_the_same_advice_is_given_once(beeline, written):
+    text = URDF.format(**RIGHT | {"roll": "90"})
+    written("r.urdf", text.replace('rpy="0 0 0"', 'rpy="0 0 180"'))
+    out = beeline("doctor", "r.urdf").out
+    assert out.count("degrees?") == 2 and out.count("write radians") == 1
+    written("r.urdf", text.replace("<link", "<xacro:a/><link", 1).replace('name="r">', 'name="r"><xacro:b/>', 1).replace('lower="-2"', 'lower="3"', 1))
+    err = beeline("doctor", "r.urdf").err
+    assert err.count("run xacro") == 1 and err.count("<xacro:") == 2
+
+
 def test_degrees_in_a_table(beeline, written):
     written("t.json", table(changed(alpha={0: 90})))
     findings = beeline("doctor", "t.json", "--json").json["findings"]
@@ -169,6 +197,14 @@ def test_all_faults_of_a_file_are_listed_where_its_chain_has_one(beeline, refuse
     assert any("nowhere" in line and "line 5" in line for line in lines[1:-1])
     written("r.urdf", text.replace("</robot>", '<joint name="x" type="ball"><parent link="b"/><child link="x"/></joint><link name="x"/></robot>'))
     assert "unknown type" in beeline("doctor", "r.urdf", "--tip", "b").err
+
+
+def test_a_fault_beside_the_chain_is_said_once(beeline, written):
+    ball = '<joint name="x" type="ball"><parent link="b"/><child link="x"/></joint><link name="x"/></robot>'
+    written("r.urdf", URDF.format(**RIGHT).replace("</robot>", ball))
+    answer = beeline("doctor", "r.urdf", "--tip", "c")
+    assert answer.out.count("unknown type") == 1 and "unknown type" not in answer.err
+    assert answer.out.count("r.urdf") == 1, "its lines name places of one file"
 
 
 def test_no_number_is_minus_zero(beeline, written):

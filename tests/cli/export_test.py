@@ -184,6 +184,14 @@ def test_the_first_sample_is_at_time_zero(beeline, written, tmp_path):
     assert report["proof"].startswith("all; ") and "straight lines" in report["proof"]
 
 
+def test_messages_in_rows_have_times(beeline, written, tmp_path):
+    names = "joint1,joint2,joint3"
+    rows = "".join(f"{5 + k // 2},{k % 2 * 500000000},base,{names},{0.1 + k / 20},0.2,0.3\n" for k in range(3))
+    answer = beeline("export", "rrr", written("ros2.csv", rows), "--as", "ros2", "--out", "out.json")
+    assert answer.code == 0, answer.err
+    assert ros_message.read((tmp_path / "out.json").read_text())[1] == [0, 5 * 10**8, 10**9]
+
+
 def test_a_motion_that_does_not_end_at_rest_is_noted(beeline, written):
     written("a.csv", "t,joint1,joint2,joint3,joint1_vel,joint2_vel,joint3_vel\n0,0,0,0,0,0,0\n1,1,0,0,1,0,0\n")
     report = beeline("export", "rrr", "a.csv", "--as", "ros2", "--out", "a.json", "--json").json
@@ -200,7 +208,7 @@ SIX = "t," + ",".join(f"joint{i}" for i in range(1, 7)) + "\n0,0,0,0,0,0,0\n1,0,
     (2, "RRRRRP", SIX, ("--as", "rapid", "--out", "a.mod"), ['"joint6" is not revolute']),
     (2, "ur5", SIX, ("--as", "urscript", "--out", "a.script", "--rate", "300"), ["--rate", "500 / n", "300"]),
     (2, "ur5", SIX, ("--as", "urscript", "--out", "a.script", "--rate", "1000"), ["--rate", "500 / n"]),
-    (2, "ur5", SIX, ("--as", "csv", "--out", "a.csv"), ["need a rate"]),
+    (2, "ur5", SIX, ("--as", "csv", "--out", "a.csv"), ["csv setpoints need the --rate in samples per second"]),
     (2, "ur5", SIX, ("--as", "csv", "--out", "a.csv", "--rate", "1e9"), ["--rate", "10 million"]),
     (2, "ur5", SIX, ("--as", "krl", "--out", "a-b.src"), ['"a-b"', "KRL", "24"]),
     (2, "ur5", SIX, ("--as", "krl", "--out", "loop.src"), ['"loop"', "KRL"]),

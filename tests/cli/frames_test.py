@@ -213,6 +213,7 @@ def test_reasons_of_line_are_in_the_work_frame(beeline, written):
         at = re.search(r"at x (\S+), y (\S+), z (\S+) m: ", plain.err)
         assert float(at[1]) > 0.2 and (float(at[2]), float(at[3])) == pytest.approx((0.1, 0.1), abs=1e-9)
         assert plain.err.endswith("; positions are in the frame of --work\n")
+        assert beeline("line", "panda", "--through", file, "--json", *work).json["reason"] == plain.err[9:-1]
     # A task whose rows are axes of the world, in a frame that is not upright: the world.
     tilted = beeline("line", "panda", "--through", "far.csv", "--task", "110001", "--degrees", "--work",
                      "0.3,0,0.2,20,0,30")

@@ -1,6 +1,8 @@
 """--help and help: every verb, its options and its examples, which run as they are printed."""
 
 import os
+import pathlib
+import re
 import subprocess
 
 import pytest
@@ -44,6 +46,35 @@ def test_the_overview_lists_the_verbs(beeline):
     for verb in VERBS:
         assert f"\n  {verb.split()[0]} " in answer.out
     assert "Exit codes: 0 yes, 1 the computed answer is no" in " ".join(answer.out.split())
+
+
+def test_no_verb_is_left_out(beeline):
+    """The list above has every verb, except those with tests of their own; docs/verbs.md has a row for each that computes."""
+    parts = dict(re.findall(r"Of `(\w+)`: ([\w, ]+)\.", " ".join(beeline("help", "--help").out.split())))
+    verbs = re.findall(r"^  (\w+)  ", beeline("--help").out.split("\nVerbs:\n")[1].split("\nOptions:")[0], re.M)
+    every = verbs + [f"{verb} {part}" for verb in parts for part in parts[verb].split(", ")]
+    elsewhere = {"reach", "view", *(f"reach {part}" for part in parts["reach"].split(", "))}
+    assert set(every) == set(VERBS) | elsewhere
+    page = pathlib.Path(__file__).parents[2] / "docs" / "verbs.md"
+    rows = re.findall(r"^\| `([a-z |\\]+)", page.read_text(), re.M)
+    documented = {f"{row.split()[0]} {part}".strip() for row in rows
+                  for part in " ".join(row.split()[1:]).split("\\|")}
+    assert documented == set(every) - {"batch", "reach", "view", "completion", "man", "help"}
+
+
+def test_an_option_of_several_verbs_has_one_text(beeline):
+    """Without its defaults and ranges, which belong to the verb."""
+    one = ["--threads", "--limit-tolerance", "--profile", "--interpolation", "--degrees", "--task", "--frame", "--lock",
+           "--time-limit", "--max-work", "--tolerance METRES", "--orientation-tolerance", "--pose-form", "--tip", "--redundancy"]
+    texts = {}
+    for verb in [*VERBS, "reach map", "reach place"]:
+        for entry in beeline(*verb.split(), "--help").out.split("\n  -")[1:]:
+            text = " ".join(("-" + entry).split("\n\n")[0].split())
+            name = next((name for name in one if text.startswith(name + " ") or text == name), None)
+            if name:
+                texts.setdefault(name, set()).add(re.split(r" (?:Default|Range|Needs|Requires|Excludes|For --method)", text)[0])
+    assert len(texts) == len(one)
+    assert {name: found for name, found in texts.items() if len(found) > 1} == {}
 
 
 def test_every_option_of_the_verbs_has_a_sentence(beeline):

@@ -66,7 +66,7 @@ def test_a_tolerance_of_the_pose_reports_the_deviation(ik):
     assert max(abs(x), abs(y)) <= 0.1 and 0 < theta <= 60
     assert ik("rrr", "4,5,0", *tolerance)["deviation"] is None
     refused = ik("rrr", "8,8,0", *tolerance)
-    assert refused["status"] == "unreachable" and "pose_tolerance" in refused["reason"]
+    assert refused["status"] == "unreachable" and "pose tolerance" in refused["reason"]
 
 
 def test_weights_order_the_solutions(ik, pose_at):

@@ -173,10 +173,18 @@ def test_a_mistake_gets_one_line(beeline, puma, tmp_path, arguments, code, messa
 POSES = "x,y,z,roll,pitch,yaw\n0.8,-0.3,0.2,180,0,0\n0.8,0.3,0.2,180,0,0\n1,0,0.4,180,0,0\n"
 
 
+def test_a_map_that_is_ended_has_a_reason(beeline, tmp_path):
+    answer = beeline("reach", "map", "rrr", "--out", tmp_path / "out.h5", "--time-limit", "0", "--json")
+    assert answer.code == 1 and answer.json["status"] == "time_limit" and answer.json["code"] == "ended_in_map"
+    assert answer.json["fields"] == {"ending": "time_limit", "parts": answer.json["parts"]}
+    assert answer.err == f"beeline: {answer.json['reason']}\n"
+
+
 def test_a_placement_reaches_every_pose_in_lines(beeline, puma, written):
     poses = written("poses.csv", POSES)
     found = beeline("reach", "place", puma, "--poses", poses, "--degrees", "--lines", "--count", 3, "--json")
     assert found.code == 0 and found.json["checked"] == found.json["mounts"]
+    assert (found.json["reason"], found.json["code"], found.json["fields"]) == ("", None, {})
     margins = [placement["margin"] for placement in found.json["placements"]]
     assert len(margins) == 3 and margins == sorted(margins, reverse=True)
     mount = found.json["placements"][0]["mount"]
@@ -194,6 +202,8 @@ def test_no_placement_has_a_reason(beeline, puma, written):
     high = written("high.csv", "x,y,z,roll,pitch,yaw\n0,0,5,0,0,0\n")
     answer = beeline("reach", "place", puma, "--poses", high, "--json")
     assert answer.code == 1 and answer.json["placements"] == [] and "none of the" in answer.err
+    assert answer.json["code"] == "no_mount_reaches" and answer.err == f"beeline: {answer.json['reason']}\n"
+    assert set(answer.json["fields"]) == {"count", "of"}
 
 
 def test_a_slice_is_drawn_and_written(beeline, puma, tmp_path):

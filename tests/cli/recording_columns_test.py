@@ -110,7 +110,7 @@ def test_rates_of_other_programs(beeline, tmp_path, style):
 
 def test_a_comment_is_a_header_only_if_it_names_the_joints(beeline, tmp_path):
     rows = table(None, [row[:4] for row in motion()], separator=" ")
-    for comment in ("# measured at t 5", "# t is in", "% joint1 t in s", "# t t1 t2 t3"):
+    for comment in ("# measured at t 5", "# t is in", "# t t1 t2 t3"):
         (tmp_path / "log.txt").write_text(comment + "\n" + rows)
         answer = beeline("replay", "rrr", "log.txt", "--json")
         assert answer.code == 0 and "log.txt has no header" in answer.err, comment

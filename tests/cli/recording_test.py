@@ -186,7 +186,7 @@ def test_times_in_another_unit_get_a_hint(beeline, tmp_path):
     assert answer.code == 0 and answer.json["duration"] == pytest.approx(1.9)
     assert "column time has times since 1970 in ns, which count from the first sample" in answer.err
     (tmp_path / "t.csv").write_text((tmp_path / "epoch.csv").read_text().replace("time", "t", 1))
-    assert "--time-unit reads ms, us or ns" in beeline("replay", "ur5e", "t.csv").err
+    assert "column t has times since 1970 in ns" in beeline("replay", "ur5e", "t.csv").err
     (tmp_path / "ms.csv").write_text(table(["time"] + ROS, [[1000 * row[0], *row[1:]] for row in motion()]))
     hint = beeline("replay", "ur5e", "ms.csv")
     assert hint.code == 0 and "100 s apart on average" in hint.err and "--time-unit reads ms" in hint.err
@@ -233,6 +233,11 @@ def test_joint_maps(beeline, tmp_path):
     assert beeline("check", "ur5e", "log.csv", *mapped, "--through", "p.csv", "--task", "position").code == 1
     assert beeline("diff", "ur5e", "own.csv", "own.csv", *mapped).code == 3
     assert beeline("replay", "ur5e", "log.csv", "--joint-map", "a,b").code == 2
+    twice = beeline("replay", "ur5e", "log.csv", "--joint-map", "a,b,c,d,-a,f")
+    assert twice.code == 2 and twice.err.startswith("beeline: the --joint-map gives a to two joints")
+    (tmp_path / "twice.json").write_text('{"joint1": "a",\n "joint3": {"name": "a"}}')
+    twice = beeline("replay", "ur5e", "log.csv", "--joint-map", "twice.json")
+    assert twice.code == 3 and 'twice.json:2: joint3 gives "a" to two joints' in twice.err
     assert beeline("replay", "ur5e", "log.csv", "--joint-map", "none.json").code == 3
 
 
@@ -313,6 +318,6 @@ def test_millimetres_get_a_hint(beeline, tmp_path):
     for offset, hinted in ((100, True), (-120, True), (0.1, False), (-0.05, False)):
         (tmp_path / "program.csv").write_text(relative.format(offset))
         answer = beeline("line", "ur5e", "--mount", "100,0,0", "--through", "program.csv", "--max-work", "1000")
-        assert (f"a position {abs(offset)} m away is far out of reach; --millimetres" in answer.err) == hinted
+        assert (f"a position {abs(offset)} m away is rather in millimetres; --millimetres" in answer.err) == hinted
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n4,2,3,3.1,0,0\n")
     assert "millimetres" not in beeline("line", "ur5e", "--through", "poses.csv").err

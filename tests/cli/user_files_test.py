@@ -67,7 +67,7 @@ def test_a_floating_root_names_the_base(beeline, written):
     (warning,) = warnings(answer)
     assert warning == "the base is a, below joint root, which places the arm in the world; --base selects another"
     assert beeline("show", "r.urdf", "--base", "a").err == ""
-    assert "--base a selects a chain without it" in beeline("show", "r.urdf", "--base", "world").err
+    assert "(--base a) selects a chain without it" in beeline("show", "r.urdf", "--base", "world").err
 
 
 def test_a_finger_is_not_a_joint_of_the_arm(beeline, written):
@@ -173,7 +173,88 @@ def test_the_tip_that_a_refusal_names_works_when_it_is_pasted(beeline, build, wr
                             joint("f2", "prismatic", name, "finger2", '<mimic joint="f1"/>')))
     refusal = beeline("show", "r.urdf")
     assert refusal.code == 3
-    option = refusal.err.split("; ")[-1].removesuffix(" ends before the gripper\n")
+    option = refusal.err.split(" (")[-1].removesuffix(") ends before the gripper\n")
     assert option.startswith("--tip "), refusal.err
     pasted = subprocess.run(f"{build}/beeline show r.urdf {option} --json", shell=True, capture_output=True, text=True, cwd=tmp_path)
     assert pasted.returncode == 0 and len(json.loads(pasted.stdout)["joints"]) == 2, pasted.stderr
+
+
+def markdown(text):
+    header, *rows = ["| " + line.replace(",", " | ") + " |" for line in text.splitlines()]
+    return "\n".join([header, "|---" * (header.count("|") - 1) + "|", *rows]) + "\n"
+
+
+TABLES = {
+    "pipes": lambda text: text.replace(",", "|"), "Markdown": markdown,
+    "comments": lambda text: "// by hand\n%  more\n; last\n" + text,
+    "commas at the ends": lambda text: text.replace("\n", ",,\n") + ",,,\n",
+    "semicolons at the ends": lambda text: text.replace("\n", ";\n"),
+    "decimal commas": lambda text: text.replace(",", ";").replace(".", ",").replace("\n", ";\n"),
+    "the minus of Unicode": lambda text: text.replace("-", "\u2212"),
+}
+
+
+@pytest.mark.parametrize("habit", TABLES)
+def test_tables_of_other_programs(beeline, written, tmp_path, habit):
+    poses = "x,y,z,roll,pitch,yaw\n0.4,0,0.5,3.1,0,-0.2\n0.5,0.1,0.5,3.1,0.1,0\n"
+    recording = "t,joint1,joint2,joint3\n0,0.1,0.2,-0.3\n0.5,0.2,0.3,-0.4\n"
+    for arm, text, verb in [("panda", poses, ("batch", "ik", "panda", "--in")), ("rrr", recording, ("replay", "rrr"))]:
+        outputs = []
+        for name, content in [("plain.csv", text), ("other.csv", TABLES[habit](text))]:
+            answer = beeline(*verb, written(name, content), "--out", "out.csv")
+            assert answer.code == 0 and answer.err == "", (arm, answer.err)
+            outputs.append((tmp_path / "out.csv").read_text())
+        assert outputs[0] == outputs[1]
+
+
+def test_a_comment_with_units_is_the_header(beeline, written, tmp_path):
+    """MATLAB's comment above numbers; in another order than a header's, in prose, it is refused."""
+    written("one.json", '{"name": "one", "joint_string": "R"}')
+    written("m.txt", "%  joint1 t in s\n0.1 0\n0.2 0.5\n")
+    answer = beeline("replay", "one.json", "m.txt", "--out", "out.csv")
+    assert answer.code == 0 and answer.err == "", answer.err
+    assert (tmp_path / "out.csv").read_text() == "t,joint1\n0,0.1\n0.5,0.2\n"
+    written("m.txt", "% the angle joint1 over t\n0.1 0\n0.2 0.5\n")
+    answer = beeline("replay", "one.json", "m.txt")
+    assert answer.code == 3 and "read as t, joint1; the comment" in answer.err and "names them in another order" in answer.err
+
+
+def test_every_row_of_a_path_is_retimed(beeline, written, tmp_path):
+    numbers = [(0, -0.1), (1, -1), (1.5, -1.5), (2, 2), (3, 3)]
+    for minus in "-", "\u2212":
+        text = "joint1,joint2\n" + "".join(f"{a:g},{b:g}\n" for a, b in numbers).replace("-", minus)
+        answer = beeline("retime", "RR:1,1", written("path.csv", text), "--out", f"{ord(minus)}.csv", "--json")
+        assert answer.code == 0, answer.err
+    assert (tmp_path / "45.csv").read_text() == (tmp_path / "8722.csv").read_text()
+    for row, says in [("0x0,1", "n.csv:2: column joint1"), ("1,on", "n.csv:2: column joint2")]:
+        answer = beeline("retime", "RR:1,1", written("n.csv", f"joint1,joint2\n{row}\n0,0\n1,1\n2,2\n"))
+        assert answer.code == 3 and says in answer.err, answer.err
+
+
+def test_an_index_of_pandas_with_semicolons_is_no_time(beeline, written, refused, tmp_path):
+    written("one.json", '{"name": "one", "joint_string": "R"}')
+    for separator in ",;":
+        text = "\n".join([";joint1", "0;0.1", "1;0.2", "2;0.3", ""]).replace(";", separator)
+        refused(3, "replay", "one.json", written("p.csv", text), says=["p.csv", "Unnamed: 0"])
+    answer = beeline("replay", "one.json", written("p.csv", ";t;joint1\n0;0;0.1\n1;0.5;0.2\n"), "--out", "out.csv")
+    assert answer.code == 0 and (tmp_path / "out.csv").read_text() == "t,joint1\n0,0.1\n0.5,0.2\n"
+
+
+def test_prose_above_poses_is_no_header(beeline, written):
+    for comment, code in [("x and y", 0), ("x, y and more", 0), ("time x y", 3), ("x, y, phi", 3)]:
+        answer = beeline("batch", "ik", "rrr", "--in", written("p.csv", f"# {comment}\n1.5,0.2,0\n"), "--out", "out.csv")
+        assert answer.code == code, (comment, answer.err)
+    assert 'read as x, y, theta; the comment "x, y, phi" names other columns' in answer.err
+
+
+def test_days_of_excel_are_refused(beeline, written):
+    written("e.csv", "time,joint1,joint2,joint3\n45000.5,0,0,0\n45000.50001,0,0,0\n")
+    answer = beeline("replay", "rrr", "e.csv")
+    assert answer.code == 3 and "look like days, as Excel" in answer.err and "--time-unit" in answer.err
+    assert beeline("replay", "rrr", "e.csv", "--time-unit", "s").code == 0
+
+
+def test_poses_without_a_header_are_said_to_be_read_in_an_order(beeline, written):
+    answer = beeline("batch", "ik", "panda", "--in", written("p.csv", "0.4,0,0.5,0,1,0,0\n"), "--out", "out.csv")
+    assert answer.code == 0
+    assert warnings(answer) == ["p.csv has no header; its columns are read as x, y, z, qw, qx, qy, qz"]

@@ -272,9 +272,22 @@ def test_the_page_is_saved_as_one_file(beeline, folder):
     assert element(text, "core-module") == core and "data-file=\"core" not in text and text.endswith(elements[-1])
     assert element(text, "trajectory").decode() == (folder / "move.csv").read_text()
     words = dict(word.split("=") for word in re.search('id="saved-state">([^<]*)<', text)[1].split("&"))
-    assert words["section"] == "motion"
+    assert words["section"] == "line"
     arm = words["json"]
     assert json.loads(zlib.decompress(base64.urlsafe_b64decode(arm + "=" * (-len(arm) % 4)), wbits=-15))["name"] == "ur5"
+
+
+def test_the_page_begins_in_a_section(beeline, refused, build, folder):
+    (folder / "page" / "saved.html").write_text('<script type="text/plain" id="saved-state"></script>')
+    answer = beeline("view", "rrr", "--section", "control", "--page", "page", "--save", "rrr.html")
+    assert answer.code == 0 and (folder / "rrr.html").read_text().endswith("&section=control</script>")
+    for arguments, section in ((["--section", "lessons"], "lessons"), ([], None)):
+        server = Server(build, folder, "--port", str(free_port()), *arguments)
+        try:
+            assert json.loads(server.ask("GET", "/api/session")[1])["section"] == section
+        finally:
+            server.stop()
+    refused(2, "view", "rrr", "--section", "hold", says=["--section", "hold", "pose", "workspace"])
 
 
 def test_what_cannot_be_saved_is_refused(refused, folder):

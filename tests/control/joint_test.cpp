@@ -1,5 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include <beeline/control/joint.h>
 #include <beeline/kinematics/forward.h>
@@ -15,6 +16,24 @@ namespace beeline {
 namespace {
 
 using testing::deg;
+
+TEST(ControlledMotion, IsPrintedWithItsErrorOrItsReason) {
+  const auto printed = [](const ControlledMotion& motion) {
+    std::ostringstream text;
+    text << motion;
+    return text.str();
+  };
+  const Arm arm = built_in("rrr");
+  const Configuration start = Configuration::Zero(3), goal = Configuration::Constant(3, 0.5);
+  const ControlledMotion motion = control_joints(arm, start, goal);
+  const Trajectory& trajectory = motion.trajectory;
+  EXPECT_EQ(printed(motion), "reached in " + number(trajectory.times.back()) + " s, " +
+                                 std::to_string(trajectory.size()) + " samples, error " +
+                                 number(motion.error));
+  const ControlledMotion few = control_joints(arm, start, goal, {}, {.max_steps = 3});
+  EXPECT_EQ(printed(few), "not_converged: " + sentence(few.reason));
+  EXPECT_EQ(printed({}), "reached, error 0");
+}
 
 TEST(ControlJoints, ReducesTheErrorByTheGainInEveryStep) {
   testing::Random random;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <sstream>
 
 #include <beeline/control/replay.h>
 #include <beeline/model/catalog.h>
@@ -313,6 +314,25 @@ TEST(Replay, RefusesInvalidSpeeds) {
   EXPECT_REFUSED(replay(arm, recorded, {.rate = 1, .speed_at = {{0, 1}}}), "or more are needed");
   EXPECT_REFUSED(replay(arm, recorded, {.speed = 2, .speed_at = {{0, 1}}}), "speed");
   EXPECT_REFUSED(replay(arm, recorded, {.speed_at = {{0, 1}}, .ramp = 0}), "ramp");
+}
+
+TEST(Replay, IsPrintedWithItsUseOfTheLimitsOrItsReason) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  const Trajectory recorded = recording(random, arm, 20);
+  const auto printed = [](const Replay& replayed) {
+    std::ostringstream text;
+    text << replayed;
+    return text.str();
+  };
+  const Replay played = replay(arm, recorded);
+  ASSERT_TRUE(played) << played.reason;
+  EXPECT_EQ(printed(played), "reached in 0.19 s, 20 samples, up to " +
+                                 percent_at_most(played.limits.velocity.fraction) +
+                                 " of the velocity limits");
+  const Replay fast = replay(arm, recorded, {.speed = 100});
+  ASSERT_FALSE(fast);
+  EXPECT_EQ(printed(fast), "outside_limits: " + sentence(fast.reason));
 }
 
 TEST(Replay, RefusesInvalidArguments) {

@@ -72,6 +72,29 @@ TEST(SymbolicArm, RecoversDhRows) {
   }
 }
 
+/// A pitch, in metres per radian, is never the symbol of an equal length.
+TEST(SymbolicArm, NamesThePitchOfAHelicalJoint) {
+  testing::Random random;
+  for (int k = 0; k < testing::cases(30); ++k) {
+    Joint joint;
+    joint.name = "screw";
+    const double pitch = random.uniform(0.01, 0.5);
+    joint.screw = rotation_screw(Vector3::UnitZ(), {pitch, 0.1, 0}, pitch);
+    joint.offset.translation() = Vector3(0, 0, pitch);
+    const SymbolicArm arm = symbolic_arm({"arm", {joint}});
+    int pitches = 0;
+    for (const Symbol& symbol : arm.symbols) {
+      if (symbol.kind == SymbolKind::pitch) {
+        ++pitches;
+        EXPECT_EQ(symbol.name(), "h1");
+        EXPECT_NEAR(symbol.value, pitch, 1e-12);
+      }
+      EXPECT_EQ(symbol.is_coordinate(), symbol.name() == "q1");
+    }
+    EXPECT_EQ(pitches, 1);
+  }
+}
+
 /// Angles near a multiple of 15 degrees are exact within the tolerance, and reported.
 TEST(SymbolicArm, ReportsWhatItRounds) {
   const double rounded = 1.5708;  // pi/2 + 3.67e-6

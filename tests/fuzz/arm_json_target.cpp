@@ -1,4 +1,5 @@
-#include <beeline/io/text/arm.h>
+#include <beeline/collision/collision_model.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/kinematics/forward.h>
 
 #include <tests/fuzz/target.h>
@@ -16,5 +17,7 @@ BEELINE_FUZZ_TARGET(arm_json) {
     fuzz::require(!(difference.matrix() - Pose::Identity().matrix()).hasNaN(), "finite poses");
     fuzz::require(difference.translation().norm() < 1e-6 * size || !std::isfinite(size),
                   "the same pose");
+    const ArmShapes shapes = arm_shapes_from_text(input, "fuzzed.json");
+    CollisionModel(arm, shapes.links, {}, {.budget = {.max_work = 10}});
   });
 }

@@ -4,6 +4,7 @@ import functools
 import pathlib
 import random
 import re
+import struct
 import subprocess
 import tempfile
 
@@ -39,7 +40,17 @@ DEGREES = b'{"name": "e", "dh": {"convention": "modified", "degrees": true, "row
 JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
 NPY = b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }".ljust(127) + b"\n" + b"\0" * 48
 
+PART = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf -1 -2 -3\n"
+PART_STL = b"part".ljust(80, b"\0") + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0)
+SHAPED = b"""<robot name="shaped"><link name="a"/><link name="b"><collision><origin xyz="0 0 2"/><geometry>
+<mesh filename="part.stl" scale="1 1 -2"/></geometry></collision></link>
+<joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit lower="-1" upper="1" velocity="1"/></joint></robot>"""
+CELL = b"""<robot name="cell"><link name="floor"/><link name="part"><collision><geometry><mesh filename="package://parts/part.obj"/>
+</geometry></collision></link><joint name="slide" type="prismatic"><parent link="floor"/><child link="part"/><limit lower="0" upper="1"/>
+</joint></robot>"""
+
 FILES = {
+    "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
@@ -100,6 +111,8 @@ reach place map.h5 --poses planar.csv --step 1 --max-checked 20
 reach merge part1.h5 part2.h5 --out out.h5
 reach export azimuths.h5 --out out.vti
 show robot.urdf --srdf arm.srdf --group arm
+check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end
+move shaped.urdf --from 0 --to 0.1 --method quickest --self
 fk rrr --q 0.1,0.2,0.3 --limits limits.yaml
 fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5
 arms --json
@@ -107,7 +120,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---joint-map --angle-unit --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
+--joint-map --angle-unit --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance""".split()
 
 
 # Files that the command makes, by the command lines before --out.

@@ -45,6 +45,25 @@ TEST(InverseKinematics, ComesBackToEveryPoseOfEveryBuiltInArm) {
   }
 }
 
+TEST(InverseKinematics, SaysThatAFarPositionIsRatherInMillimetres) {
+  testing::Random random;
+  for (const std::string name : {"panda", "ur5", "rrr", "scara"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < 5; ++i) {
+      Pose pose = forward_kinematics(arm, random.configuration(arm));
+      const double height = pose.translation().z();
+      pose.translation() *= 1000;
+      if (arm.planar()) pose.translation().z() = height;
+      const InverseResult result = inverse_kinematics(arm, pose);
+      ASSERT_EQ(result.status, InverseStatus::unreachable) << name;
+      EXPECT_EQ(result.reason.has(ReasonField::in_millimetres),
+                (pose.translation() - arm.reach().centre).norm() > 10 * arm.reach().radius);
+      pose.translation().x() += 4000 * arm.reach().radius;  // in millimetres out of reach as well
+      EXPECT_FALSE(inverse_kinematics(arm, pose).reason.has(ReasonField::in_millimetres));
+    }
+  }
+}
+
 TEST(InverseKinematics, AtItsOwnSeedStaysThere) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {

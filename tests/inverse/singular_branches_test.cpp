@@ -224,6 +224,24 @@ INSTANTIATE_TEST_SUITE_P(, SingularBranches,
                          ::testing::Values("puma560", "kr6_r900", "irb120", "stanford", "ur5",
                                            "cr5", "crx10ia", "xarm6", "hc10"));
 
+/// Away from singularities the closed forms of three axes that meet or are parallel have all
+/// solutions, among them the configuration of the pose.
+TEST(RegularPoses, AreCompleteWithTheirConfiguration) {
+  Random random;
+  for (const char* name : {"puma560", "kr6_r900", "irb120", "stanford", "ur5", "cr5"}) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm, {.all = true});
+    for (int i = 0; i < testing::cases(300); ++i) {
+      const Configuration q = random.configuration(arm);
+      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q));
+      if (svd.singularValues()[5] < 0.01 * svd.singularValues()[0]) continue;
+      const InverseResult result = solver.solve(forward_kinematics(arm, q));
+      ASSERT_TRUE(result.complete && result.branches_complete) << name << ' ' << q.transpose();
+      ASSERT_TRUE(testing::holds(arm, result.solutions, q)) << name << ' ' << q.transpose();
+    }
+  }
+}
+
 /// Angles of 0 and of a quarter or half turn, which people choose, often make zeros of the closed
 /// form multiple. `complete` is never true without the configuration of the pose.
 TEST(RightAngles, AreAmongCompleteSolutions) {

@@ -55,7 +55,8 @@ TEST(ControllerFile, WhatAFormCannotHoldIsRefused) {
       controller_file(panda, at_rest(panda, Configuration::Zero(7)), ControllerForm::krl),
       "krl programs need six revolute joints; the arm has 7");
   EXPECT_REFUSED(controller_file(panda, still, ControllerForm::ros2), "joint7");
-  EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::csv), "need a rate");
+  EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::csv),
+                 "csv setpoints need the rate in samples per second");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.rate = 0.0}),
                  "must be 0.001 samples per second or above, not 0");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.program_name = "a b"}),

@@ -130,7 +130,7 @@ TEST(NumberRows, ABadRowIsNamedByLineAndRow) {
 TEST(NumberRows, BadRowsAreLeftOutAndCounted) {
   Sample sample;
   sample.bad.skip = true;
-  const Eigen::MatrixXd rows = sample.parse("x,1\n1,2\n3\n\n4,nan\n5,6\n7,8\n,\n");
+  const Eigen::MatrixXd rows = sample.parse("x,1\n1,2\n3\n\n4,nan\n5,6\n7,8\n9,\n,\n");
   EXPECT_EQ(rows, (Eigen::MatrixXd(2, 3) << 1, 5, 7, 2, 6, 8).finished());
   EXPECT_EQ(sample.bad.count, 4);
   EXPECT_EQ(sample.parse("1\n5,6\n").cols(), 1) << "a bad row in the place of a header";

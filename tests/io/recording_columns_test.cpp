@@ -143,22 +143,66 @@ TEST(RecordingColumns, AUnitMayStandInFrontOfTheJoint) {
   }
 }
 
-TEST(RecordingColumns, ANoteNamesTheColumnsThatGiveTheUnit) {
+/// The unit of rates says nothing about positions.
+TEST(RecordingColumns, PositionsBesideRatesInAUnitNeedOne) {
   const std::string text =
       "t,joint1,joint2,joint3,joint1_vel (deg/s),joint2_vel (deg/s),joint3_vel (deg/s)\n"
-      "0,90,0,0,1,2,3\n";
-  const Recording read = parsed(text);
-  ASSERT_EQ(read.notes.size(), 1u);
+      "0,1,0,0,90,2,3\n";
+  EXPECT_REFUSED(parsed(text),
+                 "a.csv: column \"joint1\" has no unit, but column \"joint1_vel (deg/s)\" is in "
+                 "deg/s; a unit behind its name, as in \"joint1_deg\", or the option angle_unit "
+                 "(--angle-unit) gives it");
+  const double degree = std::numbers::pi / 180;
+  for (const double angle_unit : {1.0, degree}) {
+    const Recording read =
+        parsed(text, {.match = {.angle_unit = angle_unit}, .angle_unit_is_known = true});
+    EXPECT_NEAR(read.trajectory.positions[0][0], angle_unit, 1e-15);
+    EXPECT_NEAR(read.trajectory.velocities[0][0], std::numbers::pi / 2, 1e-15);
+  }
+  EXPECT_REFUSED(parsed("time,position_joint1,position_joint2,position_joint3,velocity_joint1_deg,"
+                        "velocity_joint2_deg,velocity_joint3_deg\n0,90,0,0,1,2,3\n"),
+                 "column \"position_joint1\" has no unit");
+  // Rates in radians per second are in the unit that positions have by default.
+  const Recording radians = parsed(
+      "t,joint1,joint2,joint3,joint1_vel [rad/s],joint2_vel [rad/s],joint3_vel [rad/s]\n"
+      "0,1,2,3,4,5,6\n");
+  EXPECT_EQ(radians.trajectory.positions[0], Vector3(1, 2, 3));
+  EXPECT_EQ(radians.trajectory.velocities[0], Vector3(4, 5, 6));
+  EXPECT_REFUSED(parsed("t,joint1_deg,joint2_deg,joint3_deg,joint1_vel [deg/s^2],joint2_vel,"
+                        "joint3_vel\n0,1,2,3,4,5,6\n"),
+                 "column \"joint1_vel [deg/s^2]\" is in deg/s^2, but it is a velocity");
+}
+
+TEST(RecordingColumns, ColumnsWithoutAUnitBesideOthersAreNoted) {
+  const Recording read = parsed("t,joint1_deg,joint2,joint3\n0,90,2,3\n");
+  ASSERT_EQ(read.notes.size(), 2u);
+  EXPECT_EQ(read.notes[1].kind, RecordingNoteKind::no_unit);
+  EXPECT_EQ(read.notes[1].columns, (std::vector<std::string>{"joint2", "joint3"}));
+  EXPECT_EQ(read.notes[1].joint_unit, JointUnit::radians);
+  EXPECT_EQ(sentence(read.notes[1], OptionStyle::command),
+            "a.csv: columns joint2, joint3 are read in rad: their names give no unit, other names "
+            "give one; --angle-unit gives it");
   EXPECT_EQ(
-      read.notes[0].columns,
-      (std::vector<std::string>{"joint1_vel (deg/s)", "joint2_vel (deg/s)", "joint3_vel (deg/s)"}));
-  EXPECT_NEAR(read.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
-  const Recording beside = parsed(
-      "time,position_joint1,position_joint2,position_joint3,velocity_joint1_deg,"
-      "velocity_joint2_deg,velocity_joint3_deg\n0,90,0,0,1,2,3\n");
-  ASSERT_EQ(beside.notes.size(), 1u);
-  EXPECT_EQ(beside.notes[0].columns.front(), "velocity_joint1_deg");
-  EXPECT_NEAR(beside.trajectory.positions[0][0], std::numbers::pi / 2, 1e-15);
+      parsed("t,joint1_deg,joint2,joint3\n0,90,2,3\n", {.angle_unit_is_known = true}).notes.size(),
+      1u);
+}
+
+TEST(RecordingColumns, IncompleteRatesAreNoted) {
+  const std::string positions = "t,/a/joint1/position,/a/joint2/position,/a/joint3/position";
+  for (const auto& [columns, unread] :
+       std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {",/a/joint2/velocity", {"/a/joint2/velocity"}},
+           {",/a/joint1/velocity,/a/joint3/velocity", {"/a/joint1/velocity", "/a/joint3/velocity"}},
+           {",/a/joint1/acceleration,/a/joint2/acceleration,/a/joint3/acceleration",
+            {"/a/joint1/acceleration", "/a/joint2/acceleration", "/a/joint3/acceleration"}}}) {
+    std::string row = "0,1,2,3";
+    for (std::size_t i = 0; i < unread.size(); ++i) row += ",4";
+    const Recording read = parsed(positions + columns + "\n" + row + "\n");
+    EXPECT_TRUE(read.trajectory.velocities.empty() && read.trajectory.accelerations.empty());
+    ASSERT_EQ(read.notes.size(), 1u) << columns;
+    EXPECT_EQ(read.notes[0].kind, RecordingNoteKind::unread_rates);
+    EXPECT_EQ(read.notes[0].columns, unread);
+  }
 }
 
 TEST(RecordingColumns, OtherQuantitiesAreNoPositions) {
@@ -258,6 +302,21 @@ TEST(RecordingColumns, RatesMayBeNamedInWords) {
   // Not all joints have it.
   EXPECT_REFUSED(parsed("t,joint1,joint2,joint3,joint1_velocity\n0,1,2,3,4\n"),
                  "the arm has no joint1_velocity");
+}
+
+TEST(RecordingColumns, OneBesideAllJointsOfAMakerIsNamedAlone) {
+  const std::vector<std::string> joints = joint_namings(built_in("ur5")).at(1);
+  for (const std::string front : {"", "left_"}) {
+    std::string text = "time", listed;
+    for (const std::string& joint : joints) {
+      text += ',' + front + joint;
+      listed += (listed.empty() ? "" : ", ") + front + joint;
+    }
+    EXPECT_REFUSED(
+        parse_recording(text + ",finger\n0,1,2,3,4,5,6,7\n", "a.csv", built_in("ur5")),
+        "a.csv: the trajectory does not fit arm ur5: the arm has no finger; the arm's joints are " +
+            listed + "; a joint map");
+  }
 }
 
 /// A table whose columns have these texts before and behind the names of the joints.

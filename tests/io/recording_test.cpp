@@ -323,8 +323,15 @@ TEST(Recording, MistakesAreNamed) {
   EXPECT_REFUSED(parse(header + "0,5;1;2;3\n1.5;1;2;3\n"), "a.csv:3: this row has decimal commas");
   EXPECT_REFUSED(parse(header + "0;1,5,5;2;3\n"), "column joint1: \"1,5,5\" is not a number");
   EXPECT_REFUSED(parse("when,joint1,joint2,joint3\n0,1,2,3\n"),
-                 "a.csv: column \"t\" is missing: seconds, increasing; its name may be time or "
-                 "timestamp, with a unit as in time_ms");
+                 "a.csv: column \"t\" is missing: seconds, increasing; its name may be time, "
+                 "timestamp, stamp, date, time_from_start, elapsed or sec, with a unit as in "
+                 "time_ms; the columns are when, joint1, joint2, joint3");
+  EXPECT_REFUSED(parse("a,b,c,d,e,f,g,h,i,j\n0,1,2,3,4,5,6,7,8,9\n"),
+                 "the columns are a, b, c, d, e, f, g, h and 2 more");
+  for (const char* column : {"time_min", "t (h)", "Time [minutes]"}) {
+    EXPECT_REFUSED(parse(std::string(column) + ",joint1,joint2,joint3\n0,1,2,3\n"),
+                   "is in a unit of times that is not read; units of times are s, ms, us and ns");
+  }
   EXPECT_REFUSED(parse("0,1\n1,2\n"),
                  "a.csv:1: the first line must be a header of names; it has 2 numbers, and a row "
                  "without a header has one of 4 (t, joint1, joint2, joint3), 7 (t, joint1, joint2, "

@@ -97,7 +97,7 @@ TEST(RecordingTimes, WholeSecondsBesideTheTimeInAFinerUnit) {
   EXPECT_EQ(timed("time_s,time_ms", {"0.123,123.5", "0.124,124.5"}).trajectory.times,
             (Seconds{0.1235, 0.1245}));
   const Recording since = timed("time_s,time_ns", {"1700000000.123,1700000000123456789",
-                                                   "1700000000.124,1700000000123456790"});
+                                                   "1700000000.123,1700000000123456790"});
   EXPECT_EQ(since.trajectory.times, (Seconds{0, 1e-9}));
   ASSERT_EQ(since.notes.size(), 1u);
   EXPECT_EQ(sentence(since.notes[0]),
@@ -204,6 +204,29 @@ TEST(RecordingTimes, DatesCountFromTheFirstSample) {
                  "column time has dates, which need no time unit (time_unit, --time-unit)");
   EXPECT_REFUSED(timed("time,nsec", {"2024-05-01T12:00:00Z,5"}),
                  "column time has dates, which column nsec cannot refine; remove that column");
+}
+
+/// Times that count days: a recording of a few samples a second would be one of more than 20 kHz.
+TEST(RecordingTimes, DaysAreRefused) {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const double days = random.integer(0, 1) ? random.uniform(15'001, 79'998)     // Excel
+                                             : random.uniform(700'001, 779'998);  // MATLAB
+    const double period = random.uniform(0.01, 4) / 86400;
+    const std::vector<std::string> rows{exact(days), exact(days + period),
+                                        exact(days + 2 * period)};
+    EXPECT_REFUSED(timed("time", rows), "look like days, as Excel and MATLAB count them");
+    EXPECT_EQ(timed("time", rows, {.time_unit = TimeUnit::seconds}).trajectory.times[0], days);
+    EXPECT_EQ(timed("time_s", rows).trajectory.times[0], days);
+    const std::vector<std::string> uptime{exact(days), exact(days + 0.01), exact(days + 0.02)};
+    EXPECT_EQ(timed("time", uptime).trajectory.times[0], days);
+  }
+}
+
+TEST(RecordingTimes, OtherDatesAreRefusedWithTheRightForm) {
+  for (const char* text : {"01.05.2024 12:00:00", "05/01/2024", "12:00:00", "0 days 00:00:01"}) {
+    EXPECT_REFUSED(timed("time", {text}), "is not a date with a time, such as 2024-05-01T12:00:00");
+  }
 }
 
 }  // namespace

@@ -53,6 +53,10 @@ TEST(StatedUnits, CommentsGiveUnits) {
         {"#angle_unit: deg", one_degree, 1, 1},
         {"# all angles (\xc2\xb0), times (ms)", one_degree, 1, 1e-3},
         {"# units: deg, mm, ms", one_degree, 1e-3, 1e-3},
+        {"%  turn t in s", 1, 1, 1},
+        {"// turn slide t in ms", 1, 1, 1e-3},
+        {"# t, turn in deg", one_degree, 1, 1},
+        {"; turn, t in deg and ms", one_degree, 1, 1e-3},
         {"# units: deg/s, deg", one_degree, 1, 1},
         {"# degrees", one_degree, 1, 1},
         {"# in degrees", one_degree, 1, 1},
@@ -91,8 +95,6 @@ TEST(StatedUnits, ContradictionsAreRefused) {
                  "a.csv: column t is in s, but a comment gives times in ms");
   EXPECT_REFUSED(pair_recording("# units: deg\n# angles in rad\n" + table),
                  "the comments give angles in deg and in rad");
-  EXPECT_REFUSED(pair_recording("# units: deg, rad/s\n" + table),
-                 "the comments give angles and their rates in deg and in rad");
   EXPECT_REFUSED(pair_recording("t,turn_deg,slide\ns,rad,m\n0,1,2\n"),
                  "column turn_deg [rad] is in deg and in rad");
   EXPECT_REFUSED(parse_trajectory("# units: deg\n" + table, "a.csv"),
@@ -118,7 +120,13 @@ TEST(StatedUnits, ARowOfUnitsIsBelowTheHeader) {
   EXPECT_NEAR(rates.trajectory.velocities.at(0)[0], 1, 1e-12);
   EXPECT_NEAR(rates.trajectory.velocities.at(0)[1], 3, 1e-12);
   EXPECT_REFUSED(pair_recording("t,turn,slide\ns,deg,cm\n0,1,2\n"),
-                 "a.csv:2: column t: \"s\" is not a number");
+                 "a.csv:2: column slide: \"cm\" in the row of units is not read; units that are "
+                 "read are rad, deg, m and mm");
+  EXPECT_REFUSED(pair_recording("t,turn,slide\nmin,mrad,m\n0,1,2\n"),
+                 "a.csv:2: column t: \"min\" in the row of units is not read");
+  expect_units("sec,nanosec,turn,slide\ns,ns,deg,mm\n0,0,1,2\n7,0,3,5\n", one_degree, 1e-3, 1);
+  EXPECT_REFUSED(pair_recording("sec,nanosec,turn,slide\ns,us,deg,mm\n0,0,1,2\n"),
+                 "column nanosec [us] is in ns and in us");
   EXPECT_REFUSED(pair_recording("t,turn,slide\ns,mm,mm\n0,1,2\n"),
                  "but joint turn turns: rad or deg");
   EXPECT_REFUSED(pair_recording("t,turn,slide\ns,deg,mm\n"),
@@ -139,7 +147,7 @@ TEST(StatedUnits, PosesHaveThem) {
     return poses_from_csv(text, "a.csv", format).poses.at(0);
   };
   const std::string numbers = "1,2,3,4,5,6\n";
-  const PoseFormat both{.unit = AngleUnit::degrees, .millimetres = true};
+  const PoseFormat both{.angle_unit = AngleUnit::degrees, .millimetres = true};
   const Pose expected = pose("x,y,z,roll,pitch,yaw\n" + numbers, both);
   for (const std::string& text : {"x_mm,y_mm,z_mm,roll_deg,pitch_deg,yaw_deg\n" + numbers,
                                   "X [mm],Y [mm],Z [mm],Roll (deg),Pitch (deg),Yaw/deg\n" + numbers,
@@ -161,14 +169,49 @@ TEST(StatedUnits, PosesHaveThem) {
   };
   EXPECT_TRUE(program("motion,x_mm,y_mm,theta\nline,1,2,3\n", {})
                   .isApprox(program("motion,x,y,theta\nline,0.001,0.002,3\n", {}), 1e-12));
-  EXPECT_REFUSED(program("# units: mm\nmotion,x,y,theta\nline,1,2,3\n", {}),
-                 "a comment gives mm, but a program is read in m here; an option gives the unit of "
-                 "positions (millimetres, --millimetres)");
-  const PoseFormat millimetres{.millimetres = true};
-  EXPECT_REFUSED(program("# units: mm\nmotion,x,y,theta,blend\nline,1,2,3,4\n", millimetres),
-                 "a comment gives mm, but speeds and blends are in m/s and m");
-  EXPECT_REFUSED(program("motion,x,y,theta,blend_mm\nline,1,2,3,4\n", {}),
-                 "unknown column \"blend_mm\"");
+}
+
+TEST(StatedUnits, ProgramsHaveThem) {
+  const auto row = [](const std::string& text, const PoseFormat& format = {}) {
+    return program_rows_from_csv(text, "a.csv", format).rows.at(0);
+  };
+  const std::string items = "\nline,1,2,90,100,5,500\n";
+  const ProgramRow expected = row("motion,x,y,theta,speed,blend,dwell\nline,0.001,0.002," +
+                                  std::to_string(std::numbers::pi / 2) + ",0.1,0.005,0.5\n");
+  for (const std::string& front :
+       {std::string("# units: mm, deg, ms\nmotion,x,y,theta,speed,blend,dwell"),
+        std::string("# units: mm, deg, mm/s, ms\nmotion,x,y,theta,speed,blend,dwell"),
+        std::string("motion,x_mm,y_mm,theta_deg,speed [mm/s],blend_mm,dwell_ms"),
+        std::string("motion,x,y,theta,speed,blend,dwell\n,mm,mm,deg,mm/s,mm,ms"),
+        std::string("# x: mm, y: mm, theta: deg, speed: mm/s, blend: mm, dwell: ms\n"
+                    "motion,x,y,theta,speed,blend,dwell")}) {
+    for (const bool millimetres : {false, true}) {
+      const ProgramRow read = row(front + items, {.millimetres = millimetres});
+      EXPECT_TRUE(read.pose->pose.isApprox(expected.pose->pose, 1e-6)) << front;
+      EXPECT_NEAR(*read.speed, 0.1, 1e-15) << front;
+      EXPECT_NEAR(*read.blend, 0.005, 1e-15) << front;
+      EXPECT_NEAR(*read.dwell, 0.5, 1e-15) << front;
+    }
+  }
+  EXPECT_NEAR(*row("# units: mm, m/s\nmotion,x,y,speed\nline,1,2,0.5\n").speed, 0.5, 0);
+  EXPECT_REFUSED(
+      row("# positions in mm\nmotion,x,y,blend\nline,1,2,3\n"),
+      "a.csv:2: a comment gives positions in mm, but no unit of blend; write it behind the "
+      "column's name, as blend_mm");
+  EXPECT_REFUSED(row("motion,x,y,speed_deg\nline,1,2,3\n"),
+                 "column speed_deg must be in m/s or mm/s");
+  EXPECT_REFUSED(row("motion,x,y,blend [mm/s]\nline,1,2,3\n"), "unknown column \"blend [mm/s]\"");
+  EXPECT_REFUSED(row("# units: deg\nmotion,q\njoint,\"1,2\"\n"),
+                 "a comment gives angles in deg, but the joint values, q, are in rad here");
+  EXPECT_REFUSED(row("# units: cm\nmotion,x,y,theta\nline,1,2,3\n"),
+                 "a.csv:1: the comment \"units: cm\" gives the unit \"cm\", which is not read");
+  EXPECT_REFUSED(row("# dwell in min\nmotion,x,y,theta,dwell\nline,1,2,3,4\n"),
+                 "gives the unit \"min\", which is not read");
+  EXPECT_REFUSED(
+      row("# converted from mm\nmotion,x,y,theta\nline,1,2,3\n"),
+      "a.csv:1: the comment \"converted from mm\" does not say clearly in which unit the "
+      "columns are; write it behind their names, as x_m or x_mm");
+  EXPECT_EQ(row("# converted from mm\nmotion,x_m,y_m,theta\nline,1,2,3\n").pose->pose(0, 3), 1);
 }
 
 /// Rows of numbers in any units and any order equal the table in the wanted units.

@@ -182,6 +182,24 @@ TEST(CheckConfiguration, RefusesWrongCountsAndNumbersThatAreNotFinite) {
   EXPECT_NO_THROW(check_configuration(arm, Configuration::Constant(3, 1e300)));
 }
 
+TEST(LimitViolations, SayThatAnAngleIsRatherInDegrees) {
+  testing::Random random;
+  for (int i = 0; i < 200; ++i) {
+    Joint turn = turning("turn");
+    const double lower = random.uniform(-3, 0), upper = random.uniform(0.2, 3);
+    turn.limits = {.lower = lower, .upper = upper};
+    const Arm arm("arm", {turn});
+    const double radians = random.uniform(lower, upper);
+    const double degrees = radians * 180 / std::numbers::pi;
+    const Configuration q{{degrees}};
+    const std::vector<Reason> found = limit_violations(arm, q);
+    if (found.empty()) continue;
+    EXPECT_EQ(found.front().has(ReasonField::in_degrees), std::abs(degrees) > 2 * std::numbers::pi);
+    const Configuration far{{(upper + 0.1) * 180 / std::numbers::pi}};  // outside in both units
+    EXPECT_FALSE(limit_violations(arm, far).front().has(ReasonField::in_degrees));
+  }
+}
+
 TEST(LimitViolations, NameTheJointItsValueAndItsLimits) {
   Joint slide;
   slide.name = "slide";
@@ -200,6 +218,7 @@ TEST(LimitViolations, NameTheJointItsValueAndItsLimits) {
   EXPECT_EQ(testing::field<double>(found[0], ReasonField::lower), -1.0);
   EXPECT_EQ(testing::joint(found[1]), "slide");
   EXPECT_EQ(testing::field<std::string>(found[1], ReasonField::unit), "m");
+  EXPECT_FALSE(found[0].has(ReasonField::in_degrees));
   EXPECT_REFUSED(limit_violations(arm, Configuration::Zero(2)), "takes 3 joint values");
 }
 

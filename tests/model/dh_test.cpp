@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/model/joint.h>
+#include <beeline/model/arm.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>
@@ -79,6 +79,23 @@ TEST(DhJoint, RotatesAboutTheConventionsAxis) {
 
 TEST(DhJoint, RefusesHelicalRows) {
   EXPECT_REFUSED(dh_joint({.kind = JointKind::helical}, DhConvention::standard), "helical");
+}
+
+TEST(DhTable, MakesAnArmOfNamedJoints) {
+  const std::vector<DhRow> rows{{.a = 0.4}, {.a = 0.3, .kind = JointKind::prismatic}};
+  const std::vector<Limits> limits{{.lower = -1, .upper = 2}, {.lower = 0, .upper = 0.5}};
+  for (const DhConvention convention : {DhConvention::standard, DhConvention::modified}) {
+    const Arm arm = arm_from_dh("own", rows, convention, limits);
+    EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"joint1", "joint2"}));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(arm.joints()[i].offset.matrix(), dh_joint(rows[i], convention).offset.matrix());
+      EXPECT_EQ(arm.joints()[i].limits.upper, limits[i].upper);
+    }
+    EXPECT_EQ(arm_from_dh("own", rows, convention).limits(1).upper, Limits::none);
+  }
+  EXPECT_REFUSED(arm_from_dh("own", rows, DhConvention::standard, std::span(limits).first(1)),
+                 "limits: 1 for 2 joints");
+  EXPECT_REFUSED(arm_from_dh("own", {}, DhConvention::standard), "has no joints");
 }
 
 }  // namespace

@@ -80,9 +80,9 @@ TEST(Kind, HasTheChaptersLetterAndAName) {
   EXPECT_EQ(letter(JointKind::revolute), 'R');
   EXPECT_EQ(letter(JointKind::prismatic), 'P');
   EXPECT_EQ(letter(JointKind::helical), 'H');
-  EXPECT_STREQ(name(JointKind::revolute), "revolute");
-  EXPECT_STREQ(name(JointKind::prismatic), "prismatic");
-  EXPECT_STREQ(name(JointKind::helical), "helical");
+  EXPECT_EQ(name(JointKind::revolute), "revolute");
+  EXPECT_EQ(name(JointKind::prismatic), "prismatic");
+  EXPECT_EQ(name(JointKind::helical), "helical");
 }
 
 TEST(Screws, AreUnitForAnAxisOfAnyLengthAndRefuseZero) {

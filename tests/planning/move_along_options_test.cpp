@@ -124,6 +124,22 @@ TEST(MoveInLines, KeepsTheToolsSpeedAlsoBetweenSamples) {
   }
 }
 
+TEST(MoveInLines, ReportsARateAtWhichTheWholeMotionIsPossible) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0, 90 * deg, 0}};
+  const std::vector<Pose> waypoints{planar(4.5, 5.2, 0), planar(2, 6, 0.5), planar(4.5, 5.2, 0)};
+  for (const int most : {80, 160}) {
+    PathMotionOptions options{
+        .tolerance = 0.01, .orientation_tolerance = 0.01, .rate = 500, .max_samples = most};
+    const PathMotion dense = move_in_lines(arm, start, waypoints, options);
+    ASSERT_EQ(dense.reason.code, ReasonCode::too_many_samples_at_rate) << dense.reason;
+    const auto possible = testing::field<double>(dense.reason, ReasonField::possible_rate);
+    ASSERT_TRUE(possible) << dense.reason;
+    options.rate = *possible;
+    EXPECT_TRUE(move_in_lines(arm, start, waypoints, options)) << dense.reason;
+  }
+}
+
 TEST(MoveInLines, StopsAtTheSamplesAllowed) {
   const Arm arm = built_in("rrr");
   const Configuration start{{0, 90 * deg, 0}};

@@ -58,6 +58,11 @@ TEST(MoveInLines, TakesPosesInBracesAndAnswersInABool) {
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion.trajectory.positions, move_in_lines(arm, start, waypoints).trajectory.positions);
   EXPECT_TRUE(move_in_lines(arm, {a, b}));
+  const PathMotion listed = move_in_lines(built_in("rrr"), {0, 1.57, 0}, {a}, {.rate = 100});
+  const PathMotion given =
+      move_in_lines(built_in("rrr"), Configuration{{0, 1.57, 0}}, std::vector{a}, {.rate = 100});
+  EXPECT_EQ(listed.trajectory.positions, given.trajectory.positions);
+  EXPECT_EQ(listed.duration(), listed.trajectory.duration());
   const Verification verification = verify(arm, motion.trajectory, {a, b});
   EXPECT_TRUE(verification);
   EXPECT_FALSE(verify(arm, motion.trajectory, {b, a}));

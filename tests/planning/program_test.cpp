@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include <beeline/planning/program.h>
 
 #include <tests/planning/dense_search.h>
@@ -363,6 +365,28 @@ TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   Program spline = pick();
   spline.moves.front().kind = MoveKind::spline;
   EXPECT_REFUSED(move_program(arm, std::nullopt, spline), "no start is given");
+}
+
+TEST(ProgramMotion, IsPrintedWithItsProofOrItsReason) {
+  const auto printed = [](const ProgramMotion& motion) {
+    std::ostringstream text;
+    text << motion;
+    return text.str();
+  };
+  const Arm arm = built_in("panda");
+  Program program = pick();
+  const ProgramMotion motion = move_program(arm, home, program);
+  ASSERT_TRUE(motion) << motion.reason;
+  std::ostringstream bound;
+  bound << Deviation{rounded_up(motion.deviation.bound.position, 3),
+                     rounded_up(motion.deviation.bound.orientation, 3)};
+  EXPECT_EQ(printed(motion), "reached in " + number(motion.trajectory.times.back()) + " s, " +
+                                 std::to_string(motion.trajectory.size()) +
+                                 " samples, 3 moves, deviation at most " + bound.str());
+  program.moves[1].target.translation().x() = 9;
+  const ProgramMotion none = move_program(arm, home, program);
+  EXPECT_EQ(printed(none), name(none.status) + ": " + sentence(none.reason));
+  EXPECT_EQ(printed({}), "not_found");
 }
 
 }  // namespace

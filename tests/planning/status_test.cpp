@@ -15,7 +15,9 @@ constexpr std::pair<MotionStatus, const char*> names[] = {
     {MotionStatus::singular, "singular"},
     {MotionStatus::not_proved, "not_proved"},
     {MotionStatus::too_many_samples, "too_many_samples"},
-    {MotionStatus::not_converged, "not_converged"}};
+    {MotionStatus::not_converged, "not_converged"},
+    {MotionStatus::collides, "collides"},
+    {MotionStatus::not_decided, "not_decided"}};
 
 TEST(MotionStatus, HasANameOfItsOwnThatIsPrinted) {
   std::set<std::string> seen;

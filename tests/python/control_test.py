@@ -37,7 +37,7 @@ def test_proportional_control_is_equation_1_3():
 
 @pytest.mark.parametrize("method", ["inverse-jacobian", "inverse-kinematics"])
 def test_cartesian_control_reaches_its_waypoints(method):
-    waypoints = [beeline.parse_pose("4.5,5.2,0"), beeline.parse_pose("2,6,0.5")]
+    waypoints = [beeline.parse_pose(pose, triple="planar") for pose in ("4.5,5.2,0", "2,6,0.5")]
     motion = beeline.control_in_lines(RRR, [0, np.pi / 2, 0], waypoints, method=method, gain=0.2, tolerance=1e-5)
     assert motion, motion.reason
     reached = beeline.forward_kinematics(RRR, motion.trajectory.positions[motion.arrivals])

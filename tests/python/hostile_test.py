@@ -15,6 +15,10 @@ PANDA = beeline.arms.panda()
 POSE = beeline.forward_kinematics(PANDA, PANDA.middle)
 Q = np.zeros(7)
 
+MODEL = beeline.CollisionModel(
+    PANDA, [beeline.LinkShapes(f"link{i}", i, [beeline.Shape(beeline.Sphere(0.1))]) for i in (3, 7)], max_work=0
+)
+
 CALLS = {
     "forward_kinematics": lambda q: beeline.forward_kinematics(PANDA, q),
     "link_poses": lambda q: beeline.link_poses(PANDA, q),
@@ -29,6 +33,8 @@ CALLS = {
     "gradient": lambda q: beeline.manipulability_gradient(PANDA, q),
     "seed": lambda q: beeline.inverse_kinematics(PANDA, POSE, seed=q),
     "batch seed": lambda q: beeline.batch_inverse(PANDA, [POSE], seed=q),
+    "nearest_pair": lambda q: beeline.nearest_pair(MODEL, q),
+    "pairs_too_close": lambda q: beeline.pairs_too_close(MODEL, q),
     "solver": lambda q: beeline.InverseSolver(PANDA).solve(POSE, q),
     "solve_into": lambda q: beeline.InverseSolver(PANDA).solve_into(POSE, q, np.empty(7)),
 }

@@ -83,10 +83,20 @@ def test_a_notebook_shows_it_and_no_browser_opens(monkeypatch, opened):
 def test_a_motion_is_inside_and_exact():
     move = beeline.control_joints(UR5, np.zeros(6), Q)
     page = beeline.view(UR5, trajectory=move)
-    assert parse_qs(part(page, "state"))["section"] == ["motion"]
+    assert parse_qs(part(page, "state"))["section"] == ["line"]
     rows = inflated(part(page, "trajectory")).decode().splitlines()
     assert rows[0].split(",")[:2] == ["t", UR5.joint_names[0]]
     assert [float(value) for value in rows[-1].split(",")[1:7]] == list(move.trajectory.positions[-1])
+
+
+@built
+def test_it_begins_in_a_section():
+    move = beeline.control_joints(UR5, np.zeros(6), Q)
+    for section in ("pose", "control", "line", "workspace", "lessons"):
+        page = beeline.view(UR5, trajectory=move, section=section)
+        assert parse_qs(part(page, "state"))["section"] == [section]
+    with pytest.raises(beeline.Error, match="section: expected one of pose, control, .* not 'hold'"):
+        beeline.view(UR5, section="hold")
 
 
 @built

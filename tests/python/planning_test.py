@@ -99,7 +99,7 @@ def test_without_a_start_the_first_pose_is_it():
 
 
 def test_what_is_impossible_has_a_reason():
-    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0")])
+    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0", triple="planar")])
     assert not far and far.status == "unreachable" and "stops after" in far.reason
     assert len(far.trajectory) == 0 and 0 < far.path_parameter < 1
     few = beeline.move_in_lines(PANDA, HOME, SQUARE, max_samples=10)
@@ -161,7 +161,7 @@ def test_exceptions_of_callbacks_end_the_work():
 @pytest.fixture(scope="module")
 def pick(request):
     root = request.getfixturevalue("root")
-    program = beeline.Program.load(root / "examples" / "pick_panda.csv", PANDA)
+    program = beeline.Program.load(root / "examples" / "pick_panda.csv", PANDA, angle_unit="degrees")
     return program, beeline.move_program(PANDA, None, program)
 
 
@@ -195,7 +195,7 @@ def test_a_program_of_moves():
 def test_configurations_of_a_file(tmp_path):
     path = tmp_path / "moves.csv"
     path.write_text("motion,q\njoint,ready\njoint,\"0,-45,0,-135,0,90,45\"\n")
-    program = beeline.Program.load(path, PANDA, unit="degrees", states={"ready": HOME})
+    program = beeline.Program.load(path, PANDA, angle_unit="degrees", states={"ready": HOME})
     assert np.array_equal(program.moves[0].q, HOME)
     assert program.moves[1].q == pytest.approx(np.radians([0, -45, 0, -135, 0, 90, 45]))
     with pytest.raises(beeline.FileError, match=":2: .*ready"):
@@ -243,7 +243,7 @@ def test_files_for_controllers(pick, tmp_path):
 
 def test_copies_and_pickles_are_equal(motion, pick):
     program, planned = pick
-    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0")])
+    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0", triple="planar")])
     values = [motion, motion.deviation, far, program, program.moves[0], planned, planned.moves[1],
               beeline.verify(PANDA, motion.trajectory, SQUARE), beeline.MovingEnds(True, False),
               beeline.plan_path(PANDA, HOME, motion.path),
@@ -291,3 +291,20 @@ def test_invalid_arguments_are_refused(message):
 def test_wrong_types_are_refused(call):
     with pytest.raises(TypeError):
         call()
+
+
+def test_verify_without_a_path_checks_the_joints_and_lists_every_kind_of_fault():
+    arm = beeline.arms.ur5()
+    motion = beeline.move_joints(arm, [0] * 6, [1, 1, 1, 0, 0, 0])
+    assert motion.limits.acceleration.assumed and 0 < motion.limits.position.fraction < 1
+    assert beeline.verify(arm, motion.trajectory).faults == []
+    positions = np.array(motion.trajectory.positions)
+    positions[20:, 1] += 7
+    jumping = beeline.Trajectory(motion.trajectory.joint_names, motion.trajectory.times, positions)
+    checked = beeline.verify(arm, jumping)
+    kinds = {faults.kind: faults for faults in checked.faults}
+    assert not checked and checked.faults[0].kind == checked.fault
+    assert {"limits", "flip", "velocity"} <= set(kinds)
+    assert kinds["limits"].sample == np.argmax(positions[:, 1] > 2 * np.pi)
+    assert kinds["limits"].amount == pytest.approx(positions[:, 1].max() - 2 * np.pi)
+    assert kinds["flip"].sample == 19 and kinds["flip"].amount > np.pi

@@ -14,19 +14,32 @@ PLANE = (4.0, 3.0, 0.5)
 def test_numbers_of_a_pose_read_back(form, rng, tmp_path):
     for unit in ("radians", "degrees"):
         for millimetres in (False, True):
-            with_units = {"unit": unit, "millimetres": millimetres}
+            with_units = {"angle_unit": unit, "millimetres": millimetres}
             pose = beeline.make_pose(rng.uniform(-1, 1, 3), rotation_vector=rng.uniform(-1.5, 1.5, 3))
             numbers = beeline.pose_numbers(pose, pose_form=form, **with_units)
             assert beeline.pose_of(numbers, pose_form=form, **with_units) == pytest.approx(pose, abs=1e-14)
             text = ",".join(map(repr, map(float, numbers)))
-            typed = beeline.parse_pose(text, unit, pose_form=form, millimetres=millimetres)
+            typed = beeline.parse_pose(text, pose_form=form, **with_units)
             assert typed == pytest.approx(pose, abs=1e-14)
             names = {"rpy": "x,y,z,roll,pitch,yaw", "rotvec": "x,y,z,rx,ry,rz", "abc": "x,y,z,A,B,C",
                      "quaternion": "x,y,z,qw,qx,qy,qz",
                      "matrix": ",".join(f"m{i}{j}" for i in range(1, 5) for j in range(1, 5))}
             (tmp_path / "p.csv").write_text(f"{names[form]}\n{text}\n")
-            read = beeline.read_poses(tmp_path / "p.csv", unit, millimetres=millimetres)
+            read = beeline.read_poses(tmp_path / "p.csv", **with_units)
             assert read.form == form and read.poses[0] == pytest.approx(pose, abs=1e-14)
+
+
+def test_the_unit_of_angles_has_one_name(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,theta\n1,2,90\n")
+    (tmp_path / "m.csv").write_text("motion,x,y,theta\nline,4,3,30\n")
+    for call in (lambda **unit: beeline.pose_of([1, 2, 90], triple="planar", **unit),
+                 lambda **unit: beeline.parse_pose("1,2,90", triple="planar", **unit),
+                 lambda **unit: beeline.read_poses(tmp_path / "p.csv", **unit).poses[0],
+                 lambda **unit: beeline.Program.load(tmp_path / "m.csv", RRR, **unit)):
+        call(angle_unit="degrees")
+        with pytest.raises(TypeError, match="^the keyword unit is called angle_unit$"):
+            call(unit="degrees")
+    assert beeline.pose_of([1, 2, 90], "degrees", "planar")[:2, :2] == pytest.approx(np.array([[0, -1], [1, 0]]), abs=1e-15)
 
 
 def test_numbers_of_other_forms_are_refused():

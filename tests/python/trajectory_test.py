@@ -27,6 +27,22 @@ def columns_of(trajectory):
     return [c for c in (trajectory.positions, trajectory.velocities, trajectory.accelerations) if len(c)]
 
 
+def test_trajectories_and_motions_are_printed_in_a_line(rng):
+    trajectory = random_trajectory(rng, "cubic", 43, 7)
+    assert str(trajectory) == f"7 joints, 43 samples, {trajectory.duration:.6g} s, cubic"
+    goal = PANDA.middle + 0.1
+    move = beeline.move_joints(PANDA, PANDA.middle, goal)
+    recorded = move.trajectory
+    reached = f"reached in {recorded.duration:.6g} s, {len(recorded)} samples, "
+    assert str(move) == reached + "error 0"
+    assert str(beeline.replay(PANDA, recorded)).startswith(reached + "up to ")
+    fast = beeline.replay(PANDA, recorded, speed=50)
+    assert str(fast) == f"{fast.status}: {fast.reason}" and fast.reason
+    tool = beeline.forward_kinematics(PANDA, goal)
+    done = beeline.move_program(PANDA, PANDA.middle, beeline.Program([beeline.Move("joint", tool)]))
+    assert str(done).startswith("reached in ") and " samples, 1 move, deviation at most " in str(done)
+
+
 def test_columns_come_back(rng):
     times, columns = np.arange(4.0), rng.uniform(-1, 1, (3, 4, 2))
     made = beeline.Trajectory(joint_names=["a", "b"], times=times, positions=columns[0],
@@ -230,6 +246,7 @@ def test_notes_of_recordings_are_data_and_warnings(tmp_path):
     assert epoch.columns == ["sec", "nanosec"] and epoch.time_unit == "s" and epoch.joint_unit is None and epoch.path == str(path)
     assert degrees.joint == "joint1" and degrees.value == -91
     assert [warning.message.note for warning in issued] == recording.notes
+    assert [str(note) for note in recording.notes] == [str(warning.message) for warning in issued]
     assert "count from the first sample" in str(issued[0].message)
     assert str(issued[1].message).endswith('out of range in radians but not in degrees; angle_unit="degrees" reads degrees')
     assert recording.has_times and not recording.mapped and not recording.in_time_unit

@@ -241,6 +241,43 @@ TEST(Retime, LengthensASectionToAPeriod) {
   EXPECT_TRUE(many.reason.has(ReasonField::possible_rate)) << many.reason;
 }
 
+/// The recording with each position twice, which is a stop.
+Trajectory with_stops(const Trajectory& given) {
+  Trajectory stopping{given.joint_names, {}, {}, {}, {}};
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    for (int twice = 0; twice < 2; ++twice) {
+      stopping.times.push_back(2 * given.times[k] + twice);
+      stopping.positions.push_back(given.positions[k]);
+    }
+  }
+  return stopping;
+}
+
+TEST(Retime, ReportsARateThatIsPossibleForTheWholeMotion) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(30); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "ur5" : "panda");
+    const Trajectory given = with_stops(random_waypoints(random, arm, random.integer(2, 6)));
+    RetimeOptions options{.rate = random.uniform(100, 2000)};
+    options.max_samples = random.integer(40, 90);
+    const Retimed dense = retime(arm, given, options);
+    ASSERT_EQ(dense.reason.code, ReasonCode::too_many_samples_at_rate);
+    EXPECT_EQ(testing::field<std::size_t>(dense.reason, ReasonField::max_samples),
+              static_cast<std::size_t>(options.max_samples));
+    // The samples up to this time are too many.
+    const auto time = testing::field<double>(dense.reason, ReasonField::duration);
+    ASSERT_TRUE(time);
+    EXPECT_GE(*time * options.rate + 1, options.max_samples);
+    const auto possible = testing::field<double>(dense.reason, ReasonField::possible_rate);
+    ASSERT_TRUE(possible) << dense.reason;
+    options.rate = *possible;
+    const Retimed sparse = retime(arm, given, options);
+    EXPECT_TRUE(sparse) << dense.reason << "; " << sparse.reason;
+    EXPECT_LE(sparse.trajectory.size(), static_cast<std::size_t>(options.max_samples));
+    EXPECT_GT(4 * sparse.trajectory.size(), static_cast<std::size_t>(options.max_samples));
+  }
+}
+
 TEST(Retime, RefusesOptionsOutOfRange) {
   const Arm arm = built_in("ur5");
   const Configuration zero = Configuration::Zero(6);

@@ -103,6 +103,40 @@ TEST(LimitUsage, IsWhatDenseSamplingShows) {
   }
 }
 
+TEST(LimitUsage, OfPositionsIsTheDistanceFromTheMiddleOfTheRange) {
+  Joint joint = slide().joints().front();
+  joint.limits.lower = 1;
+  joint.limits.upper = 3;
+  const Arm arm("slide", {joint});
+  testing::Random random;
+  for (int i = 0; i < testing::cases(200); ++i) {
+    Trajectory trajectory{{"x"}, {}, {}, {}, {}};
+    const bool cubic = random.integer(0, 1) == 1;
+    for (int k = 0; k < 4; ++k) {
+      trajectory.times.push_back(k);
+      trajectory.positions.push_back(one(random.uniform(0.5, 3.5)));
+      if (cubic) trajectory.velocities.push_back(one(random.uniform(-3, 3)));
+    }
+    double largest = 0;
+    constexpr int looks = 3000;
+    for (int k = 0; k <= looks; ++k) {
+      const double q = sample(trajectory, 3.0 * k / looks).position[0];
+      largest = std::max(largest, std::abs(q - 2));
+    }
+    const LimitUsage usage = limit_usage(arm, trajectory);
+    EXPECT_GE(usage.position.fraction, largest * (1 - 1e-12));
+    EXPECT_LE(usage.position.fraction, largest + 1e-4);
+    EXPECT_EQ(usage.position.joint, "x");
+    EXPECT_EQ(limit_usage(slide(), trajectory).position.joint, "") << "without a range";
+  }
+}
+
+TEST(Trajectory, HasADuration) {
+  EXPECT_EQ(Trajectory{}.duration(), 0);
+  const Trajectory trajectory{{"x"}, {-0.5, 1, 3}, {one(0), one(1), one(-2)}, {}, {}};
+  EXPECT_EQ(trajectory.duration(), 3.5);
+}
+
 TEST(LimitUsage, RefusesATrajectoryOfAnotherArm) {
   const Trajectory trajectory{{"y"}, {0, 1}, {one(0), one(0.5)}, {}, {}};
   EXPECT_REFUSED(limit_usage(slide(), trajectory), "lacks x");

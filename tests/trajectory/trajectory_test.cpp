@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <sstream>
 
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
@@ -22,6 +23,25 @@ Trajectory random_trajectory(testing::Random& random, const Arm& arm, int sample
     trajectory.accelerations.push_back(random.configuration(arm));
   }
   return trajectory;
+}
+
+std::string printed(const Trajectory& trajectory) {
+  std::ostringstream text;
+  text << trajectory;
+  return text.str();
+}
+
+TEST(Trajectory, IsPrintedAsJointsSamplesAndDuration) {
+  const Arm arm = built_in("panda");
+  testing::Random random;
+  Trajectory trajectory = random_trajectory(random, arm, 43);
+  const std::string duration = number(trajectory.times.back() - trajectory.times.front());
+  EXPECT_EQ(printed(trajectory), "7 joints, 43 samples, " + duration + " s, quintic");
+  trajectory.accelerations.clear();
+  EXPECT_EQ(printed(trajectory), "7 joints, 43 samples, " + duration + " s, cubic");
+  EXPECT_EQ(printed({{"j"}, {2}, {Configuration::Zero(1)}, {}, {}}),
+            "1 joint, 1 sample, 0 s, linear");
+  EXPECT_EQ(printed({}), "0 joints, 0 samples");
 }
 
 TEST(AtRest, IsOneStillSampleAtTimeZero) {

@@ -33,7 +33,9 @@ InverseSolver& solver_of(int handle, bool all, bool ignore_limits) {
   const std::pair options{all, ignore_limits};
   const auto found = known.solvers.find(options);
   if (found != known.solvers.end()) return found->second;
-  const InverseSolver solver(known.arm, {.all = all, .ignore_limits = ignore_limits});
+  // The default task by name: of a planar arm it ignores the height and tilt of a dragged tool.
+  const InverseSolver solver(
+      known.arm, {.task = default_task(known.arm), .all = all, .ignore_limits = ignore_limits});
   return known.solvers.emplace(options, solver).first->second;
 }
 

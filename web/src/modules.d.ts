@@ -10,3 +10,7 @@ declare module "*?url" {
   const url: string;
   export default url;
 }
+declare module "virtual:arms" {
+  const arms: import("./panels/gallery.js").ListedArm[];
+  export default arms;
+}

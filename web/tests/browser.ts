@@ -1,9 +1,12 @@
 import { createServer, type Server } from "node:http";
+import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium, type Browser, type Page } from "playwright-core";
+import { chromium, type Browser, type Download, type Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
+import { patience } from "../vitest.config.js";
 
 const root = fileURLToPath(new URL("../../build/web", import.meta.url));
 const types: Record<string, string> = {
@@ -40,8 +43,16 @@ export async function visit(): Promise<Visit> {
   if (address === null || typeof address === "string") throw new Error("the server has no port");
   const browser = await chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    // The processor computes WebGL: without antialiasing, and only for the picture, frames come eight times as fast.
+    args: [
+      "--no-sandbox",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--disable-gpu-compositing",
+      "--webgl-antialiasing-mode=none",
+    ],
   });
+  browser.on("context", (context) => context.setDefaultTimeout(patience));
   return {
     address: `http://127.0.0.1:${address.port}/`,
     browser,
@@ -92,7 +103,7 @@ export function pages(): {
   let complaints: Complaints[] = [];
   beforeAll(async () => {
     visited = await visit();
-  }, 60_000);
+  });
   afterAll(() => visited.close());
   afterEach(async () => {
     const all = complaints;
@@ -108,4 +119,108 @@ export function pages(): {
       return page;
     },
   };
+}
+
+/** Chooses an arm in the dialog, as a user does: a name, a joint string or a search. */
+export async function chooseArm(page: Page, text: string): Promise<void> {
+  if (!(await page.locator("dialog.arms").isVisible())) await page.locator("#arm").click();
+  await page.locator("#arm-text").fill(text);
+  await page.keyboard.press("Enter");
+}
+
+/** The name of the arm that is shown. */
+export async function shownArm(page: Page): Promise<string | null> {
+  return page.locator(".arm-name").textContent();
+}
+
+/** Opens the dialog with files of one's own. */
+export async function ownFiles(page: Page): Promise<void> {
+  await page.locator("#arm").click();
+}
+
+/** Presses a button of the dialog Share, which saves a file. */
+export async function shared(page: Page, name: string): Promise<Download> {
+  await page.getByRole("button", { name: "Share" }).click();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name, exact: true }).click(),
+  ]);
+  await page.keyboard.press("Escape");
+  return download;
+}
+
+/** Where the picture shows the tool, in pixels of the window. */
+export async function toolAt(page: Page): Promise<{ x: number; y: number }> {
+  await page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  const stage = page.locator("#stage");
+  const [x = NaN, y = NaN] = ((await stage.getAttribute("data-tool")) ?? "").split(",").map(Number);
+  const box = await stage.boundingBox();
+  return { x: x + (box?.x ?? NaN), y: y + (box?.y ?? NaN) };
+}
+
+/** The joint values that the panel shows. */
+export async function jointValues(page: Page): Promise<number[]> {
+  const all = await page.locator(".joints input[type=number]").all();
+  return Promise.all(all.map(async (field) => Number(await field.inputValue())));
+}
+
+/** Drags with the mouse, in steps; the button is released unless it is to be held. */
+export async function drag(
+  page: Page,
+  from: { x: number; y: number },
+  to: { x: number; y: number },
+  release = true,
+): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 8 });
+  if (release) await page.mouse.up();
+}
+
+/** What axe finds wrong. */
+export async function axe(page: Page): Promise<string[]> {
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8"));
+  return page.evaluate(
+    "axe.run().then((all) => all.violations.map((one) => one.id + ': ' + one.nodes.map((n) => n.html).join(' ').slice(0, 300)))",
+  );
+}
+
+/** From pixels of the drawing of a planar arm to metres, by the numbers of its axes. */
+export async function toWorld(page: Page): Promise<(pixel: number[]) => number[]> {
+  const [x, y] = await Promise.all(
+    (["x", "y"] as const).map(async (axis) => {
+      const texts = page.locator(`.axes text[data-axis=${axis}]`);
+      const ticks = await texts.evaluateAll(
+        (all, axis) =>
+          all.map((text) => [Number((text.textContent ?? "").replace("−", "-")), Number(text.getAttribute(axis))]),
+        axis,
+      );
+      const [[v1 = 0, p1 = 0], [v2 = 1, p2 = 1]] = [ticks[0] ?? [], ticks.at(-1) ?? []];
+      const shift = axis === "y" ? 4 : 0; // of the text below its tick
+      return (pixel: number): number => v1 + ((pixel - (p1 - shift)) * (v2 - v1)) / (p2 - p1);
+    }),
+  );
+  return ([px = NaN, py = NaN]) => [x?.(px) ?? NaN, y?.(py) ?? NaN];
+}
+
+/** A touch of one or more fingers, each from a point to another, in steps. */
+export async function touch(
+  page: Page,
+  ...fingers: [{ x: number; y: number }, { x: number; y: number }][]
+): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const send = (type: string, touchPoints: object[]): Promise<unknown> =>
+    session.send("Input.dispatchTouchEvent" as never, { type, touchPoints } as never);
+  const steps = 6;
+  for (let i = 0; i <= steps; ++i) {
+    const points = fingers.map(([a, b], id) => ({
+      id,
+      x: a.x + ((b.x - a.x) * i) / steps,
+      y: a.y + ((b.y - a.y) * i) / steps,
+    }));
+    await send(i === 0 ? "touchStart" : "touchMove", points);
+    await page.waitForTimeout(16);
+  }
+  await send("touchEnd", []);
+  await session.detach();
 }

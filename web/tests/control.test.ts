@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { stepResponse } from "../src/core/step_response.js";
-import { pages } from "./browser.js";
+import { chooseArm, drag, jointValues, pages, toWorld } from "./browser.js";
 import { json, loadCore, random, run } from "./native.js";
 
 const from = [0, 0.3, 0.5];
@@ -66,47 +66,165 @@ test("gains too small, good, too large, and unstable are seen in the step respon
   await page.getByLabel("Kd, derivative gain", { exact: true }).fill("0.2");
   await page.getByLabel("Kd, derivative gain", { exact: true }).press("Enter");
   await expect.poll(() => words.textContent()).toContain("overshoots by 20.5 %");
-  await page.getByRole("button", { name: "Go to the goal" }).click();
-  await page.getByText("Joint space: reached, 54 steps, overshoot 0.2054").waitFor();
+  await page.getByText(/Joint space: .* reached after 54 steps, overshoot 20\.5 %/).waitFor();
   await expect.poll(() => page.url()).toContain("gain=0.5&ki=0.1&kd=0.2");
   await page.context().close();
 });
 
-/** The orange and blue pixels of the picture: the trails. */
-async function trails(page: Page): Promise<number> {
-  const png = (await page.locator("#stage canvas").screenshot()).toString("base64");
-  return Number(
-    await page.evaluate(`(async () => {
-      const image = await createImageBitmap(await (await fetch("data:image/png;base64,${png}")).blob());
-      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-      context.drawImage(image, 0, 0);
-      const { data } = context.getImageData(0, 0, image.width, image.height);
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        if (Math.abs(data[i] - 217) < 12 && Math.abs(data[i + 1] - 95) < 12 && data[i + 2] < 20) ++count;
-      }
-      return count;
-    })()`),
-  );
+/** The path of a trail, its last point's pixels. */
+async function trail(page: Page, tone: string): Promise<string> {
+  return (await page.locator(`.trail.${tone} .dots`).getAttribute("d")) ?? "";
 }
 
-test("trails come back with the section", async () => {
+test("trails, chart and words follow the gain while it moves; they come back with the section", async () => {
+  const page = await opened(section);
+  const steps = async (tone: string): Promise<number> => (await trail(page, tone)).split("M").length - 1;
+  await expect.poll(() => steps("joint")).toBeGreaterThan(40);
+  const before = { joint: await steps("joint"), cartesian: await steps("cartesian") };
+  const kp = page.getByLabel("Kp, proportional gain, slider");
+  await kp.focus();
+  for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
+  await expect.poll(() => steps("joint")).toBeLessThan(0.7 * before.joint);
+  await expect.poll(() => steps("cartesian")).toBeLessThan(0.7 * before.cartesian);
+  await page.getByRole("link", { name: "Pose", exact: true }).click();
+  await expect.poll(() => page.locator(".trail").count()).toBe(0);
+  await page.getByRole("link", { name: "Control", exact: true }).click();
+  await expect.poll(() => steps("joint")).toBeGreaterThan(10);
+});
+
+test("the dots are the steps of the command", async () => {
+  const page = await opened(section);
+  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  const arm = (await loadCore()).arm("rrr");
+  const goal = json<{ pose: { planar: Record<string, number> } }>(["fk", "rrr", `--q=${to.join(",")}`]).pose.planar;
+  const files = { "goal.csv": `x,y,theta\n${goal["x"]},${goal["y"]},${goal["theta"]}\n` };
+  const ways = {
+    joint: ["move", "rrr", `--to=${to.join(",")}`],
+    cartesian: ["line", "rrr", "--through=goal.csv", "--method=inverse-jacobian"],
+  };
+  for (const [tone, args] of Object.entries(ways)) {
+    const csv = run([...args, `--from=${from.join(",")}`, "--gain=0.1", "--out=run.csv"], files).files["run.csv"] ?? "";
+    const motion = arm.trajectory("run.csv", csv);
+    const points =
+      (await trail(page, tone)).match(/-?[\d.]+ -?[\d.]+/g)?.map((text) => text.split(" ").map(Number)) ?? [];
+    expect(points.length).toBeGreaterThan(20);
+    const world = await toWorld(page);
+    for (const [i, point] of points.entries()) {
+      const pose = arm.forward(motion.row(i)).at(-1) as Float64Array;
+      const [x = NaN, y = NaN] = world(point);
+      expect(Math.hypot(x - (pose[12] ?? 0), y - (pose[13] ?? 0))).toBeLessThan(8e-3);
+    }
+    motion.release();
+  }
+  arm.release();
+});
+
+test.each([
+  { gain: 2.3, factor: "−1.3" },
+  { gain: 2.5, factor: "−1.5" },
+])("a controller with the gain $gain diverges: picture, list and chart have one count, and say why", async (one) => {
+  const steps = Math.ceil(Math.log(10) / Math.log(one.gain - 1)); // until the error is 10 times the first
+  const page = await opened(`${section}&gain=${one.gain}`);
+  const words = page.locator(".response");
+  await words.getByText(`beyond 10 times the first after ${steps} steps.`).waitFor();
+  const why = `Each step multiplies the error by 1 − Kp = ${one.factor}; it shrinks only for 0 < Kp < 2.`;
+  expect(await words.textContent()).toContain(why);
+  await page.getByText(`Joint space: beyond 10 times the first error after ${steps} steps.`).waitFor();
+  await page.getByText(/Cartesian space: \d+ steps are drawn; it swings about the goal/).waitFor();
+  expect((await trail(page, "joint")).split("M").length - 1).toBe(steps + 1);
+  expect(await page.locator(".runs").textContent()).not.toMatch(/line 1 of 1|\d{4}/);
+  await page.getByRole("button", { name: "Go in joint space" }).click();
+  let [most, labels] = [0, 1];
+  for (let i = 0; i < 8; ++i) {
+    labels = Math.min(labels, await page.locator(".drawing .angle-text").count());
+    most = Math.max(most, ...(await jointValues(page)).map(Math.abs));
+    await page.waitForTimeout(40);
+  }
+  expect(most).toBeGreaterThan(100);
+  expect(most).toBeLessThan(2000);
+  expect(labels).toBe(0); // while it moves
+  await expect.poll(() => page.locator(".drawing .angle-text").count()).toBe(3);
+});
+
+test("where joints have limits a controller that diverges leaves them, and the arm stays within", async () => {
+  const page = await opened("#arm=panda&section=control&gain=2.4");
+  await page.getByText(/Joint space: joint\d leaves its limits after \d+ steps?; beyond 10 times/).waitFor();
+});
+
+test("with integral and derivative gains the factor is of all of them", async () => {
+  const page = await opened(`${section}&gain=1.9&ki=0.5&kd=0.3`);
+  await page
+    .locator(".response")
+    .getByText(/In the end each step multiplies the error by about [1-9]/)
+    .waitFor();
+});
+
+test("the default goal moves each joint by another amount: three curves are seen", async () => {
+  const page = await opened("#arm=rrr&section=control");
+  await expect.poll(() => page.url()).toContain("section=control");
+  await page.getByRole("button", { name: "Go in joint space" }).click();
+  await expect.poll(() => page.url()).toContain("goal=");
+  const numbers = (name: string): number[] =>
+    (new URL(page.url().replace("#", "?")).searchParams.get(name) ?? "").split(",").map(Number);
+  const q = (await loadCore()).arm("rrr").displayConfiguration();
+  const ways = numbers("goal").map((value, k) => Math.abs(value - (q[k] ?? NaN)));
+  for (const [k, way] of ways.entries())
+    for (const other of ways.slice(0, k)) expect(Math.abs(way - other)).toBeGreaterThan(0.1);
+});
+
+test("a second Go glides back to the start, and nothing below moves", async () => {
+  const page = await opened(section);
+  await page.getByText(/Joint space: .* reached/).waitFor();
+  const go = page.getByRole("button", { name: "Go in joint space" });
+  const gains = page.locator(".gains").first();
+  const place = async (): Promise<number> => (await gains.boundingBox())?.y ?? NaN;
+  const before = await place();
+  await go.click();
+  await expect.poll(async () => (await jointValues(page))[0]).toBeGreaterThan(98.9);
+  await page.evaluate(`
+    window.seen = [];
+    (function look() {
+      window.seen.push([document.querySelector("#joint-0").value, document.querySelector(".gains").getBoundingClientRect().y]);
+      if (window.seen.length < 600) requestAnimationFrame(look);
+    })();`);
+  await go.click();
+  await page.waitForTimeout(1200);
+  const seen = (await page.evaluate("window.seen")) as [string, number][];
+  const values = seen.map(([value]) => Number(value));
+  const arrival = values.findIndex((value) => value < 5); // at the start
+  expect(arrival).toBeGreaterThan(0);
+  expect(values.slice(0, arrival).filter((value) => value < 95).length).toBeGreaterThan(0); // on the way
+  for (const [, y] of seen) expect(Math.abs(y - before)).toBeLessThan(1);
+});
+
+test("the arm goes to the goal and stays there; the goal is dragged; back to the start", async () => {
   const page = await opened(section);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.getByRole("button", { name: "Go to the goal" }).click();
-  await page.getByText(/Cartesian space: reached, \d+ steps/).waitFor();
-  await expect.poll(() => trails(page), { timeout: 20_000 }).toBeGreaterThan(200);
-  await page.getByRole("link", { name: "Hold", exact: true }).click();
-  await expect.poll(() => trails(page), { timeout: 20_000 }).toBeLessThan(50);
-  await page.getByRole("link", { name: "Control", exact: true }).click();
-  await expect.poll(() => trails(page), { timeout: 20_000 }).toBeGreaterThan(200);
-  await page.context().close();
+  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  await page.getByRole("button", { name: "Go in joint space" }).click();
+  const degrees = to.map((value) => (value * 180) / Math.PI);
+  await expect.poll(async () => Math.abs(((await jointValues(page))[0] ?? 0) - (degrees[0] ?? 0))).toBeLessThan(0.5);
+  expect((await trail(page, "joint")).split("M").length - 1).toBeGreaterThan(20); // the trails stay
+  await expect.poll(() => page.locator(".ghost.start").count()).toBe(1);
+  await page.getByRole("button", { name: "Back to the start" }).click();
+  await expect.poll(async () => (await jointValues(page))[1]).toBeCloseTo(((from[1] ?? 0) * 180) / Math.PI, 1);
+  const goal = page.locator('[data-grab="waypoint 0"]');
+  const box = await goal.boundingBox();
+  const at = { x: (box?.x ?? 0) + 16, y: (box?.y ?? 0) + 16 };
+  const before = page.url();
+  await drag(page, at, { x: at.x - 40, y: at.y + 10 });
+  await expect.poll(() => page.url()).not.toBe(before);
+  expect(page.url()).toContain(`q=${from.join(",")}`);
 });
 
 /** A chain whose names are long and hard to compress. */
 function longUrdf(joints: number): string {
   const next = random(1);
-  const name = (): string => Array.from({ length: 90 }, () => next().toString(36).slice(2, 12)).join("");
+  const letters = Array.from({ length: 94 }, (_, i) => String.fromCharCode(33 + i)).filter(
+    (c) => !`<>&"'\\`.includes(c),
+  );
+  const letter = (): string => letters[Math.floor(next() * letters.length)] ?? "";
+  const name = (): string => Array.from({ length: 980 }, letter).join("");
   const links = Array.from({ length: joints + 1 }, name);
   const parts = links.map((link, i) => {
     const ends = `<parent link="${links[i - 1] ?? ""}"/><child link="${link}"/><origin xyz="0.1 0 0"/>`;
@@ -126,12 +244,11 @@ test("a state too long for a link keeps the last address, and the page says so",
     mimeType: "text/xml",
     buffer: Buffer.from(longUrdf(100)),
   });
-  const note = page.getByText("This is too long for a link: the address stays as it was. Use Save page.");
+  const note = page.getByText("This is too long for a link: the address stays as it was. Share it as one file.");
   await note.waitFor();
   expect(page.url()).toContain("arm=rrr&q=0.1,0.2,0.3");
-  await page.locator("#arm-text").fill("panda");
-  await page.getByRole("button", { name: "Show", exact: true }).click();
-  await expect.poll(() => page.url(), { timeout: 20_000 }).toContain("arm=panda");
+  await chooseArm(page, "panda");
+  await expect.poll(() => page.url()).toContain("arm=panda");
   expect(await note.count()).toBe(0);
   await page.context().close();
 });

@@ -1,6 +1,6 @@
 import { Vector3 } from "three";
 import { expect, test } from "vitest";
-import { eigen } from "../src/scene/ellipsoid.js";
+import { eigen } from "../src/core/symmetric_eigen.js";
 import { selfMotion } from "../src/page/self_motion.js";
 import { loadCore, random } from "./native.js";
 

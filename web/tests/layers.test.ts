@@ -5,7 +5,7 @@ import { expect, test } from "vitest";
 
 const source = fileURLToPath(new URL("../src", import.meta.url));
 /** Folders of a layer import from their own layer and from the layers before. */
-const layers = [["core"], ["state", "address"], ["scene", "panels", "share", "live"], ["lessons", "page"]];
+const layers = [["core"], ["state", "address", "elements"], ["scene", "panels", "share", "live"], ["lessons", "page"]];
 
 function layerOf(path: string): number {
   const folder = path.split("/")[0] ?? "";

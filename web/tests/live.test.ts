@@ -1,7 +1,7 @@
 import { spawn, type ChildProcess } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { visit, type Visit } from "./browser.js";
+import { shownArm, visit, type Visit } from "./browser.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const native = process.env["BEELINE"] ?? `${root}build/beeline`;
@@ -39,18 +39,21 @@ test("the page of beeline view shows its arm, follows a program, and comes back 
   page.on("pageerror", (error) => errors.push(error.message));
   await page.goto(server.address);
   await page.waitForSelector("#first", { state: "detached" });
-  await page.getByText("live", { exact: true }).waitFor();
-  expect(await page.locator("#arm-text").inputValue()).toBe("ur5");
+  expect(await page.locator(".live").isVisible()).toBe(false); // no program is there
+  expect(page.url()).not.toContain("json="); // a built-in arm has its name in the address
+  expect(await shownArm(page)).toBe("ur5");
 
   const shown = async (): Promise<number> => Number(await page.locator("#joint-0").inputValue());
   for (let i = 0; i <= 30; ++i) expect(await post([i / 30, -1, 1, 0, 1, 0])).toBe(204);
   await expect.poll(shown).toBeCloseTo(180 / Math.PI, 1);
+  await page.getByText("live", { exact: true }).waitFor();
+  await page.locator(".live").waitFor({ state: "hidden" }); // the program has stopped
 
   server.process.removeAllListeners("exit");
   server.process.kill();
   await page.getByText("connecting again").waitFor();
   server = await view();
-  await page.getByText("live", { exact: true }).waitFor({ timeout: 20000 });
+  await page.getByText("connecting again").waitFor({ state: "hidden" });
   expect(await post([0.5, -1, 1, 0, 1, 0])).toBe(204);
   await expect.poll(shown).toBeCloseTo(90 / Math.PI, 1);
   expect(errors).toEqual([]);

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Frame, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { visit, type Visit } from "./browser.js";
+import { shownArm, visit, type Visit } from "./browser.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const python = [process.env["PYTHON"], `${root}.venv-python/bin/python`].find((path) => path && existsSync(path));
@@ -62,7 +62,7 @@ async function joints(page: Page | Frame): Promise<number[]> {
 test.skipIf(!module)("the page that Python saved shows the arm in its configuration, from a disk", async () => {
   const { page, errors } = await opened(`file://${folder}/held.html`, true);
   for (const [i, value] of (await joints(page)).entries()) expect(value).toBeCloseTo(q[i] as number, 3);
-  expect(await page.locator("#arm-text").inputValue()).toBe("ur5");
+  expect(await shownArm(page)).toBe("ur5");
   await page.getByText(/8 solutions/).waitFor(); // of the command, in its worker
   await page.getByRole("button", { name: "Frames" }).click(); // the address holds the change, and all numbers exactly
   await expect.poll(() => page.evaluate("location.hash")).toContain(`q=${q.join(",")}`);

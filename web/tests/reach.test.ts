@@ -9,7 +9,7 @@ import { ReachModule } from "../src/core/reach_module.js";
 import { addressOf, partOf, stateOf } from "../src/address/address.js";
 import { initialState } from "../src/state/page_state.js";
 import { toolAt } from "../src/page/tool_at.js";
-import { pages } from "./browser.js";
+import { chooseArm, pages } from "./browser.js";
 import { commandParts, loadCore, run } from "./native.js";
 
 const { factory, wasm } = await commandParts();
@@ -121,7 +121,7 @@ test("the tool moves to each position that is reached", () => {
 
 test("the choices of the section are read back from an address", async () => {
   const chosen = {
-    section: "reach",
+    section: "workspace",
     reachCells: 20,
     reachDirections: 0,
     measure: "margin",
@@ -161,7 +161,7 @@ const picture = (page: Page) => page.locator("#stage canvas").screenshot();
 const totals = /\d+ of \d+ positions are reached/;
 
 test("a map is computed, shown as a surface and a slice, and cleared with the arm", async () => {
-  const page = await opened("#arm=ur5&section=reach&cells=8&directions=90&unit=rad");
+  const page = await opened("#arm=ur5&section=workspace&cells=8&directions=90&unit=rad");
   await page.getByText(/positions of 0\.\d+\sm × 6 directions/).waitFor();
   await page.getByRole("button", { name: "Compute the map" }).click();
   await page.getByText(totals).waitFor();
@@ -173,9 +173,9 @@ test("a map is computed, shown as a surface and a slice, and cleared with the ar
   const empty = await picture(page);
   for (const part of [surface, slice]) {
     await part.check();
-    await expect.poll(() => changed(page, empty), { timeout: 20_000 }).toBeGreaterThan(0.1);
+    await expect.poll(() => changed(page, empty)).toBeGreaterThan(0.1);
     await part.uncheck();
-    await expect.poll(() => changed(page, empty), { timeout: 20_000 }).toBeLessThan(0.01);
+    await expect.poll(() => changed(page, empty)).toBeLessThan(0.01);
   }
   await surface.check();
   await slice.check();
@@ -189,9 +189,8 @@ test("a map is computed, shown as a surface and a slice, and cleared with the ar
   await page.getByLabel("Position of the slice", { exact: true }).press("Enter");
   await expect
     .poll(() => page.url())
-    .toContain("section=reach&unit=rad&cells=8&directions=90&measure=branches&level=0.51&slice=x=0.3");
-  await page.locator("#arm-text").fill("panda");
-  await page.getByRole("button", { name: "Show", exact: true }).click();
+    .toContain("section=workspace&unit=rad&cells=8&directions=90&measure=branches&level=0.51&slice=x=0.3");
+  await chooseArm(page, "panda");
   await expect.poll(() => page.getByText(totals).isVisible()).toBe(false);
   await page.context().close();
 });
@@ -204,7 +203,6 @@ test("a position that is typed or clicked shows its values, and the tool moves t
   for (const [name, value] of [
     ["x", "4"],
     ["y", "3"],
-    ["z", "0"],
   ] as const) {
     await page.getByLabel(`${name} of a position`).fill(value);
     await page.getByLabel(`${name} of a position`).press("Enter");
@@ -218,8 +216,8 @@ test("a position that is typed or clicked shows its values, and the tool moves t
   await page.getByLabel("x of a position").fill("40");
   await page.getByLabel("x of a position").press("Enter");
   await page.getByText("outside the map").waitFor();
-  const { width = 0, height = 0 } = (await page.locator("#stage canvas").boundingBox()) ?? {};
-  await page.locator("#stage canvas").click({ position: { x: 0.3 * width, y: 0.5 * height } });
+  const { width = 0, height = 0 } = (await page.locator("#stage .drawing").boundingBox()) ?? {};
+  await page.locator("#stage .drawing").click({ position: { x: 0.3 * width, y: 0.5 * height } });
   await words.waitFor();
   await page.context().close();
 });
@@ -236,9 +234,9 @@ test("a map under way shows its progress and is cancelled, also by another secti
   expect(await page.getByText("cancelled").count()).toBe(0);
   await start.click();
   await stop.waitFor();
-  await page.getByRole("link", { name: "Hold", exact: true }).click();
+  await page.getByRole("link", { name: "Pose", exact: true }).click();
   await page.getByText(/solutions?, /).waitFor(); // by the worker
-  await page.getByRole("link", { name: "Reach", exact: true }).click();
+  await page.getByRole("link", { name: "Workspace", exact: true }).click();
   await start.waitFor();
   await page.context().close();
 });

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <beeline/certificate/internal/interval_deviation.h>
+#include <beeline/certificate/internal/interval_rounding.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/internal/segment_taylor_bound.h>
 #include <beeline/certificate/internal/tool_error.h>
@@ -19,7 +20,6 @@ constexpr int max_depth = 10;  // max number of bisections
 constexpr double small_remainder = 0.2;
 constexpr double finest = 1e-13;     // metres and radians; smaller bounds are not refined
 constexpr double small_error = 0.1;  // error of a projection, as a fraction of the wanted bound
-constexpr double rounding = 1e-15;   // rounding of a projection, as a fraction of the positions
 
 /// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
 constexpr double remainder_factor = 1.0 / 64;
@@ -32,6 +32,7 @@ class IntervalProof {
         segment_(segment),
         task_(task),
         error_(arm, segment, task),
+        rounding_of_(arm, segment, task),
         known_(known),
         wanted_(wanted),
         along_wanted_(small_error * error_.along_tolerance(wanted)) {}
@@ -46,7 +47,6 @@ class IntervalProof {
  private:
   struct End {
     ToolError error;
-    double size = 0;        ///< scale of the positions whose difference the error is, metres
     double distance = 0;    ///< distance between the origins of tool and segment
     double angle = 0;       ///< angle between their orientations, free rows included
     double row_length = 0;  ///< length of a line in the task's position rows
@@ -59,8 +59,7 @@ class IntervalProof {
     const PoseMotion path = motion_along(segment_, s, {ds, dds});
     grow(result_.measured, deviation_from(segment_, std::clamp(s, 0.0, 1.0), tool.pose, task_));
     const Twist difference = pose_difference(path.pose, tool.pose);
-    End at{error_.at(tool, path), tool.pose.translation().norm() + path.pose.translation().norm(),
-           difference.head<3>().norm(), difference.tail<3>().norm()};
+    End at{error_.at(tool, path), difference.head<3>().norm(), difference.tail<3>().norm()};
     if (const auto* line = std::get_if<Line>(&segment_)) {
       const Vector3 whole = line->to.translation() - line->from.translation();
       at.row_length = in_position_rows(task_, tool.pose, whole).norm();
@@ -85,15 +84,20 @@ class IntervalProof {
         .row_length = std::max(a.row_length, b.row_length) - segment.position.c[1] * rotation};
     const Deviation remainder =
         error_.remainder(distance, tool.orientation, orientation, remainder_factor);
-    Deviation bound = error_.bound(a.error, b.error, remainder, range);
+    if (depth == 0) rounding_ = rounding_of_.on(interval, segment);
+    Deviation bound = error_.bound(
+        a.error, b.error,
+        {remainder.position + rounding_.position, remainder.orientation + rounding_.orientation},
+        range);
     const double beyond = std::max({0.0, -s.smallest, s.largest - 1});
     bound.position += beyond * segment.position.c[1];
     bound.orientation =
         std::min(bound.orientation + beyond * segment.rotation.c[1], std::numbers::pi);
-    const double along_error = remainder.position + rounding * std::max(a.size, b.size);
+    const double along_error = remainder.position + rounding_.position;
     if (depth == max_depth ||
         (settled(&Deviation::position, bound, remainder) &&
-         settled(&Deviation::orientation, bound, remainder) && along_error <= along_wanted_)) {
+         settled(&Deviation::orientation, bound, remainder) &&
+         (along_error <= along_wanted_ || remainder.position < rounding_.position))) {
       grow(result_.bound, bound);
       if (error_.projects()) {
         result_.projections.push_back(error_.projection(interval.s, a.error, b.error, along_error));
@@ -108,7 +112,9 @@ class IntervalProof {
   bool settled(double Deviation::*part, const Deviation& bound, const Deviation& remainder) const {
     const double largest = result_.measured.*part;
     if (bound.*part <= std::max({finest, known_.*part, largest})) return true;
-    if (bound.*part > wanted_.*part && largest <= wanted_.*part) return false;
+    // A part's bound is at least the measured deviation and the rounding.
+    const bool possible = largest + rounding_.*part <= wanted_.*part;
+    if (bound.*part > wanted_.*part && possible) return false;
     return remainder.*part <= small_remainder * (bound.*part);
   }
 
@@ -121,6 +127,8 @@ class IntervalProof {
   const Segment& segment_;
   const Task& task_;
   ToolErrorRows error_;
+  IntervalRounding rounding_of_;
+  Deviation rounding_;  ///< of the whole interval, which holds for its parts
   Deviation known_, wanted_;
   double along_wanted_;  ///< the largest wanted error of a projection, metres
   IntervalDeviation result_;

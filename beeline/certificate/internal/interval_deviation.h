@@ -42,14 +42,17 @@ struct IntervalDeviation {
 ///     |e(u) - H(u)| <= max |e^(6)| / 46080,
 /// and |H| is at most the largest of its Bernstein coefficients. The sixth derivatives of tool and
 /// segment are bounded by tool_taylor_bound() and segment_taylor_bound(). Where the remainder
-/// dominates, the interval is divided into halves: the remainder of a half is 1/64.
+/// dominates, the interval is divided into halves: the remainder of a half is 1/64. The bound
+/// includes the rounding errors of e, H and their derivatives (interval_rounding.h).
 ///
 /// On a line by position only the component of e across the line counts, because the deviation is
 /// measured from the nearest point. The component along the line turns the projection of s(u) into
-/// the projection of the tool. An s(u) outside [0, 1] counts as the segment's end. Bounds that are
-/// not above `known` are not refined. Bounds above `wanted` are refined further, as long as no
-/// measured deviation is above it, and so are projections whose error is above a fraction of
-/// `wanted`.
+/// the projection of the tool. An s(u) outside [0, 1] counts as the segment's end.
+///
+/// An interval is halved while its bound is above `known` and
+///   - the remainder dominates the bound, or
+///   - the bound is above `wanted` and no measured deviation is, or
+///   - the error of a projection is above a fraction of `wanted`.
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
                                      const Interval& interval, const Deviation& known = {},
                                      const Deviation& wanted = {Limits::none, Limits::none});

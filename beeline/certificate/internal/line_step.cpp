@@ -162,11 +162,6 @@ double orientation_bound(const LineStep& step, const Task& task, const Deviation
 
 }  // namespace
 
-bool bound_is_linear(const Arm& arm, const Task& task) {
-  const bool whole = arm.rotates_about_z() && rotates_within_rows(task, Vector3::UnitZ());
-  return rotating_rows(task) || (task.orientations() == 1 && !whole);
-}
-
 Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
                           const ConfigurationRef& q_a, const ConfigurationRef& q_b,
                           const Deviation& a, const Deviation& b) {

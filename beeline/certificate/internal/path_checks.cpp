@@ -4,6 +4,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
@@ -36,6 +37,24 @@ void check_route(const Arm& arm, const Route& route, const Task& task) {
                 " m/s, not " + number(speed));
   }
   check_task(arm, route.path, task);
+}
+
+void check_in_plane(const Arm& arm, const ToolPath& path, const std::optional<Task>& task) {
+  const std::optional<ToolPlane> plane = ToolPlane::required(arm, task);
+  if (!plane || path.segments.empty()) return;
+  plane->check(pose_at(path.segments.front(), 0), "the path's beginning");
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const Segment& segment = path.segments[i];
+    plane->check(pose_at(segment, 1), segment_end_name(path, i));
+    // An arc with two ends in the plane may leave it between them.
+    for (const double s : {0.25, 0.5, 0.75})
+      plane->check(pose_at(segment, s), segment_name(path, i));
+  }
+}
+
+std::string segment_end_name(const ToolPath& path, std::size_t i) {
+  const bool is_waypoint = path.names.empty() && std::holds_alternative<Line>(path.segments[i]);
+  return is_waypoint ? "waypoint " + std::to_string(i + 1) : "the end of " + segment_name(path, i);
 }
 
 void check_path_parameters(const ToolPath& path, std::span<const double> path_parameters) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
@@ -17,6 +19,13 @@ void check_task(const Arm& arm, const ToolPath& path, const Task& task);
 /// Does the same for the route's path. Throws Error unless the route has a span and a stop for each
 /// of its segments.
 void check_route(const Arm& arm, const Route& route, const Task& task);
+
+/// Throws Error if no task is given and the path leaves the plane of a planar arm.
+void check_in_plane(const Arm& arm, const ToolPath& path, const std::optional<Task>& task);
+
+/// Returns the name of the end of segment i: `waypoint 2` on unnamed lines, else `the end of move 3
+/// (line)`.
+std::string segment_end_name(const ToolPath& path, std::size_t i);
 
 /// Throws Error unless the path parameters are on the path and do not decrease.
 void check_path_parameters(const ToolPath& path, std::span<const double> path_parameters);

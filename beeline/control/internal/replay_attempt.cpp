@@ -13,7 +13,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double default_rate = 100;                             // with speed changes
 constexpr double lead_in_samples = 64, max_lead_in_rate = 1000;  // without a rate
 constexpr double at_start = 1e-9;  // rad or m; a start this near needs no motion
 
@@ -85,7 +84,7 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
   const PointToPoint line =
       point_to_point(arm, *options.start, recorded.recording.positions.front(),
                      {.synchronise = Synchronise::straight});
-  double rate = options.rate > 0 ? options.rate : default_rate;
+  double rate = options.rate > 0 ? options.rate : default_replay_rate;
   if (steady && options.rate == 0) {
     rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
   }
@@ -145,7 +144,7 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
 }  // namespace
 
 double replay_rate(const ReplayOptions& options) {
-  return options.rate > 0 || options.speed_at.empty() ? options.rate : default_rate;
+  return options.rate > 0 || options.speed_at.empty() ? options.rate : default_replay_rate;
 }
 
 ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,

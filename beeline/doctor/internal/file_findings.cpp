@@ -16,7 +16,7 @@ namespace {
 
 constexpr double one_turn = 6.4;  // rad
 
-std::string in_line(const std::string& path, int line) { return path + ":" + std::to_string(line); }
+std::string in_line(int line) { return "line " + std::to_string(line); }
 
 void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const UrdfFile file = parse_urdf(read_file(path), path);
@@ -27,7 +27,7 @@ void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>&
       found.push_back({.kind = FindingKind::angle_unit,
                        .place = "joint " + joint.name,
                        .what = "rpy " + number(joint.rpy.x()) + " " + number(joint.rpy.y()) + " " +
-                               number(joint.rpy.z()) + " rad (" + in_line(path, joint.line) +
+                               number(joint.rpy.z()) + " rad (" + in_line(joint.line) +
                                "): degrees?",
                        .remedy = "write radians"});
     }
@@ -39,14 +39,14 @@ void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>&
       found.push_back({.kind = FindingKind::missing_axis,
                        .joint = static_cast<int>(index),
                        .place = joint_text(arm, index),
-                       .what = "no <axis> (" + in_line(path, joint.line) + "): taken as 1 0 0",
+                       .what = "no <axis> (" + in_line(joint.line) + "): taken as 1 0 0",
                        .remedy = "write the axis, also where it is 1 0 0"});
     } else if (std::abs(joint.axis.norm() - 1) > 1e-3) {
       found.push_back({.kind = FindingKind::axis_length,
                        .joint = static_cast<int>(index),
                        .place = joint_text(arm, index),
                        .what = "axis of length " + number(joint.axis.norm()) + " (" +
-                               in_line(path, joint.axis_line) + "), not 1",
+                               in_line(joint.axis_line) + "), not 1",
                        .cost = "readers that do not normalise it scale the joint's motion",
                        .remedy = "write it with unit length"});
     }
@@ -79,13 +79,31 @@ AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Find
            .joint = static_cast<int>(i),
            .place = joint_text(arm, i),
            .what = std::string(key) + " " + number(angle) + (declared ? " deg (" : " rad (") +
-                   in_line(path, written->line) +
+                   in_line(written->line) +
                    (declared ? "): converted to degrees twice?" : "): degrees?"),
            .remedy = (declared ? "in degrees: " : "in radians: ") + number(angle * factor)});
     }
     ++i;
   }
   return unit;
+}
+
+std::string remedy_for(ElementFault fault) {
+  switch (fault) {
+    case ElementFault::not_utf8:
+      return "save the file as UTF-8";
+    case ElementFault::two_orientations:
+      return "write one of them";
+    case ElementFault::missing_attribute:
+    case ElementFault::missing_end:
+      return "write it";
+    case ElementFault::empty_name:
+    case ElementFault::long_name:
+    case ElementFault::control_character:
+      return "write another name";
+    default:
+      return "write the numbers, or delete the attribute";
+  }
 }
 
 /// Returns the correction.
@@ -107,7 +125,7 @@ std::string remedy_for(const ReadWarning& warning) {
       return "write the axis, such as 0 0 1";
     case ReadWarningKind::limits_reversed:
       return "exchange lower and upper limit";
-    case ReadWarningKind::velocity_limit:
+    case ReadWarningKind::rate_limit:
       return "write the maker's limit, or 0 where it is unknown";
     case ReadWarningKind::unknown_leader:
       return "write the name of a joint of the file, or delete <mimic>";
@@ -115,18 +133,23 @@ std::string remedy_for(const ReadWarning& warning) {
       return "delete <mimic> of the joint that leads the others";
     case ReadWarningKind::constant_mimic:
       return "give the leader a type that moves, or make the joint fixed too";
+    case ReadWarningKind::zero_multiplier:
+      return "write the multiplier, or make the joint fixed";
+    case ReadWarningKind::unknown_element:
+    case ReadWarningKind::unknown_attribute:
+      return "write a name of URDF, or delete it";
+    case ReadWarningKind::repeated_element:
+      return "delete the others";
     case ReadWarningKind::further_faults:
       return "mend those above first";
     default:
-      return warning.element_fault == ElementFault::not_utf8
-                 ? "save the file as UTF-8"
-                 : "write the attribute, or delete the element";
+      return remedy_for(warning.element_fault);
   }
 }
 
 Finding finding_of(const ReadWarning& warning, const std::string& what) {
   return {.kind = FindingKind::fault,
-          .place = warning.line > 0 ? "line " + std::to_string(warning.line) : "file",
+          .place = warning.line > 0 ? in_line(warning.line) : "file",
           .what = what,
           .remedy = remedy_for(warning)};
 }
@@ -165,7 +188,8 @@ void append_faults(const std::string& path, std::string (*text)(const ReadWarnin
 
 void find_faults(const std::string& path, std::vector<Finding>& found) {
   append_faults(
-      path, [](const ReadWarning& warning) { return sentence(warning); }, found);
+      path, [](const ReadWarning& warning) { return statement(warning, OptionStyle::keyword); },
+      found);
 }
 
 AngleUnit find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
@@ -180,7 +204,7 @@ namespace beeline {
 
 std::vector<Finding> file_faults(const std::string& path) {
   std::vector<Finding> found;
-  internal::append_faults(path, internal::clause, found);
+  internal::append_faults(path, internal::fact, found);
   return found;
 }
 

@@ -63,7 +63,8 @@ void add_offset_differences(const Joint& a, const Joint& b, std::size_t joint, d
   for (int k = 0; k < 3; ++k) {
     const double in_a = a.offset.translation()[k], in_b = b.offset.translation()[k];
     if (std::abs(in_a - in_b) <= tolerance) continue;
-    found.push_back(length_difference(joint, std::string("origin ") + names[k], in_a, in_b));
+    found.push_back(parameter_difference(DifferenceKind::length, joint,
+                                         std::string("origin ") + names[k], in_a, in_b));
   }
   const Vector3 rotated = so3_log(a.offset.linear().transpose() * b.offset.linear());
   if (rotated.norm() > tolerance) found.push_back(orientation_difference(a, b, joint));

@@ -125,7 +125,7 @@ void find_limits(const Arm& arm, AngleUnit unit, std::vector<Finding>& found) {
     add(unknown, FindingKind::unknown_velocity,
         "no velocity limit, which other joints have; " + number(assumed_velocity_limit) +
             " is assumed",
-        "write the maker's limit, or --velocity");
+        "write the maker's limit");
   }
   find_range(arm, unit, found);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/doctor/internal/link_table.h>
+#include <beeline/model/internal/joint_axes.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::internal {
@@ -9,13 +10,6 @@ namespace {
 
 constexpr double nearly_parallel = 1e-3;  // sine
 constexpr double coincident = 1e-6;       // metres
-
-Pose frame(const Vector3& x, const Vector3& z, const Vector3& origin) {
-  Pose world_T_frame = Pose::Identity();
-  world_T_frame.linear() << x, z.cross(x), z;
-  world_T_frame.translation() = origin;
-  return world_T_frame;
-}
 
 bool parallel(const JointLine& a, const JointLine& b) {
   return a.direction.cross(b.direction).norm() < nearly_parallel;
@@ -40,13 +34,13 @@ Link link_between(const JointLine& from, JointLine to, const Pose& before) {
   if (to.kind == JointKind::prismatic) to.point = before.translation();
   if (!parallel(from, to)) {
     const Vector3 x = z.cross(to.direction).normalized();
-    return {frame(x, z, foot_of_normal(from, to)), foot_of_normal(to, from)};
+    return {frame_along(x, z, foot_of_normal(from, to)), foot_of_normal(to, from)};
   }
   const Vector3 next = in_plane(to, before.translation(), z);
   const Vector3 offset = next - before.translation();
   const Vector3 x =
       offset.norm() > coincident ? Vector3(offset.normalized()) : Vector3(before.linear().col(0));
-  return {frame(x, z, before.translation()), next};
+  return {frame_along(x, z, before.translation()), next};
 }
 
 /// Fills in the constants of a link and returns the frame at its end.
@@ -82,7 +76,7 @@ Vector3 foot_before_slide(const JointLine& from, const JointLine& slide, const J
 Pose first_frame(const std::vector<JointLine>& lines) {
   const JointLine& first = lines[0];
   Vector3 origin = first.point - first.point.dot(first.direction) * first.direction;
-  Pose before = frame(first.direction.unitOrthogonal(), first.direction, origin);
+  Pose before = frame_along(first.direction.unitOrthogonal(), first.direction, origin);
   if (lines.size() == 1) return before;
   std::size_t k = 0;
   while (k + 1 < lines.size() && parallel(lines[k], lines[k + 1])) ++k;

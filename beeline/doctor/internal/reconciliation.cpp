@@ -111,14 +111,14 @@ ModelDifference mount_difference(const Pose& mount) {
   return {.kind = DifferenceKind::mount,
           .pose = mount,
           .what = "B stands elsewhere in the world",
-          .remedy = "--mount " + pose_argument(mount)};
+          .remedy = "mount A at " + pose_argument(mount)};
 }
 
 ModelDifference tool_difference(const Pose& tcp) {
   return {.kind = DifferenceKind::tool,
           .pose = tcp,
           .what = "B has another tool frame",
-          .remedy = "--tcp " + pose_argument(tcp)};
+          .remedy = "give A the tool centre point " + pose_argument(tcp)};
 }
 
 ModelDifference offset_difference(const Arm& a, std::size_t joint, double offset) {
@@ -144,30 +144,20 @@ ModelDifference sign_difference(std::size_t joint) {
           .remedy = q + " of B = -" + q + " of A"};
 }
 
-ModelDifference length_difference(std::size_t joint, const std::string& dimension, double in_a,
-                                  double in_b, const std::string& where) {
+ModelDifference parameter_difference(DifferenceKind kind, std::size_t joint,
+                                     const std::string& dimension, double in_a, double in_b,
+                                     const std::string& where) {
+  const bool length = kind == DifferenceKind::length;
+  const auto text = [&](double value) { return length ? number(value) + " m" : angle(value); };
   const std::string parameter = dimension + where;
-  return {.kind = DifferenceKind::length,
+  return {.kind = kind,
           .joint = static_cast<int>(joint),
           .parameter = parameter,
           .dimension = dimension,
           .a = in_a,
           .b = in_b,
-          .what = parameter + " " + number(in_a) + " m in A, " + number(in_b) + " m in B" +
-                  in_brackets(length_relation(in_a, in_b))};
-}
-
-ModelDifference angle_parameter_difference(std::size_t joint, const std::string& dimension,
-                                           double in_a, double in_b, const std::string& where) {
-  const std::string parameter = dimension + where;
-  return {.kind = DifferenceKind::angle,
-          .joint = static_cast<int>(joint),
-          .parameter = parameter,
-          .dimension = dimension,
-          .a = in_a,
-          .b = in_b,
-          .what = parameter + " " + beeline::angle(in_a) + " in A, " + beeline::angle(in_b) +
-                  " in B" + in_brackets(angle_relation(in_a, in_b))};
+          .what = parameter + " " + text(in_a) + " in A, " + text(in_b) + " in B" +
+                  in_brackets(length ? length_relation(in_a, in_b) : angle_relation(in_a, in_b))};
 }
 
 void add_end_differences(const Arm& a, const Arm& b, double tolerance,

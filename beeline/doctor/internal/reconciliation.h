@@ -54,11 +54,10 @@ ModelDifference mount_difference(const Pose& mount);
 ModelDifference tool_difference(const Pose& tcp);
 ModelDifference offset_difference(const Arm& a, std::size_t joint, double offset);
 ModelDifference sign_difference(std::size_t joint);
-/// `where` follows the dimension's name: " to the axis of joint 2:".
-ModelDifference length_difference(std::size_t joint, const std::string& dimension, double in_a,
-                                  double in_b, const std::string& where = {});
-ModelDifference angle_parameter_difference(std::size_t joint, const std::string& dimension,
-                                           double in_a, double in_b, const std::string& where = {});
+/// `kind` is length or angle; `where` follows the dimension's name: " to the axis of joint 2:".
+ModelDifference parameter_difference(DifferenceKind kind, std::size_t joint,
+                                     const std::string& dimension, double in_a, double in_b,
+                                     const std::string& where = {});
 
 /// Compares base and tool of two arms with explained links, and adds the differences.
 void add_end_differences(const Arm& a, const Arm& b, double tolerance, Reconciliation& explanation);

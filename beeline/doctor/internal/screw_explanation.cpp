@@ -123,19 +123,22 @@ void add_link_differences(const TablePair& pair, LinkTable& table, Reconciliatio
     const bool slides = row.kind == JointKind::prismatic;
     const std::string next = " to the axis of joint " + std::to_string(i + 2) + ":";
     if (std::abs(pair.fixed_difference(i)) > tolerance) {
-      found.push_back(slides ? angle_parameter_difference(i, "theta", row.theta, other.theta)
-                             : length_difference(i, "d", row.d, other.d, ", along its axis:"));
+      found.push_back(
+          slides ? parameter_difference(DifferenceKind::angle, i, "theta", row.theta, other.theta)
+                 : parameter_difference(DifferenceKind::length, i, "d", row.d, other.d,
+                                        ", along its axis:"));
       (slides ? row.theta : row.d) = slides ? other.theta : row.d + pair.fixed_difference(i);
     }
     if (angles_differ(row.alpha, other.alpha, tolerance) ||
         angles_differ(row.beta, other.beta, tolerance)) {
       const bool alpha = angles_differ(row.alpha, other.alpha, tolerance);
-      found.push_back(angle_parameter_difference(i, alpha ? "angle alpha" : "angle beta",
-                                                 alpha ? row.alpha : row.beta,
-                                                 alpha ? other.alpha : other.beta, next));
+      found.push_back(parameter_difference(
+          DifferenceKind::angle, i, alpha ? "angle alpha" : "angle beta",
+          alpha ? row.alpha : row.beta, alpha ? other.alpha : other.beta, next));
     }
     if (differ(row.a, other.a, tolerance)) {
-      found.push_back(length_difference(i, "distance a", row.a, other.a, next));
+      found.push_back(
+          parameter_difference(DifferenceKind::length, i, "distance a", row.a, other.a, next));
     }
     if (pair.link_differs(i)) {
       row.a = other.a;

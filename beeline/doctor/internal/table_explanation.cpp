@@ -42,8 +42,8 @@ std::optional<Reconciliation> table_explanation(const Arm& a, const Arm& b, DhCo
         continue;
       }
       explanation.differences.push_back(
-          parameter.angle ? angle_parameter_difference(i, parameter.name, value, in_b)
-                          : length_difference(i, parameter.name, value, in_b));
+          parameter_difference(parameter.angle ? DifferenceKind::angle : DifferenceKind::length, i,
+                               parameter.name, value, in_b));
       value = in_b;
     }
   }

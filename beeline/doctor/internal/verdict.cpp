@@ -130,16 +130,12 @@ void judge(const Arm& a, const Arm& b, ArmComparison& comparison) {
 namespace beeline {
 
 std::string name(DifferenceKind kind) {
-  constexpr internal::EnumNames<DifferenceKind::limit> names(
-      "difference",
-      "convention unit columns joint_order joint_count joint_kind mount tool joint_offset "
-      "joint_sign length angle axis orientation mimic name limit");
+  constexpr internal::EnumNames<DifferenceKind> names("difference");
   return names.of(kind);
 }
 
 std::string name(ModelComparison status) {
-  constexpr internal::EnumNames<ModelComparison::different> names("status",
-                                                                  "same reconciled different");
+  constexpr internal::EnumNames<ModelComparison> names("status");
   return names.of(status);
 }
 

@@ -43,14 +43,14 @@ std::vector<double> symbol_shifts(const Skeleton& bones) {
 
 class ArmPainter {
  public:
-  ArmPainter(Drawing& drawing, const Skeleton& bones, bool planar, bool is_faded)
+  ArmPainter(Drawing& drawing, const Skeleton& bones, bool planar, const ArmStyle& style)
       : drawing_(drawing),
         bones_(bones),
         planar_(planar),
-        size_(size_for(bones.joints.size())),
-        layer_(is_faded ? Layer::ghost : Layer::body),
-        steel_(is_faded ? faded(steel) : steel),
-        ink_(is_faded ? faded(ink) : ink) {}
+        size_((style.thin ? 0.5 : 1) * size_for(bones.joints.size())),
+        layer_(style.faded ? Layer::ghost : Layer::body),
+        steel_(style.faded ? faded(steel) : steel),
+        ink_(style.faded ? faded(ink) : ink) {}
 
   void draw(const Vector3& up) {
     const std::vector<double> shifts = symbol_shifts(bones_);
@@ -150,7 +150,7 @@ void add_arm(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, const 
   const Skeleton bones = skeleton(arm, q);
   const std::vector<Pose> links = link_poses(arm, q);
   if (!arm.planar() && !drawing.floor) drawing.floor = bones.base.z();
-  ArmPainter(drawing, bones, arm.planar(), style.faded).draw(arm.base().linear().col(2));
+  ArmPainter(drawing, bones, arm.planar(), style).draw(arm.base().linear().col(2));
   if (style.frames) add_frames(drawing, links, arm.planar(), bones.size());
   const bool named = style.frames && arm.tool().isApprox(Pose::Identity());
   if (style.tool && !style.faded && !named)

@@ -88,7 +88,8 @@ Plot plot_of(const Cell& cell, const PaperPoint& corner) {
   Plot plot;
   plot.box.low = corner + PaperPoint(cell.left, 0);
   plot.box.high = plot.box.low + cell.plot;
-  plot.projection = {cell.panel->view, cell.scale, plot.box.low - relative.low, cell.panel->pen};
+  plot.projection = {cell.panel->view, cell.scale, plot.box.low - relative.low, cell.panel->pen,
+                     plot.box};
   return plot;
 }
 

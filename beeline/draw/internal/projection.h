@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include <beeline/draw/figure.h>
+#include <beeline/draw/internal/paper_shapes.h>
 
 namespace beeline::internal {
 
@@ -13,6 +16,7 @@ struct Projection {
   double scale = 1;                        ///< points on paper per metre
   PaperPoint origin = PaperPoint::Zero();  ///< the world's origin on paper, points
   double pen = 1;                          ///< factor on the sizes that a drawing gives in points
+  std::optional<PaperBox> visible = {};  ///< rectangle in which bodies are drawn; none: everywhere
 
   PaperPoint operator()(const Vector3& p) const;
   PaperPoint direction(const Vector3& d) const;  ///< image of a world direction; not longer than d

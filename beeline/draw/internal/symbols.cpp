@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <beeline/draw/internal/labels.h>
+#include <beeline/draw/internal/outline.h>
 #include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/solid.h>
 #include <beeline/draw/internal/symbols.h>
@@ -55,6 +57,46 @@ struct Painter {
     }
     constexpr double overlap = 0.3;  // overlap in points, without seams between tiles
     marks.emplace_back(PaperStroke{path, tiles.colour, tiles.colour, overlap, {}});
+  }
+
+  void operator()(const Solid& solid) const {
+    std::vector<PaperPoint> points;
+    for (const Vector3& p : solid.points) points.push_back(projection(p));
+    const std::vector<PaperPoint> outline = outline_of(points, solid.radius * projection.scale);
+    add_body(outline, solid.fill, solid);
+    for (const std::vector<std::size_t>& face : solid.faces) {
+      const Vector3 normal = (solid.points[face[1]] - solid.points[face[0]])
+                                 .cross(solid.points[face[2]] - solid.points[face[1]])
+                                 .normalized();
+      const double towards = projection.depth(normal);
+      if (!(towards > 1e-3)) continue;
+      std::vector<PaperPoint> corners;
+      for (const std::size_t i : face) {
+        corners.push_back(projection(solid.points[i] + solid.radius * normal));
+      }
+      constexpr double darkest = 0.22;
+      add_body(corners, {ink.red, ink.green, ink.blue, darkest * (1 - towards)}, solid);
+    }
+  }
+
+  /// A closed line with its fill, as far as it is visible.
+  void add_body(const std::vector<PaperPoint>& corners, const Colour& fill,
+                const Solid& solid) const {
+    const double width = solid.line_width * pen;
+    if (!projection.visible) {
+      marks.emplace_back(PaperStroke{closed_path(corners), fill, solid.line, width, {}});
+      return;
+    }
+    const std::vector<PaperPoint> inside = clipped(corners, *projection.visible);
+    if (inside == corners) {
+      marks.emplace_back(PaperStroke{closed_path(corners), fill, solid.line, width, {}});
+      return;
+    }
+    if (!inside.empty()) marks.emplace_back(PaperStroke{closed_path(inside), fill, no_colour, 0});
+    const PaperPath edges = clipped_edges(corners, *projection.visible);
+    if (!edges.verbs.empty()) {
+      marks.emplace_back(PaperStroke{edges, no_colour, solid.line, width, {}});
+    }
   }
 
   void operator()(const JointSymbol& joint) const {
@@ -130,6 +172,9 @@ struct Footprints {
       for (const Vector3& corner : corners) add(corner, 0);
     }
   }
+  void operator()(const Solid& solid) const {
+    for (const Vector3& p : solid.framed) add(p, pen * solid.line_width);
+  }
   void operator()(const JointSymbol& joint) const {
     add(joint.centre, pen * (std::abs(joint.shift) + 2 * joint.size + 1));
   }
@@ -163,6 +208,13 @@ double depth(const Primitive& shape, const Projection& projection) {
     return line->points.empty() ? 0 : sum / static_cast<double>(line->points.size());
   }
   if (const auto* joint = std::get_if<JointSymbol>(&shape)) return projection.depth(joint->centre);
+  if (const auto* solid = std::get_if<Solid>(&shape)) {
+    // Bodies are translucent: one that extends behind others is drawn before them.
+    const double sign = solid->shell ? -1 : 1;
+    double first = std::numeric_limits<double>::infinity();
+    for (const Vector3& p : solid->points) first = std::min(first, sign * projection.depth(p));
+    return solid->points.empty() ? 0 : sign * (first - solid->radius);
+  }
   return 0;
 }
 

@@ -96,15 +96,14 @@ void ArmNamer::rotate(int axis, double angle, const std::string& letter,
        .symbol = symbol({SymbolKind::angle, letter, subscript, angle, -1, 1, meaning})});
 }
 
-Expression ArmNamer::shared_length(double length, const std::string& letter,
-                                   const std::string& subscript, const std::string& meaning) {
+Expression ArmNamer::shared_constant(SymbolKind kind, double value, const std::string& letter,
+                                     const std::string& subscript, const std::string& meaning) {
   for (std::size_t i = 0; shares_lengths_ && i < named_.symbols.size(); ++i) {
     const Symbol& other = named_.symbols[i];
-    if (other.kind != SymbolKind::length || std::abs(other.value) != std::abs(length)) continue;
-    return Expression(other.value == length ? 1 : -1) * Expression::symbol(static_cast<int>(i));
+    if (other.kind != kind || std::abs(other.value) != std::abs(value)) continue;
+    return Expression(other.value == value ? 1 : -1) * Expression::symbol(static_cast<int>(i));
   }
-  return Expression::symbol(
-      symbol({SymbolKind::length, letter, subscript, length, -1, 1, meaning}));
+  return Expression::symbol(symbol({kind, letter, subscript, value, -1, 1, meaning}));
 }
 
 void ArmNamer::translate(int axis, double length, const std::string& letter,
@@ -115,7 +114,7 @@ void ArmNamer::translate(int axis, double length, const std::string& letter,
   }
   add({.rotation = false,
        .axis = axis,
-       .distance = shared_length(length, letter, subscript, meaning)});
+       .distance = shared_constant(SymbolKind::length, length, letter, subscript, meaning)});
 }
 
 void ArmNamer::place(const Pose& pose, const std::string& subscript, int before, int after) {
@@ -148,7 +147,8 @@ void ArmNamer::move(std::size_t i, int axis, int sign) {
   }
   add({.axis = axis, .symbol = variable, .multiple = multiple});
   if (kind(joint) == JointKind::revolute) return;
-  const Expression travel = shared_length(pitch(joint), "h", index, "pitch, metres per radian");
+  const Expression travel =
+      shared_constant(SymbolKind::pitch, pitch(joint), "h", index, "pitch, metres per radian");
   add({.rotation = false, .axis = axis, .distance = travel * coordinate});
 }
 

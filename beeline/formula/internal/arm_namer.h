@@ -46,8 +46,8 @@ class ArmNamer {
   int symbol(Symbol symbol);
   int coordinate_symbol(int coordinate);
   int mimic_symbol(std::size_t i);
-  Expression shared_length(double length, const std::string& letter, const std::string& subscript,
-                           const std::string& meaning);
+  Expression shared_constant(SymbolKind kind, double value, const std::string& letter,
+                             const std::string& subscript, const std::string& meaning);
 
   const Arm& source_;
   SymbolicArm named_;

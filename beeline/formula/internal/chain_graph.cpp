@@ -26,18 +26,12 @@ ChainGraph::ChainGraph(const SymbolicArm& arm, bool numbers) : arm_(arm), number
   rotation_ = closed_;
 }
 
-GraphNumber ChainGraph::constant(const std::string& name, double value) {
-  if (numbers_) return number(value);
-  constants_[name] = value;
-  return node(graph_.variable(name));
-}
-
 GraphNumber ChainGraph::symbol(int index) {
   const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(index)];
   if (symbol.coordinate < 0) return constant(symbol.name(), symbol.value);
-  const std::string vector = symbol.kind == SymbolKind::rate ? "dq" : "q";
   const GraphNumber coordinate =
-      node(graph_.variable(vector + '[' + std::to_string(symbol.coordinate) + ']'));
+      node(symbol.kind == SymbolKind::rate ? graph_.rate(symbol.coordinate)
+                                           : graph_.coordinate(symbol.coordinate));
   const GraphNumber product = number(symbol.ratio) * coordinate;
   return product + number(symbol.value);
 }
@@ -69,7 +63,7 @@ std::string ChainGraph::trig_name(const Trig& trig, ComputationGraph::Id sum) co
   for (const auto& [number, multiple] : trig.angle.multiples) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
     const int times = std::abs(multiple);
-    const bool joint = symbol.letter == "q";
+    const bool joint = symbol.is_coordinate();
     name += multiple < 0 ? "_m" : joint && arm_.dof < 10 ? "" : "_";
     name += (times == 1 ? "" : std::to_string(times) + "x") +
             (joint ? symbol.subscript : symbol.name());

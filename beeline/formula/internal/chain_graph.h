@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,19 +11,15 @@
 
 namespace beeline::internal {
 
-/// The kinematics of an arm as a graph. Its variables are the symbols' names; coordinates are q[0],
-/// q[1], ..., and rates are dq[0], ...
+/// The kinematics of an arm as a graph. Its constants have the symbols' names.
 class ChainGraph {
  public:
-  /// With `numbers`, constants are numbers instead of variables.
+  /// With `numbers`, constants are numbers without names.
   ChainGraph(const SymbolicArm& arm, bool numbers);
   ChainGraph(const ChainGraph&) = delete;  // its numbers refer to its graph
 
   ComputationGraph& graph() { return graph_; }
   const ComputationGraph& graph() const { return graph_; }
-
-  /// Returns the values of the constants that are variables, by name.
-  const std::map<std::string, double>& constants() const { return constants_; }
 
   /// Returns the 16 entries of the tool's pose in the world, row by row.
   std::vector<ComputationGraph::Id> pose();
@@ -47,14 +42,16 @@ class ChainGraph {
     GraphVector linear = {}, angular = {};
   };
 
-  GraphNumber constant(const std::string& name, double value);
+  GraphNumber constant(const std::string& name, double value) {
+    return numbers_ ? number(value) : node(graph_.constant(name, value));
+  }
   GraphNumber node(ComputationGraph::Id id) { return {&graph_, id}; }
   GraphNumber number(double value) { return node(graph_.number(value)); }
   GraphNumber symbol(int index);
   GraphNumber sum(const Angle& angle);
   std::string trig_name(const Trig& trig, ComputationGraph::Id sum) const;
   GraphNumber trig(const Trig& trig);
-  GraphNumber rate(const Motion& motion);
+  GraphNumber rate(const Motion& motion) { return node(graph_.rate(motion.coordinate)); }
   GraphRotation axis_rotation(int axis, const Angle& angle);
   GraphVector constant_column(int axis);
   GraphRotation turned();
@@ -72,7 +69,6 @@ class ChainGraph {
   const SymbolicArm& arm_;
   bool numbers_;
   ComputationGraph graph_;
-  std::map<std::string, double> constants_;
   // These members are as in SymbolicPose. The position of a sum of rotations is added up in its own
   // frame.
   GraphRotation closed_{};

@@ -44,11 +44,7 @@ std::string bracketed(const std::string& text) { return is_sum(text) ? '(' + tex
 }  // namespace
 
 CodeWriter::CodeWriter(const SymbolicArm& arm, const ChainGraph& chain, CodeLanguage language)
-    : arm_(arm),
-      graph_(chain.graph()),
-      constants_(chain.constants()),
-      language_(language),
-      prefix_(identifier(arm.name)) {
+    : arm_(arm), graph_(chain.graph()), language_(language), prefix_(identifier(arm.name)) {
   const std::string title = "Kinematics of " + prefix_ + ": metres, radians, seconds.";
   if (language == CodeLanguage::python) {
     code_.text = "\"\"\"" + title + "\"\"\"\n\nfrom math import cos, sin\n";
@@ -79,8 +75,12 @@ std::string CodeWriter::text_of(const ComputationGraph::Node& node) const {
   switch (node.operation) {
     case Operation::number:
       return literal(node.number);
-    case Operation::variable:
+    case Operation::constant:
       return node.name;
+    case Operation::coordinate:
+      return "q[" + number(node.number) + ']';
+    case Operation::rate:
+      return "dq[" + number(node.number) + ']';
     case Operation::cosine:
       return space + "cos(" + operand(node.a) + ')';
     case Operation::sine:
@@ -104,12 +104,11 @@ std::string CodeWriter::head(const std::vector<int>& uses, bool rates) const {
   bool uses_q = false, uses_dq = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const ComputationGraph::Node& node = graph_.nodes()[i];
-    if (uses[i] == 0 || node.operation != ComputationGraph::Operation::variable) continue;
-    uses_q = uses_q || node.name[0] == 'q';
-    uses_dq = uses_dq || node.name.rfind("dq", 0) == 0;
-    const auto constant = constants_.find(node.name);
-    if (constant != constants_.end())
-      text += assignment(node.name, literal(constant->second), true);
+    if (uses[i] == 0) continue;
+    uses_q = uses_q || node.operation == ComputationGraph::Operation::coordinate;
+    uses_dq = uses_dq || node.operation == ComputationGraph::Operation::rate;
+    if (node.operation == ComputationGraph::Operation::constant)
+      text += assignment(node.name, literal(node.number), true);
   }
   if (language_ == CodeLanguage::python) return text;
   if (!uses_q) text += "  (void)q;\n";
@@ -157,8 +156,7 @@ std::string CodeWriter::body(const std::vector<CodeOutput>& outputs, bool rates)
     text_[i] = text_of(node);
     const bool trig = node.operation == ComputationGraph::Operation::cosine ||
                       node.operation == ComputationGraph::Operation::sine;
-    const bool leaf = node.operation == ComputationGraph::Operation::number ||
-                      node.operation == ComputationGraph::Operation::variable;
+    const bool leaf = !node.has_operands();
     const bool sign = node.operation == ComputationGraph::Operation::negate;
     const bool stored = uses[i] == 1 && is_output[i];
     const bool named = trig || (!leaf && !sign && uses[i] > 1) ||

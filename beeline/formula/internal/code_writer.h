@@ -37,7 +37,6 @@ class CodeWriter {
 
   const SymbolicArm& arm_;
   const ComputationGraph& graph_;
-  const std::map<std::string, double>& constants_;
   CodeLanguage language_;
   std::string prefix_;             ///< prefix of the functions' names
   std::vector<std::string> text_;  ///< text of each node at its uses: a name, or an operation

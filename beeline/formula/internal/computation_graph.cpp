@@ -32,8 +32,16 @@ ComputationGraph::Id ComputationGraph::number(double value) {
   return node(Operation::number, value + 0.0, "", -1, -1);
 }
 
-ComputationGraph::Id ComputationGraph::variable(const std::string& name) {
-  return node(Operation::variable, 0, name, -1, -1);
+ComputationGraph::Id ComputationGraph::constant(const std::string& name, double value) {
+  return node(Operation::constant, value, name, -1, -1);
+}
+
+ComputationGraph::Id ComputationGraph::coordinate(int index) {
+  return node(Operation::coordinate, index, "", -1, -1);
+}
+
+ComputationGraph::Id ComputationGraph::rate(int index) {
+  return node(Operation::rate, index, "", -1, -1);
 }
 
 ComputationGraph::Id ComputationGraph::trig(Operation operation, Id angle,

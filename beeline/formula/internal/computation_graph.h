@@ -14,17 +14,32 @@ namespace beeline::internal {
 /// 0, 1 and -1 are simplified. Signs move outwards, so that a - b and b - a share a node.
 class ComputationGraph {
  public:
-  enum class Operation { number, variable, cosine, sine, negate, add, subtract, multiply };
+  enum class Operation {
+    number,
+    constant,    ///< a named number
+    coordinate,  ///< of the configuration
+    rate,        ///< time derivative of a coordinate
+    cosine,
+    sine,
+    negate,
+    add,
+    subtract,
+    multiply
+  };
   struct Node {
     Operation operation = Operation::number;
-    double number = 0;
-    std::string name = {};  ///< name of a variable, or of a cosine or sine, such as c12
+    double number = 0;      ///< value of a number or constant, index of a coordinate or rate
+    std::string name = {};  ///< name of a constant, or of a cosine or sine, such as c12
     int a = -1, b = -1;     ///< operands
+
+    bool has_operands() const { return a >= 0; }
   };
   using Id = int;
 
   Id number(double value);
-  Id variable(const std::string& name);
+  Id constant(const std::string& name, double value);
+  Id coordinate(int index);
+  Id rate(int index);
   Id cosine(Id angle, const std::string& name) { return trig(Operation::cosine, angle, name); }
   Id sine(Id angle, const std::string& name) { return trig(Operation::sine, angle, name); }
   Id negate(Id a);

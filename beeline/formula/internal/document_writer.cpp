@@ -161,7 +161,7 @@ std::vector<WrittenSymbol> DocumentWriter::symbols() const {
   std::vector<WrittenSymbol> found;
   for (const int number : symbols_) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
-    if (symbol.coordinate >= 0 && symbol.ratio == 1 && symbol.value == 0) continue;
+    if (symbol.is_coordinate() || symbol.kind == SymbolKind::rate) continue;
     found.push_back(written_symbol(number));
   }
   return found;
@@ -170,11 +170,11 @@ std::vector<WrittenSymbol> DocumentWriter::symbols() const {
 WrittenSymbol DocumentWriter::written_symbol(int number) const {
   const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
   const bool length = symbol.kind == SymbolKind::length || symbol.kind == SymbolKind::displacement;
-  const bool degrees = style_.degrees && !length;
+  const bool pitch = symbol.kind == SymbolKind::pitch;
+  const bool degrees = style_.degrees && !length && !pitch;
   const double value = degrees ? in_degrees(symbol.value) : symbol.value;
-  const std::string unit = length ? "m" : degrees ? "deg" : "rad";
-  WrittenSymbol written{notation_.symbol(number), symbol.name(), value,
-                        symbol.letter == "h" ? "m/rad" : unit, symbol.meaning};
+  const std::string unit = length ? "m" : pitch ? "m/rad" : degrees ? "deg" : "rad";
+  WrittenSymbol written{notation_.symbol(number), symbol.name(), value, unit, symbol.meaning};
   if (symbol.coordinate < 0) return written;
   const auto followed = static_cast<std::size_t>(symbol.coordinate);
   const int other = arm_.coordinates[followed];

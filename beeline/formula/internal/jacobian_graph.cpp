@@ -38,10 +38,6 @@ std::vector<ComputationGraph::Id> ChainGraph::jacobian(Frame frame) {
   return matrix(twists);
 }
 
-GraphNumber ChainGraph::rate(const Motion& motion) {
-  return node(graph_.variable("dq[" + std::to_string(motion.coordinate) + ']'));
-}
-
 /// Returns the time derivatives of the twists in the world's axes. The axis and the point of motion
 /// i move with the angular velocity of all motions before it. The point's velocity is the velocity
 /// of the point of motion i - 1 plus their relative velocity.

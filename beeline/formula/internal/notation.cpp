@@ -116,12 +116,12 @@ std::string Notation::angle(const Angle& angle) const {
 }
 
 bool Notation::abbreviates(const Trig& trig) const {
-  return !many_joints_ && std::all_of(trig.angle.multiples.begin(), trig.angle.multiples.end(),
-                                      [&](const std::pair<int, int>& entry) {
-                                        const Symbol& symbol =
-                                            symbols_[static_cast<std::size_t>(entry.first)];
-                                        return symbol.letter == "q" && std::abs(entry.second) == 1;
-                                      });
+  return !many_joints_ &&
+         std::all_of(trig.angle.multiples.begin(), trig.angle.multiples.end(),
+                     [&](const std::pair<int, int>& entry) {
+                       const Symbol& symbol = symbols_[static_cast<std::size_t>(entry.first)];
+                       return symbol.is_coordinate() && std::abs(entry.second) == 1;
+                     });
 }
 
 std::string Notation::trig(const Trig& trig) const {

@@ -68,7 +68,8 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
 double length_scale(const SymbolicArm& arm) {
   double sum = 0;
   for (const Symbol& symbol : arm.symbols) {
-    if (symbol.kind == SymbolKind::length) sum += std::abs(symbol.value);
+    const bool length = symbol.kind == SymbolKind::length || symbol.kind == SymbolKind::pitch;
+    if (length) sum += std::abs(symbol.value);
     if (symbol.kind == SymbolKind::displacement) sum += 1 + std::abs(symbol.value);
   }
   return sum;

@@ -130,26 +130,21 @@ void solve_slide(InverseSteps& steps, const std::vector<PlanarLink>& links) {
   }
 }
 
-std::string letters(const std::vector<PlanarLink>& links) {
-  std::string text;
-  for (const PlanarLink& link : links) text += link.revolute ? 'R' : 'P';
-  return text;
-}
-
 /// Returns the links of an arm that has a derivation; none for others.
 std::vector<PlanarLink> links_with_derivation(const SymbolicArm& arm) {
   std::vector<PlanarLink> links = planar_links(arm);
-  const std::string kind = letters(links);
-  const bool parallel_slides = (kind == "PP" && links[1].bend_sine().is_zero()) ||
-                               ((kind == "PPR" && links[1].bend_sine().is_zero()) ||
-                                (kind == "RPP" && links[2].bend_sine().is_zero()));
-  const auto zero = [&](std::size_t i) { return links[i].length.is_zero(); };
-  const bool short_link = (kind == "RR" || kind == "RRR") ? zero(0) || zero(1)
-                          : kind == "PR" || kind == "PRR" ? zero(1)
-                          : kind == "RRP"                 ? zero(0)
-                                                          : false;
-  const bool known = (links.size() == 2 || links.size() == 3) && kind != "PPP";
-  if (!known || parallel_slides || short_link) links.clear();
+  if (links.size() != 2 && links.size() != 3) return {};
+  const auto rotates = [&](std::size_t i) { return links[i].revolute; };
+  const auto slides = [&](std::size_t i) { return i < links.size() && !rotates(i); };
+  if (slides(0) && slides(1) && slides(2)) return {};
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    const bool parallel_slides = slides(i - 1) && slides(i) && links[i].bend_sine().is_zero();
+    if (parallel_slides) return {};
+  }
+  // Without a length, the first link makes the axes of two rotations one, and the second leaves the
+  // angle of its joint undetermined.
+  if (rotates(0) && rotates(1) && links[0].length.is_zero()) return {};
+  if (rotates(1) && !slides(2) && links[1].length.is_zero()) return {};
   return links;
 }
 
@@ -160,10 +155,11 @@ bool has_inverse_derivation(const SymbolicArm& arm) { return !links_with_derivat
 InverseDerivation planar_inverse(const SymbolicArm& arm) {
   const std::vector<PlanarLink> links = links_with_derivation(arm);
   if (links.empty()) {
-    throw Error("the inverse kinematics of arm " + arm.name +
-                " is not derived in steps: that is for planar arms RR, RP, PR, PP, RRR, RPR, PRR, "
-                "PPR, RRP, PRP and RPP of joint strings or DH tables, without --mount, with a tool "
-                "along the last link, links of a length and slides that are not parallel");
+    throw Error(
+        "the inverse kinematics of arm " + arm.name +
+        " is not derived in steps: that is for planar arms RR, RP, PR, PP, RRR, RPR, PRR, "
+        "PPR, RRP, PRP and RPP of joint strings or DH tables, not mounted elsewhere, with a tool "
+        "along the last link, links of a length and slides that are not parallel");
   }
   InverseSteps steps(arm, links.size() == 3);
   if (links.size() == 2) {

@@ -125,8 +125,10 @@ void check_size(const SymbolicArm& arm, std::size_t symbols, const std::string& 
   throw Error(
       "the formula of arm " + arm.name + " is too large: " + what + " has " +
       std::to_string(symbols) + " symbols, more than " + std::to_string(arm.options.max_symbols) +
-      "; --of links writes the transform of each link alone, --as python, c++ or c code that "
-      "grows with the number of joints, and --angle-tolerance takes more angles as exact");
+      "; the transforms of the links are shorter (links, --of links), generated code grows with "
+      "the "
+      "number of joints only (code, --as python), and a larger angle tolerance (angle_tolerance, "
+      "--angle-tolerance) takes more angles as exact");
 }
 
 }  // namespace beeline::internal

@@ -112,15 +112,4 @@ std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose&
   return refined_candidates(arm, world_T_tool, task, Configuration::Zero(arm.dof()), tolerance);
 }
 
-std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,
-                                            const Task& task, const Configuration& seed,
-                                            double tolerance) {
-  std::vector<Configuration> within;
-  for (const PlanarSolution& solution :
-       nearest_planar_solutions(arm, world_T_tool, task, seed, tolerance)) {
-    if (largest(solution.error) <= tolerance) within.push_back(solution.q);
-  }
-  return within;
-}
-
 }  // namespace beeline::internal

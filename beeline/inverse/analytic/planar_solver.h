@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// Whether planar_solutions() covers this arm and task: a planar arm without mimic joints, of one
-/// to three joints for the task `planar`, or of one or two joints for the task `position`.
+/// Whether nearest_planar_solutions() covers this arm and task: a planar arm without mimic joints,
+/// of one to three joints for the task `planar`, or of one or two joints for the task `position`.
 bool has_planar_closed_form(const Arm& arm, const Task& task);
 
 struct PlanarSolution {
@@ -18,19 +18,14 @@ struct PlanarSolution {
   Deviation error;  ///< task error at q
 };
 
-/// Returns planar_solutions() with their errors. For a pose out of reach, returns configurations at
-/// the workspace boundary. The best one has the least position error at the requested orientation.
-std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
-                                                     const Task& task, const Configuration& seed,
-                                                     double tolerance = 1e-9);
-
 /// Returns all configurations that bring the tool to `world_T_tool`, joint limits ignored, up to
 /// multiples of 2 pi: revolute coordinates are the representatives nearest to `seed`. If solutions
 /// form a continuum (parallel prismatic joints, a folded arm), the one nearest to the seed
-/// represents it. Empty if the pose is out of reach by more than `tolerance` (metres and radians).
-/// Throws Error unless has_planar_closed_form(arm, task).
-std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,
-                                            const Task& task, const Configuration& seed,
-                                            double tolerance = 1e-9);
+/// represents it. For a pose out of reach by more than `tolerance` (metres and radians), returns
+/// configurations at the workspace boundary. The best one has the least position error at the
+/// requested orientation. Throws Error unless has_planar_closed_form(arm, task).
+std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
+                                                     const Task& task, const Configuration& seed,
+                                                     double tolerance = 1e-9);
 
 }  // namespace beeline::internal

@@ -29,7 +29,7 @@ void select_family(SolverState& state) {
   const bool one = !options.all && options.method != InverseMethod::closed_form;
   for (const AnalyticFamily* family : families) {
     if (one && family->slower_than_search) {
-      state.fallback = family;
+      if (!state.fallback) state.fallback = family;
     } else if (family->applies(state)) {
       state.family = family;
       state.fallback = nullptr;

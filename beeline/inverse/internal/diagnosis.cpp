@@ -148,14 +148,18 @@ void set_unreachable(const Request& request, const UnconstrainedResult& evidence
   result.status = InverseStatus::unreachable;
   result.residual = result.nearest->error.position;
   if (evidence.violation && !evidence.violation->of_orientation) {
-    return set_violation(*evidence.violation, result);
+    set_violation(*evidence.violation, result);
+  } else {
+    const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
+    result.reason = {ReasonCode::position_unreachable,
+                     {{ReasonField::distance, result.residual},
+                      {ReasonField::arm, request.arm.name()},
+                      {ReasonField::refined, refined},
+                      {ReasonField::nearest, result.nearest->world_T_tool.translation()}}};
   }
-  const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
-  result.reason = {ReasonCode::position_unreachable,
-                   {{ReasonField::distance, result.residual},
-                    {ReasonField::arm, request.arm.name()},
-                    {ReasonField::refined, refined},
-                    {ReasonField::nearest, result.nearest->world_T_tool.translation()}}};
+  if (rather_in_millimetres(request.arm.reach(), request.goal.translation())) {
+    result.reason.set(ReasonField::in_millimetres, true);
+  }
 }
 
 /// Requires result.nearest.

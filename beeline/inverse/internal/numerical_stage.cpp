@@ -109,6 +109,17 @@ bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationR
   return true;
 }
 
+bool search_from_seed(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
+                      BudgetMeter& budget, Eigen::Ref<Configuration> q) {
+  const bool converged = search_from_start(search_within_limits(state), goal, seed,
+                                           {.tolerance = state.options.tolerance,
+                                            .max_iterations = state.options.max_iterations,
+                                            .budget = budget},
+                                           state.buffers, state.search);
+  if (converged) q = state.search.nearest.q;
+  return converged;
+}
+
 bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,
                         double tolerance, Eigen::Ref<Configuration> q) {
   const NumericalProblem& problem = search_within_limits(state).problem;

@@ -15,6 +15,11 @@ void solve_numerical(SolverState& state, const Request& request, StageResult& fo
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
                       BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions);
 
+/// Writes the solution within limits to which a search from the seed converges into q, if the tool
+/// is near the pose at the seed. Returns whether there is one.
+bool search_from_seed(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
+                      BudgetMeter& budget, Eigen::Ref<Configuration> q);
+
 /// Runs Levenberg-Marquardt within limits from up to eight solutions outside them, and writes the
 /// first that converges into q. Returns whether one converges. Allocates in the first call only.
 bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,

@@ -7,9 +7,9 @@
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/numerical_stage.h>
-#include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/self_motion_branches.h>
+#include <beeline/inverse/internal/value_search.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
@@ -88,6 +88,25 @@ void add_branches(const PieperSolver& form, const PieperBranches& found, unsigne
   }
 }
 
+bool is_continuum(const LockedBranch& branch) {
+  return (branch.found.continuum >> branch.lane & 1) != 0;
+}
+
+/// Adds the solutions for each value of a grid of the redundant joint.
+void solve_grid(const PieperSolver& form, const Request& request, const LockedRange& range,
+                PieperRequest& loop, StageResult& found, CandidateSolutions& candidates) {
+  SolutionGrid& solved = found.result.grid.emplace();
+  solved.joint = *form.locked();
+  solved.values = grid_values(range, request.options.grid);
+  for (const double value : solved.values) {
+    if (request.budget.ended()) break;
+    PieperBranches branches;
+    form.branches(request.goal, value, loop, branches);
+    add_branches(form, branches, all_lanes, value, request.arm.dof(), candidates);
+    if (branches.continuum == 0 && !nearly_found(form, branches)) solved.complete.push_back(value);
+  }
+}
+
 void solve_locked(SolverState& state, const Request& request, StageResult& found) {
   CandidateSolutions candidates(request, found);
   const PieperSolver& form = *state.pieper;
@@ -96,57 +115,39 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
   LockedRange range =
       locked_range(request.arm, request.bounds, request.seed, *form.locked(), form.size());
   range.weight = request.weights[*form.locked()];
-  const int dof = request.arm.dof();
   candidates.evidence().complete = candidates.evidence().branches_complete = false;
-  const int grid = request.options.grid;
-  if (request.options.all) {
-    SolutionGrid& solved = found.result.grid.emplace();
-    solved.joint = *form.locked();
-    solved.values = grid_values(range, grid);
-    for (const double value : solved.values) {
-      if (request.budget.ended()) break;
-      PieperBranches branches;
-      form.branches(request.goal, value, loop, branches);
-      add_branches(form, branches, all_lanes, value, dof, candidates);
-      if (branches.continuum == 0 && !nearly_found(form, branches)) {
-        solved.complete.push_back(value);
-      }
-    }
-    return;
-  }
+  if (request.options.all) return solve_grid(form, request, range, loop, found, candidates);
+  const int dof = request.arm.dof(), grid = request.options.grid;
   Configuration q(dof);
   const auto add = [&](const LockedBranch& branch) {
-    if (branch.lane < 0) return false;
+    if (branch.lane < 0) return;
     form.configuration(branch.found, branch.lane, branch.value, q);
-    candidates.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
-    return true;
+    candidates.add(q, is_continuum(branch));
+  };
+  const auto add_all = [&](const LeastOutside& outside) {
+    for (int i = 0; i < outside.count; ++i) {
+      candidates.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
+    }
   };
   if (request.options.redundancy != Redundancy::any) {
     add(best_within(form, request.goal, range, grid, request.options.redundancy, loop,
                     request.budget));
   }
-  LeastOutside outside;
-  if (add(first_within(form, request.goal, range, grid, loop, request.budget, outside))) return;
-  for (int i = 0; i < outside.count; ++i) {
-    candidates.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
-  }
-  if (outside.count > 0 && solve_from_outside(state, request.goal, outside, request.tolerance, q)) {
-    candidates.add(q, false);
+  Configuration solution(dof);
+  const ValueSearch search = search_value(state, request.goal, request.seed, range, grid - 1, loop,
+                                          request.budget, solution);
+  if (search.end == ValueSearchEnd::near_seed) {
+    candidates.add(solution, false);
+    found.result.method = "numerical";
+    found.result.iterations += state.search.iterations;
     return;
   }
-  if (request.options.method != InverseMethod::automatic) return;
-  LeastOutside nearest;
-  const ExaminedRange examined =
-      examine_range(form, request.goal, range, loop, request.budget, nearest);
-  if (add(examined.branch)) return;
-  for (int i = 0; i < nearest.count; ++i) {
-    candidates.add(Eigen::Map<const Configuration>(nearest.q[i], dof), false);
-  }
-  if (nearest.count > 0 && solve_from_outside(state, request.goal, nearest, request.tolerance, q)) {
-    candidates.add(q, false);
-    return;
-  }
-  candidates.evidence().range_examined = examined.conclusive;
+  if (search.end == ValueSearchEnd::first_values) return add(search.branch);
+  add_all(search.outside);
+  if (search.end == ValueSearchEnd::examined_range) return add(search.branch);
+  add_all(search.in_range);
+  if (search.end == ValueSearchEnd::from_outside) candidates.add(solution, false);
+  candidates.evidence().range_examined = search.conclusive;
 }
 
 /// Adds a solution of every branch in the lanes that have a free joint. Returns whether there is
@@ -219,35 +220,26 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
     if (state.options.pose_tolerance) return std::nullopt;
     return 0;
   }
-  constexpr int few = 9;  // the seed's value, and two rounds of steps: see first_within()
+  constexpr int few = 8;  // two rounds of steps: see first_within()
   const PieperSolver& form = *state.pieper;
   const LockedRange range =
       locked_range(state.arm, state.bounds, seed, *form.locked(), form.size());
-  LeastOutside outside;
-  const LockedBranch branch =
-      first_within(form, goal, range, std::min(few, state.options.grid), loop, budget, outside);
-  if (branch.lane >= 0) {
-    if ((branch.found.continuum >> branch.lane & 1) != 0) return std::nullopt;
-    form.configuration(branch.found, branch.lane, branch.value, solutions.col(0));
-    return 1;
+  const ValueSearch search = search_value(
+      state, goal, seed, range, std::min(few, state.options.grid - 1), loop, budget, solutions);
+  switch (search.end) {
+    case ValueSearchEnd::near_seed:
+    case ValueSearchEnd::from_outside:
+      return 1;
+    case ValueSearchEnd::first_values:
+    case ValueSearchEnd::examined_range:
+      if (is_continuum(search.branch)) return std::nullopt;
+      form.configuration(search.branch.found, search.branch.lane, search.branch.value,
+                         solutions.col(0));
+      return 1;
+    case ValueSearchEnd::failed:
+      break;
   }
-  if (outside.count > 0 &&
-      solve_from_outside(state, goal, outside, state.options.tolerance, solutions.col(0))) {
-    return 1;
-  }
-  LeastOutside nearest;
-  const ExaminedRange examined = examine_range(form, goal, range, loop, budget, nearest);
-  if (examined.branch.lane >= 0) {
-    if ((examined.branch.found.continuum >> examined.branch.lane & 1) != 0) return std::nullopt;
-    form.configuration(examined.branch.found, examined.branch.lane, examined.branch.value,
-                       solutions.col(0));
-    return 1;
-  }
-  if (nearest.count > 0 &&
-      solve_from_outside(state, goal, nearest, state.options.tolerance, solutions.col(0))) {
-    return 1;
-  }
-  if (examined.conclusive && !state.options.pose_tolerance) return 0;
+  if (search.conclusive && !state.options.pose_tolerance) return 0;
   if (search_fast_path(state, goal, seed, budget, solutions)) return 1;
   return std::nullopt;
 }

@@ -106,36 +106,38 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   return false;
 }
 
+LockedBranch branch_at(const PieperSolver& form, const Pose& goal, double value,
+                       PieperRequest& loop, LeastOutside& outside) {
+  LockedBranch branch;
+  branch.value = value;
+  form.branches(goal, value, loop, branch.found);
+  branch.lane = nearest_lane(loop, branch.found);
+  if (branch.lane >= 0) return branch;
+  for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
+    outside.insert(form, branch, std::countr_zero(rest));
+  }
+  return branch;
+}
+
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                           int tries, PieperRequest& loop, BudgetMeter& budget,
                           LeastOutside& outside) {
-  LockedBranch branch;
-  int tried = 0;
-  const auto succeeds = [&](double value) {
-    ++tried;
-    branch.value = value;
-    form.branches(goal, value, loop, branch.found);
-    branch.lane = nearest_lane(loop, branch.found);
-    if (branch.lane >= 0) return true;
-    for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
-      outside.insert(form, branch, std::countr_zero(rest));
-    }
-    return false;
-  };
-  if (succeeds(range.seed)) return branch;
   // Each round halves the step and tries the values between the previous ones.
   const double width = range.upper - range.lower;
   double step = width / 4;
+  int tried = 0;
   for (bool first = true; tried < tries && step > 0; first = false, step /= 2) {
     for (int i = 1; i * step <= width && tried < tries; i += first ? 1 : 2) {
       for (const double value : {range.seed + i * step, range.seed - i * step}) {
         if (value < range.lower || value > range.upper) continue;
-        if (budget.ended()) return branch;
-        if (succeeds(value)) return branch;
+        if (budget.ended()) return {};
+        const LockedBranch branch = branch_at(form, goal, value, loop, outside);
+        if (branch.lane >= 0) return branch;
+        ++tried;
       }
     }
   }
-  return branch;
+  return {};
 }
 
 std::vector<double> grid_values(const LockedRange& range, int grid) {

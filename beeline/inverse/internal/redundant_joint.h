@@ -43,9 +43,14 @@ struct LeastOutside {
   void insert(const PieperSolver& form, const LockedBranch& branch, int lane);
 };
 
-/// Tries values of the redundant joint until a branch is within limits, up to `tries` values: first
-/// the seed's value, then values at multiples of a quarter of the range from it, then of an eighth,
-/// and so on, nearest to the seed first. Does not allocate.
+/// Returns the branch within limits that is nearest to the seed, for a value of the redundant
+/// joint. Adds the others to `outside` if there is none.
+LockedBranch branch_at(const PieperSolver& form, const Pose& goal, double value,
+                       PieperRequest& loop, LeastOutside& outside);
+
+/// Tries values of the redundant joint other than the seed's until a branch is within limits, up to
+/// `tries` values: at multiples of a quarter of the range from the seed's, then of an eighth, and
+/// so on, nearest to the seed first. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                           int tries, PieperRequest& loop, BudgetMeter& budget,
                           LeastOutside& outside);

@@ -160,7 +160,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   }
   if (request.options.all && (result.singular || !finitely_many)) {
     result.self_motion_dimension =
-        std::max(self_motion_dimension(request.arm, request.task, result.solutions),
+        std::max(self_motion_dimension(request.arm, request.task, request.goal, result.solutions),
                  result.singular ? 1 : 0);
   }
   set_incomplete(request, optimised, result);

@@ -12,6 +12,7 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
   SolverState state{arm,
                     options,
                     options.task.value_or(default_task(arm)),
+                    ToolPlane::required(arm, options.task),
                     options.ignore_limits ? no_bounds(arm) : bounds_of(arm),
                     middle,
                     options.weights.value_or(Configuration::Ones(arm.dof()))};

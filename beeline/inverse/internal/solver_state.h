@@ -7,6 +7,7 @@
 #include <beeline/inverse/analytic/raghavan_roth_solver.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/multi_start.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 
 namespace beeline::internal {
 
@@ -18,9 +19,10 @@ struct SolverState {
   Arm arm;
   InverseOptions options;
   Task task;
-  Bounds bounds;          ///< the joint limits, or none if they are ignored
-  Configuration middle;   ///< the default seed
-  Configuration weights;  ///< options.weights, or ones
+  std::optional<ToolPlane> plane;  ///< the plane in which poses must be, if any
+  Bounds bounds;                   ///< the joint limits, or none if they are ignored
+  Configuration middle;            ///< the default seed
+  Configuration weights;           ///< options.weights, or ones
   /// The family of closed forms for the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
   /// A family that is tried if the numerical stage fails, or null.
@@ -39,6 +41,7 @@ struct SolverState {
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
   std::optional<int> removed_coordinate = std::nullopt;
+  // Vectors of at most one solver, because they are copied with the state.
   std::vector<SolverState> locked = {};    ///< one solver of the arm with options.lock, or none
   double locked_value = 0;                 ///< value of the locked coordinate of `locked`
   std::vector<SolverState> tolerant = {};  ///< one solver for options.pose_tolerance, or none

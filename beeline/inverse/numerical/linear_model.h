@@ -37,6 +37,17 @@ struct LinearModel {
 };
 void linearise(const NumericalGoal& goal, const Configuration& q, LinearModel& at);
 
+/// Makes q, with its linear model, the result of a run if its cost is below `least`, the least so
+/// far.
+inline void keep_best(const Configuration& q, const LinearModel& at,
+                      const NumericalOptions& options, double& least, NumericalResult& run) {
+  if (!(at.cost < least)) return;
+  least = at.cost;
+  run.q = q;
+  run.error = at.deviation;
+  run.converged = options.accepts(run.error);
+}
+
 /// A step of a linear model within the bounds, in the units of the goal. A joint that would pass a
 /// bound is held there, and the step of the others is computed again for the remaining error.
 struct BoundedStep {

@@ -54,7 +54,7 @@ class Run {
     q_.resize(problem_.coordinates.size());
     result_.iterations = result_.restarts = 0;
     result_.nearest.converged = false;
-    if (!options_.all && (converges_nearby() || converges_from_start())) {
+    if (!options_.all && (converges_nearby() || (is_near_pose() && converges_from_start()))) {
       result_.solutions.resize(1);
       result_.solutions[0] = result_.nearest.q;
       return;
@@ -77,6 +77,12 @@ class Run {
     }
     if (found_ == 0 && options_.continue_nearest) continue_nearest();
     result_.solutions.resize(found_);
+  }
+
+  bool solve_from_start() {
+    q_.resize(problem_.coordinates.size());
+    result_.iterations = result_.restarts = 0;
+    return is_near_pose() && converges_nearby();
   }
 
  private:
@@ -104,12 +110,16 @@ class Run {
     return true;
   }
 
-  /// Tries the branch of a start near the pose, before lanes find another branch.
-  bool converges_from_start() {
-    constexpr double near = 0.1;  // radians, or units of length
+  /// Whether the tool is near the pose at the start, so that the start's branch is wanted.
+  bool is_near_pose() const {
+    constexpr double near = 0.25, near_angle = 1;  // units of length, radians
     const Deviation off =
         task_deviation(problem_.task, world_T_tool_, forward_kinematics(problem_.arm, start_));
-    if (!(off.position < near * problem_.length && off.orientation < near)) return false;
+    return off.position < near * problem_.length && off.orientation < near_angle;
+  }
+
+  /// Tries the branch of the start, before lanes find another branch.
+  bool converges_from_start() {
     result_.nearest =
         levenberg_marquardt(problem_.arm, world_T_tool_, problem_.task, problem_.bounds, start_,
                             {.tolerance = options_.tolerance,
@@ -318,6 +328,13 @@ void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const 
     throw Error("the seed table is not one for arm " + problem.arm.name());
   }
   Run(problem, seeds, world_T_tool, start, options, buffers, result).solve();
+}
+
+bool search_from_start(const PreparedSearch& prepared, const Pose& world_T_tool,
+                       const ConfigurationRef& start, const MultiStartOptions& options,
+                       MultiStartBuffers& buffers, SearchResult& result) {
+  return Run(prepared.problem, prepared.seeds, world_T_tool, start, options, buffers, result)
+      .solve_from_start();
 }
 
 }  // namespace beeline::internal

@@ -46,7 +46,7 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
                                std::uint64_t random_seed);
 
 /// Searches for a solution from several starts. First runs gauss_newton() from `start`, and
-/// levenberg_marquardt() if the start is near the pose. Then runs run_lanes(): one lane from
+/// levenberg_marquardt() if the tool is near the pose there. Then runs run_lanes(): one lane from
 /// `start`, seven from the seeds nearest to the pose; a lane that ends without converging starts
 /// again from a random configuration. Ends when a lane converges. If several converge in the same
 /// step, the solution is the one nearest to `start`. Lanes that have stagnated next to a solution
@@ -57,5 +57,11 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,
                  MultiStartBuffers& buffers, SearchResult& result);
+
+/// Runs gauss_newton() from `start`, if the tool is near the pose there. Writes the run into
+/// result.nearest and returns whether it converges. Allocates in the first call only.
+bool search_from_start(const PreparedSearch& prepared, const Pose& world_T_tool,
+                       const ConfigurationRef& start, const MultiStartOptions& options,
+                       MultiStartBuffers& buffers, SearchResult& result);
 
 }  // namespace beeline::internal

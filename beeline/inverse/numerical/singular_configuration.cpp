@@ -62,12 +62,7 @@ NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start
   Configuration q = clamped(goal.bounds, start);
   for (double least = Limits::none;; ++run.iterations) {
     linearise(goal, q, at);
-    if (at.cost < least) {
-      least = at.cost;
-      run.q = q;
-      run.error = at.deviation;
-    }
-    run.converged = options.accepts(run.error);
+    keep_best(q, at, options, least, run);
     if (run.converged || run.iterations == std::min(max_steps, options.max_iterations) ||
         !std::isfinite(at.cost) || options.budget.ended()) {
       return run;

@@ -65,12 +65,7 @@ NumericalResult singular_gauss_newton(const Arm& arm, const Pose& world_T_tool, 
   double least = Limits::none, milestone = Limits::none;
   for (int unchanged = 0;; ++run.iterations, ++unchanged) {
     linearise(goal, q, at);
-    if (at.cost < least) {
-      least = at.cost;
-      run.q = q;
-      run.error = at.deviation;
-      run.converged = options.accepts(run.error);
-    }
+    keep_best(q, at, options, least, run);
     if (at.cost < milestone / 2) {
       milestone = at.cost;
       unchanged = 0;

@@ -39,17 +39,17 @@ std::string ros2_proof(const Trajectory& samples, bool resampled) {
 
 const std::vector<FormDescription>& controller_forms() {
   static const std::vector<FormDescription> forms{
-      {ControllerForm::ros2, "ros2", {"yaml", "yml", "json"}, false},
-      {ControllerForm::urscript, "urscript", {"script"}, true},
-      {ControllerForm::rapid, "rapid", {"mod", "modx"}, true},
-      {ControllerForm::krl, "krl", {"src"}, true},
-      {ControllerForm::csv, "csv", {"csv"}, false}};
+      {ControllerForm::ros2, {"yaml", "yml", "json"}, false},
+      {ControllerForm::urscript, {"script"}, true},
+      {ControllerForm::rapid, {"mod", "modx"}, true},
+      {ControllerForm::krl, {"src"}, true},
+      {ControllerForm::csv, {"csv"}, false}};
   return forms;
 }
 
 void check_arm_in(const FormDescription& form, const Arm& arm) {
   if (!form.six_axes) return;
-  const std::string needed = std::string(form.name) + " programs need six revolute joints; ";
+  const std::string needed = name(form.form) + " programs need six revolute joints; ";
   for (const Joint& joint : arm.joints()) {
     const bool revolute = kind(joint) == JointKind::revolute;
     if (revolute && !joint.mimic) continue;
@@ -61,7 +61,7 @@ void check_arm_in(const FormDescription& form, const Arm& arm) {
 
 void check_rate_in(const FormDescription& form, const std::optional<double>& rate) {
   if (form.form == ControllerForm::csv && !rate) {
-    throw Error::of("rate", "csv setpoints need a rate, samples per second");
+    throw Error("csv setpoints need the ", "rate", " in samples per second");
   }
   if (rate) check_rate(*rate);
   const double cycles = rate ? 500 / *rate : 4;

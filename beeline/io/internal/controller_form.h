@@ -7,7 +7,6 @@ namespace beeline::internal {
 /// Properties of a form that do not depend on the trajectory.
 struct FormDescription {
   ControllerForm form;
-  const char* name;
   std::vector<std::string> endings;
   bool six_axes;  ///< of a program for an arm of six revolute joints
 };

@@ -4,10 +4,10 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
+#include <beeline/internal/derived_quantity.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/rate_columns.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/trajectory/internal/derived_quantity.h>
 
 namespace beeline::internal {
 namespace {
@@ -33,8 +33,9 @@ std::optional<DerivedColumn> derived_column(const std::string& name, const Colum
       {name.substr(first + 1), name.substr(0, first)}};
   for (const auto& [of, word] : splits) {
     const std::optional<DerivedQuantity> quantity = derived_quantity(word);
-    if (quantity && *quantity != DerivedQuantity::other && columns.contains(of))
-      return DerivedColumn{of, *quantity};
+    const bool is_read_or_dropped =
+        quantity && *quantity != DerivedQuantity::other && *quantity != DerivedQuantity::property;
+    if (is_read_or_dropped && columns.contains(of)) return DerivedColumn{of, *quantity};
   }
   return std::nullopt;
 }

@@ -12,6 +12,10 @@ constexpr std::size_t max_joints = 10'000;  // check_trajectory() compares all p
 }  // namespace
 
 void check_recordable(const Trajectory& trajectory) {
+  if (trajectory.joint_names.empty() && trajectory.size() == 0) {
+    throw Error(
+        "the trajectory is empty, as after a motion that was refused: see its status and reason");
+  }
   if (trajectory.joint_names.empty()) throw Error("the trajectory has no joints");
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   std::unordered_set<std::string> names;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
+#include <beeline/internal/derived_quantity.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/recorded_units.h>
+#include <beeline/io/text/internal/foreign_unit.h>
 #include <beeline/math/revolution.h>
-#include <beeline/trajectory/internal/derived_quantity.h>
 
 namespace beeline::internal {
 namespace {
@@ -73,25 +73,13 @@ bool is_rather_in_degrees(const Arm& arm, const Trajectory& recording, int k, bo
          keeps_velocity(arm, recording, k, degree);
 }
 
-constexpr std::string_view other_units[] = {
-    "mrad",   "millirad", "milliradian", "milliradians", "urad",  "mdeg",  "rev",      "revs",
-    "turns",  "percent",  "pct",         "counts",       "count", "ticks", "encoder",  "enc",
-    "pulses", "steps",    "cycles",      "gon",          "gons",  "grad",  "gradians", "arcmin",
-    "arcsec", "cm",       "inch",        "inches",       "rpm",   "rps",   "dps"};
-
-constexpr std::string_view other_quantities[] = {
-    "err",    "delta", "deltas",   "diff",      "difference", "residual", "residuals", "rate",
-    "rates",  "omega", "temp",     "current",   "currents",   "force",    "forces",    "load",
-    "pwm",    "power", "status",   "mode",      "min",        "max",      "limit",     "limits",
-    "offset", "bias",  "variance", "variances", "std",        "stddev",   "covariance"};
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool is_other_quantity(std::string_view word) {
-  const auto is_word = [word](std::string_view other) { return same_ignoring_case(other, word); };
-  return std::any_of(std::begin(other_units), std::end(other_units), is_word) ||
-         std::any_of(std::begin(other_quantities), std::end(other_quantities), is_word) ||
-         derived_quantity(word) == DerivedQuantity::other;
+  const ForeignUnit* const unit = foreign_unit(lower_case(word));
+  if (unit != nullptr && unit->counts_in_names) return true;
+  const std::optional<DerivedQuantity> quantity = derived_quantity(word);
+  return quantity == DerivedQuantity::other || quantity == DerivedQuantity::property;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/enum_names.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/internal/time_column.h>
 #include <beeline/io/text/internal/name.h>
@@ -16,18 +17,12 @@ namespace {
 using internal::TimeColumns;
 using internal::Unit;
 
-constexpr std::size_t first_time_unit = 4;  // in all_units()
+constexpr internal::EnumNames<TimeUnit> time_units("unit of time", "s ms us ns");
 
-bool is_time(std::string_view name) {
-  constexpr std::string_view known[] = {
-      "t",    "time",     "timestamp", "time_stamp",      "stamp",
-      "date", "datetime", "date_time", "time_from_start", "elapsed_time"};
-  return std::find(std::begin(known), std::end(known), name) != std::end(known);
-}
-
-/// Whether the last word of a name is a time: `header_stamp`.
+/// Whether a name with a unit behind it is a time by its last word: `header_stamp`, also `tv`.
 bool ends_in_time(const std::string& name) {
-  return is_time(name) || is_time(std::string_view(name).substr(name.find_last_of('_') + 1));
+  return internal::is_time_name(name) || name == "tv" ||
+         internal::is_time_name(std::string_view(name).substr(name.find_last_of('_') + 1));
 }
 
 /// A column of times, or of a part of them, as its name says.
@@ -44,14 +39,23 @@ TimeName with_clock(const std::string& message, const std::string& last, const U
           says_time};
 }
 
+/// The unit of times that a word is; null for another one.
+const Unit* unit_of_time(const std::string& word) {
+  const Unit* const unit = internal::unit_called(word);
+  return unit != nullptr && unit->quantity == internal::Quantity::time ? unit : nullptr;
+}
+
+void check_same_unit(const std::string& name, const Unit* inner, const Unit* outer) {
+  if (inner == nullptr || outer == nullptr || inner == outer) return;
+  throw Error("column " + internal::printable(name) + " is in " + name_of(*inner) + " and in " +
+              name_of(*outer));
+}
+
 std::optional<TimeName> time_name(const std::string& name) {
   if (name == "T") return std::nullopt;
   const internal::NameInUnit outer = internal::split_at_time_unit(name);
   const internal::NameInUnit inner = internal::split_at_time_unit(outer.stem);
-  if (inner.unit != nullptr && outer.unit != nullptr && inner.unit != outer.unit) {
-    throw Error("column " + internal::printable(name) + " is in " + name_of(*inner.unit) +
-                " and in " + name_of(*outer.unit));
-  }
+  check_same_unit(name, inner.unit, outer.unit);
   // A name and its unit, also where that is the last part of several, as in stamp/sec.
   const internal::NameInUnit& split = inner.unit != nullptr ? inner : outer;
   const std::string text = internal::lower_case(split.stem);
@@ -59,16 +63,19 @@ std::optional<TimeName> time_name(const std::string& name) {
   const std::string message = end == std::string::npos ? "" : text.substr(0, end);
   std::string last = end == std::string::npos ? text : text.substr(end + 1);
   last.erase(0, std::min(last.find_first_not_of("%_ "), last.size()));
-  if (is_time(last)) return with_clock(message, last, split.unit, true);
+  if (internal::is_time_name(last)) return with_clock(message, last, split.unit, true);
+  const Unit* const alone = unit_of_time(last);
+  const bool bracket = name.ends_with(']') || name.ends_with(')');
+  if (alone != nullptr && (split.unit == nullptr || bracket)) {
+    check_same_unit(name, alone, split.unit);
+    return TimeName{message, message, alone, false};
+  }
   if (split.unit != nullptr) {
     if (ends_in_time(last)) return with_clock(message, last, split.unit, false);
     const bool is_part = name.find_last_of("/.") == split.stem.size();
     if (is_part) return TimeName{text, text, split.unit, false};
-    return std::nullopt;
   }
-  const internal::NameInUnit alone = internal::split_at_time_unit("x " + last);
-  if (alone.unit == nullptr || alone.stem != "x") return std::nullopt;
-  return TimeName{message, message, alone.unit, false};
+  return std::nullopt;
 }
 
 bool is_finer(const Unit* unit, const Unit* than) {
@@ -180,30 +187,17 @@ class TimeTable {
 
 }  // namespace
 
-std::string name(TimeUnit unit) { return name_of(internal::unit_of(unit)); }
+std::string name(TimeUnit unit) { return time_units.of(unit); }
 
-std::vector<std::string> time_unit_names() {
-  std::vector<std::string> names;
-  for (const Unit& unit : internal::all_units()) {
-    if (unit.quantity == internal::Quantity::time) names.push_back(name_of(unit));
-  }
-  return names;
-}
+std::vector<std::string> time_unit_names() { return time_units.all(); }
 
-TimeUnit time_unit_named(const std::string& name) {
-  return internal::time_unit_of(
-      internal::unit_among(internal::Quantity::time, name, "unit of time"));
-}
+TimeUnit time_unit_named(const std::string& name) { return time_units.named(name); }
 
 namespace internal {
 
-const Unit& unit_of(TimeUnit unit) {
-  return all_units()[first_time_unit + static_cast<std::size_t>(unit)];
-}
+const Unit& unit_of(TimeUnit unit) { return *unit_called(time_units.of(unit)); }
 
-TimeUnit time_unit_of(const Unit& unit) {
-  return static_cast<TimeUnit>(&unit - &all_units()[first_time_unit]);
-}
+TimeUnit time_unit_of(const Unit& unit) { return time_units.named(name_of(unit)); }
 
 std::optional<TimeColumns> time_columns(const std::vector<std::string>& names) {
   const TimeTable table(names);
@@ -227,12 +221,16 @@ bool is_since_1970(double seconds) {
   return std::abs(seconds) >= year_1973;
 }
 
-const Unit& unit_of_times(double first) {
-  // Times since 1970 of the years 1973 to 5138, the ranges of the units do not overlap.
+const Unit* unit_of_times(double first) {
+  constexpr double year_1990 = 631'152'000, year_2100 = 4'102'444'800;
   const double size = std::abs(first);
-  if (size >= 1e17) return unit_of(TimeUnit::nanoseconds);
-  if (size >= 1e14) return unit_of(TimeUnit::microseconds);
-  return unit_of(size >= 1e11 ? TimeUnit::milliseconds : TimeUnit::seconds);
+  if (size <= year_2100) return &unit_of(TimeUnit::seconds);
+  for (const TimeUnit unit :
+       {TimeUnit::milliseconds, TimeUnit::microseconds, TimeUnit::nanoseconds}) {
+    const double seconds = size * unit_of(unit).si;
+    if (seconds >= year_1990 && seconds <= year_2100) return &unit_of(unit);
+  }
+  return nullptr;
 }
 
 }  // namespace internal

@@ -11,6 +11,7 @@
 #include <beeline/io/internal/trajectory_csv.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
+#include <beeline/io/text/internal/foreign_unit.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/numbers.h>
 
@@ -22,12 +23,11 @@ using Columns = ColumnIndex;
 
 /// Appends the row's values in these columns, if there are any.
 void append_values(const std::vector<double>& row, const Indices& columns,
-                   const std::vector<double>& factors, std::vector<Configuration>& values) {
+                   std::vector<Configuration>& values) {
   if (columns.empty()) return;
   Configuration& last = values.emplace_back(static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const double value = row[columns[k]];
-    last[static_cast<Eigen::Index>(k)] = factors.empty() ? value : factors[columns[k]] * value;
+    last[static_cast<Eigen::Index>(k)] = row[columns[k]];
   }
 }
 
@@ -35,9 +35,6 @@ void append_values(const std::vector<double>& row, const Indices& columns,
 struct Layout {
   std::optional<TimeColumns> times;
   Indices positions = {}, velocities = {}, accelerations = {};
-  /// Factors of the values of each column, for rates that have another unit than their joint.
-  /// Empty: 1.
-  std::vector<double> factors = {};
 };
 
 void append_row(const std::vector<double>& row, double time, const Layout& layout,
@@ -47,9 +44,9 @@ void append_row(const std::vector<double>& row, double time, const Layout& layou
                 exact(trajectory.times.back()) + "; times must increase");
   }
   trajectory.times.push_back(time);
-  append_values(row, layout.positions, layout.factors, trajectory.positions);
-  append_values(row, layout.velocities, layout.factors, trajectory.velocities);
-  append_values(row, layout.accelerations, layout.factors, trajectory.accelerations);
+  append_values(row, layout.positions, trajectory.positions);
+  append_values(row, layout.velocities, trajectory.velocities);
+  append_values(row, layout.accelerations, trajectory.accelerations);
 }
 
 /// Refuses names that would read back as other columns.
@@ -107,9 +104,9 @@ std::optional<TimeColumns> times_in(const std::vector<std::string>& header,
 }
 
 /// Returns the indices of the columns of quantities. Columns of times are not among them, nor
-/// columns of texts, which the rows ignore.
+/// columns of texts and an index, which the rows ignore.
 Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
-                         const std::optional<TimeColumns>& times) {
+                         const std::optional<TimeColumns>& times, bool may_have_index) {
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
   if (times) {
@@ -121,62 +118,77 @@ Columns quantity_columns(CsvRows& rows, const std::vector<std::string>& header,
   const bool may_have_texts = times && header[times->index] != "t";
   std::vector<bool> texts(header.size());
   for (std::size_t i = 0; i < header.size(); ++i) {
-    texts[i] = may_have_texts && has_texts(header[i]);
+    const bool index = may_have_index && i == 0 && header[i] == index_name;
+    texts[i] = index || (may_have_texts && has_texts(header[i]));
     if (texts[i]) columns.erase(header[i]);
   }
   rows.ignore(std::move(texts));
   return columns;
 }
 
-/// Gives each joint one unit: the one of its positions, else of its rates, which are converted to
-/// it.
-void use_one_unit(Layout& layout, ColumnsInUnits& all) {
-  std::vector<const Unit*>& units = all.units;
-  for (std::size_t k = 0; k < layout.positions.size(); ++k) {
-    const Unit*& unit = units[layout.positions[k]];
-    for (const Indices* rates : {&layout.velocities, &layout.accelerations}) {
-      if (rates->empty()) continue;
-      const Unit* const own = units[(*rates)[k]];
-      if (own != nullptr && unit == nullptr) {
-        unit = own;
-        all.sources[layout.positions[k]] = all.sources[(*rates)[k]];
-      }
-      if (own == nullptr || own == unit) continue;
-      layout.factors.resize(units.size(), 1);
-      layout.factors[(*rates)[k]] = own->si / unit->si;
-    }
-  }
+/// Whether the column has times in a unit that is not read: `time_min`.
+bool has_unread_times(const std::string& column) {
+  const std::size_t gap = column.find_last_of("_/ ([.");
+  if (gap == std::string::npos) return false;
+  std::string word = lower_case(column.substr(gap + 1));
+  if (word.ends_with(')') || word.ends_with(']')) word.pop_back();
+  const ForeignUnit* const unit = foreign_unit(word);
+  const std::size_t end = column.find_last_not_of("_/ ([.", gap);
+  return unit != nullptr && unit->quantity == Quantity::time && end != std::string::npos &&
+         names_times({column.substr(0, end + 1)});
 }
 
-/// Reads the header of a trajectory, whose joints' columns are `joints` then.
-Layout layout_of(CsvRows& rows, const TableOptions& options, ColumnsInUnits& joints) {
+[[noreturn]] void refuse_times(const std::vector<std::string>& columns) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> shown;
+  for (const std::string& column : columns) {
+    if (has_unread_times(column)) {
+      throw Error("column " + printable(column) +
+                  " is in a unit of times that is not read; units of times are s, ms, us and ns");
+    }
+    if (shown.size() < most) shown.push_back(printable(column));
+  }
+  const std::size_t others = columns.size() - shown.size();
+  throw Error(
+      "column \"t\" is missing: seconds, increasing; its name may be time, timestamp, stamp, date, "
+      "time_from_start, elapsed or sec, with a unit as in time_ms; the columns are " +
+      listed(shown) + (others > 0 ? " and " + std::to_string(others) + " more" : ""));
+}
+
+/// The columns of these indices.
+ColumnsInUnits selected(const ColumnsInUnits& all, const Indices& indices) {
+  ColumnsInUnits columns;
+  for (const std::size_t i : indices) {
+    columns.names.push_back(all.names[i]);
+    columns.given.push_back(all.given[i]);
+    columns.units.push_back(all.units[i]);
+    columns.powers.push_back(all.powers[i]);
+  }
+  return columns;
+}
+
+/// Reads the header of a trajectory.
+Layout layout_of(CsvRows& rows, const TableOptions& options, RecordedColumns& columns) {
   const bool has_arm = !options.joint_names.empty();
-  ColumnsInUnits all{.names = rows.columns(), .given = rows.columns(), .sources = rows.columns()};
+  ColumnsInUnits all{.names = rows.columns(), .given = rows.columns()};
   all.units.resize(all.names.size());
+  all.powers.resize(all.names.size());
   if (has_arm) all = columns_in_units(rows.columns(), options.joint_names);
   std::vector<std::string> header = with_known_suffixes(all.names);
   Layout layout{.times = times_in(rows.columns(), options)};
-  if (!layout.times && options.needs_times) {
-    throw Error(
-        "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
-        "with a unit as in time_ms");
-  }
-  Columns columns = quantity_columns(rows, header, layout.times);
-  if (has_arm) rename_rates(header, columns, options.joint_names);
-  layout.positions = position_columns(header, columns);
+  if (!layout.times && options.needs_times) refuse_times(rows.columns());
+  Columns quantities = quantity_columns(rows, header, layout.times, has_arm);
+  if (has_arm) rename_rates(header, quantities, options.joint_names);
+  layout.positions = position_columns(header, quantities);
   if (layout.positions.empty()) {
     throw Error("there are no columns besides " +
                 in_quotes(header[layout.times ? layout.times->index : 0]));
   }
-  for (const std::size_t i : layout.positions) joints.names.push_back(header[i]);
-  layout.velocities = rate_columns(joints.names, columns, velocity_suffix);
-  layout.accelerations = rate_columns(joints.names, columns, acceleration_suffix);
-  use_one_unit(layout, all);
-  for (const std::size_t i : layout.positions) {
-    joints.given.push_back(all.given[i]);
-    joints.units.push_back(all.units[i]);
-    joints.sources.push_back(all.sources[i]);
-  }
+  all.names = header;
+  columns.joints = selected(all, layout.positions);
+  layout.velocities = rate_columns(columns.joints.names, quantities, velocity_suffix);
+  layout.accelerations = rate_columns(columns.joints.names, quantities, acceleration_suffix);
+  columns.rates = {selected(all, layout.velocities), selected(all, layout.accelerations)};
   return layout;
 }
 
@@ -205,23 +217,15 @@ bool is_header(const std::vector<std::string>& names, const TableOptions& option
   return options.is_header ? options.is_header(names) : names_times(names);
 }
 
-/// Without an arm it is not known which joints turn.
-void check_stated(const StatedUnits& stated, const TableOptions& options) {
-  if (!options.joint_names.empty()) return;
-  for (const Unit* const unit : {stated.angle, stated.length}) {
-    if (unit == nullptr || unit->si == 1) continue;
-    throw Error("a comment gives values in " + name_of(*unit) +
-                "; they are read in this unit with an arm only");
-  }
-}
-
 TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
                                     const TableOptions& options) {
   CsvRows rows(
       lines, path,
       {.without_header = forms_of(options),
        .accepts = names_times,
-       .accepts_comment = [&options](const auto& names) { return is_header(names, options); }});
+       .accepts_comment = [&options](const auto& names) { return is_header(names, options); },
+       .has_index = !options.joint_names.empty(),
+       .reads_others = !options.needs_times});
   TableRecording table;
   Recording& recording = table.recording;
   Trajectory& trajectory = recording.trajectory;
@@ -232,18 +236,23 @@ TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
   int line = 0;
   try {
     const Layout layout = layout_of(rows, options, table.columns);
-    trajectory.joint_names = table.columns.names;
+    trajectory.joint_names = table.columns.joints.names;
     recording.has_times = layout.times.has_value();
     const std::string column = layout.times ? rows.columns()[layout.times->index] : "";
-    RowTimes times(layout.times, options, rows);
+    RowTimes times(layout.times, options, rows, path);
     recording.in_time_unit = times.in_given_unit();
-    table.stated = rows.stated();
-    check_stated(table.stated, options);
+    table.columns.stated = rows.stated();
+    if (options.joint_names.empty()) check_without_arm(rows.stated(), path);
+    if (!options.joint_names.empty() && rows.columns().front() == index_name) {
+      recording.notes.push_back(
+          {.kind = RecordingNoteKind::index_column, .path = path, .columns = {index_name}});
+    }
     for (std::vector<double> row; rows.next(row);) {
       line = rows.line();
-      append_row(row, times.next(row, path, recording.notes), layout, column, trajectory);
+      append_row(row, times.next(row, recording.notes), layout, column, trajectory);
     }
     line = 0;
+    times.check_days(trajectory.times);
     check_recordable(trajectory);
   } catch (const FileError&) {
     throw;
@@ -254,6 +263,27 @@ TableRecording recording_from_lines(CsvLines& lines, const std::string& path,
 }
 
 }  // namespace
+
+void check_without_arm(const StatedUnits& stated, const std::string& path) {
+  std::vector<const Unit*> units;
+  for (const OrderedUnits& of : {stated.angle, stated.length}) {
+    units.push_back(of.all);
+    units.insert(units.end(), of.of_order.begin(), of.of_order.end());
+  }
+  std::erase_if(units, [](const Unit* unit) { return unit == nullptr || unit->si == 1; });
+  for (const UnitOfColumn& column : stated.columns) {
+    if (column.unit->quantity != Quantity::time) units.push_back(column.unit);
+  }
+  if (!units.empty()) {
+    throw FileError(path, 0,
+                    "a comment gives values in " + name_of(*units.front()) +
+                        "; they are read in this unit with an arm only");
+  }
+  for (int order = 0; order < 3; ++order) check_read(stated, Quantity::angle, order, path);
+  for (const Quantity quantity : {Quantity::angle, Quantity::length, Quantity::time}) {
+    check_clear(stated, quantity, path);
+  }
+}
 
 TableRecording recording_from_csv(std::string_view text, const std::string& path,
                                   const TableOptions& options) {

@@ -91,6 +91,37 @@ bool is_in_braces(std::string_view text) {
 
 }  // namespace
 
+std::vector<Comment> yaml_comments(std::string_view text) {
+  constexpr std::size_t front = std::size_t{1} << 16, most = 100;
+  text = text.substr(0, front);
+  std::vector<Comment> comments;
+  for (int line = 1; !text.empty() && comments.size() < most; ++line) {
+    const std::size_t end = text.find('\n');
+    const std::string_view row = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::size_t mark = row.find('#');
+    if (mark == std::string_view::npos) continue;
+    const std::string_view before = row.substr(0, mark);
+    const bool quoted = before.find_first_of("\"'") != std::string_view::npos;
+    const bool apart = before.empty() || before.ends_with(' ') || before.ends_with('\t');
+    const std::size_t begin = row.find_first_not_of("# \t", mark);
+    if (!apart || quoted || begin == std::string_view::npos) continue;
+    comments.push_back({std::string(trimmed(row.substr(begin))), line});
+  }
+  return comments;
+}
+
+bool begins_with_trajectory(std::string_view text) {
+  bool names = false, points = false;
+  while (!text.empty() && !(names && points)) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    names = names || line.starts_with("joint_names:");
+    points = points || line.starts_with("points:");
+  }
+  return names && points;
+}
+
 Json json_of(Yaml&& yaml) {
   Json json;
   if (auto* text = std::get_if<std::string>(&yaml.value)) {

@@ -37,6 +37,14 @@ constexpr ArmFormat arm_formats[] = {
     {"json", false, parse_json},
 };
 
+const ArmFormat* format_of(const std::string& path) {
+  const std::string ending = extension(path);
+  const auto* const format =
+      std::find_if(std::begin(arm_formats), std::end(arm_formats),
+                   [&](const ArmFormat& known) { return known.ending == ending; });
+  return format == std::end(arm_formats) ? nullptr : format;
+}
+
 void refuse_ends(const std::string& text, const ChainEnds& ends) {
   if (ends.base.empty() && ends.tip.empty()) return;
   throw Error("base and tip select a chain of a URDF file; " + in_quotes(text) + " is not one");
@@ -44,7 +52,7 @@ void refuse_ends(const std::string& text, const ChainEnds& ends) {
 
 std::string known_endings() {
   std::vector<std::string> endings;
-  for (const ArmFormat& format : arm_formats) endings.push_back("." + std::string(format.ending));
+  for (const std::string& ending : arm_file_endings()) endings.push_back("." + ending);
   return listed(endings);
 }
 
@@ -57,10 +65,8 @@ const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) 
   if (ending == "srdf") {
     throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
   }
-  const auto* const format =
-      std::find_if(std::begin(arm_formats), std::end(arm_formats),
-                   [&](const ArmFormat& known) { return known.ending == ending; });
-  if (format == std::end(arm_formats)) {
+  const ArmFormat* const format = format_of(path);
+  if (format == nullptr) {
     throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
   }
   if (!format->tree) refuse_ends(path, ends);
@@ -94,12 +100,7 @@ void refuse_unknown_letters(const std::string& text) {
 }  // namespace
 
 std::string name(ReadWarningKind kind) {
-  constexpr internal::EnumNames<ReadWarningKind::further_faults> names(
-      "warning",
-      "tip_among_frames tip_among_branches before_gripper below_free_joint malformed "
-      "xacro_tag unknown_link two_parents cycle repeated_name unconnected_link unknown_type "
-      "zero_axis limits_reversed velocity_limit unknown_leader leader_cycle constant_mimic "
-      "further_faults");
+  constexpr internal::EnumNames<ReadWarningKind> names("warning");
   return names.of(kind);
 }
 
@@ -111,20 +112,13 @@ bool is_fault(const ReadWarning& warning) {
 }
 
 std::string name(ElementFault fault) {
-  constexpr internal::EnumNames<ElementFault::two_orientations> names(
-      "fault",
-      "none missing_attribute missing_end empty_name long_name control_character not_utf8 "
-      "not_three_numbers missing_number not_a_number out_of_range not_finite not_a_limit "
-      "not_four_numbers not_unit_length two_orientations");
+  constexpr internal::EnumNames<ElementFault> names("fault");
   return names.of(fault);
 }
 
-std::string sentence(const ReadWarning& warning, OptionStyle style) {
+std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
   const bool command = style == OptionStyle::command;
   const std::string dashes = command ? "--" : "";
-  const auto located = [&](const std::string& text) {
-    return std::string(FileError(warning.path, warning.line, text).what());
-  };
   switch (warning.kind) {
     case ReadWarningKind::tip_among_frames:
       return "the tip is " + warning.link +
@@ -136,32 +130,51 @@ std::string sentence(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::before_gripper:
       return "the tip is " + warning.link + ", before joint " + warning.joint +
              ", which moves a gripper; " +
-             (command ? "--tip " + internal::shell_word(listed(warning.others))
+             (command ? "--tip " + shell_word(listed(warning.others))
                       : "tip=\"" + listed(warning.others) + "\"") +
              " includes it";
     case ReadWarningKind::below_free_joint:
       return "the base is " + warning.link + ", below joint " + warning.joint +
              ", which places the arm in the world; " + dashes + "base selects another";
     case ReadWarningKind::constant_mimic:
+    case ReadWarningKind::zero_multiplier:
+    case ReadWarningKind::unknown_element:
+    case ReadWarningKind::unknown_attribute:
+    case ReadWarningKind::repeated_element:
     case ReadWarningKind::further_faults:
-      return located(internal::clause(warning));
+      return clause(warning);
     case ReadWarningKind::unknown_type:
     case ReadWarningKind::zero_axis:
     case ReadWarningKind::limits_reversed:
-    case ReadWarningKind::velocity_limit:
+    case ReadWarningKind::rate_limit:
     case ReadWarningKind::unknown_leader:
     case ReadWarningKind::leader_cycle:
-      return located(internal::clause(warning)) + "; the joint is beside the chain";
+      return clause(warning) + "; the joint is beside the chain";
     case ReadWarningKind::xacro_tag:
       if (warning.joint.empty()) {
-        return located(warning.element) +
-               " is left out; run xacro first if it stands for links or joints";
+        return warning.element + " is left out; run xacro first if it stands for links or joints";
       }
       break;
     default:
       break;
   }
-  return located(internal::clause(warning)) + "; it is beside the chain and left out";
+  return clause(warning) + "; it is beside the chain and left out";
+}
+
+std::string sentence(const ReadWarning& warning, OptionStyle style) {
+  const std::string text = internal::statement(warning, style);
+  return is_fault(warning) ? FileError(warning.path, warning.line, text).what() : text;
+}
+
+std::vector<std::string> arm_file_endings() {
+  std::vector<std::string> endings;
+  for (const ArmFormat& format : arm_formats) endings.emplace_back(format.ending);
+  return endings;
+}
+
+bool has_link_tree_ending(const std::string& path) {
+  const ArmFormat* const format = format_of(path);
+  return format != nullptr && format->tree;
 }
 
 Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {

@@ -36,14 +36,22 @@ enum class ReadWarningKind {
   unknown_type,        ///< the type `value` of `joint` is not one of URDF
   zero_axis,           ///< the axis of `joint`, `numbers`, has no direction
   limits_reversed,     ///< the lower limit of `joint` exceeds the upper one: `numbers`
-  velocity_limit,      ///< the velocity limit of `joint`, `numbers`, is below Limits::min_rate
-  unknown_leader,      ///< `joint` mimics the joint `value`, which is not in the file; `others` are
-                       ///< the known joints, none if there are more than 10,000
-  leader_cycle,        ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
-                       ///< other
-  constant_mimic,      ///< `joint` mimics, by leaders perhaps, the fixed joint `value`: it is
-                       ///< constant at `numbers`
-  further_faults       ///< there are `count` more
+  rate_limit,         ///< the limit `attribute` of `joint`, such as `velocity`, `numbers`, is below
+                      ///< Limits::min_rate
+  unknown_leader,     ///< `joint` mimics the joint `value`, which is not in the file; `others` are
+                      ///< the known joints, none if there are more than 10,000
+  leader_cycle,       ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
+                      ///< other
+  constant_mimic,     ///< `joint` mimics, by leaders perhaps, the fixed joint `value`: it is
+                      ///< constant at `numbers`
+  zero_multiplier,    ///< `joint` mimics the joint `value` with multiplier 0: it is constant at
+                      ///< `numbers`
+  unknown_element,    ///< `joint` or, if it is empty, the file contains `element`, which URDF does
+                      ///< not define; so do `count` more joints
+  unknown_attribute,  ///< `element` of `joint` has `attribute`, which URDF does not define; so do
+                      ///< `count` more joints
+  repeated_element,   ///< `joint` has `count` of `element`, of which the first one counts
+  further_faults      ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
 
@@ -78,8 +86,8 @@ struct ReadWarning {
   std::vector<std::string> others = {};             ///< names
   std::string element = {};                         ///< its tag, such as <xacro:include>
   ElementFault element_fault = ElementFault::none;  ///< fault of a malformed element
-  std::string attribute = {}, value = {};  ///< attribute of a malformed element, and its text
-  std::vector<double> numbers = {};        ///< axis, limits or value of the joint
+  std::string attribute = {}, value = {};           ///< attribute of an element, and its text
+  std::vector<double> numbers = {};                 ///< axis, limits or value of the joint
   std::size_t count = 0;
   bool lists_known = true;  ///< false: a warning before this one has listed the known names
 };
@@ -104,7 +112,15 @@ std::string sentence(const ReadWarning& warning, OptionStyle style = OptionStyle
 Arm read_arm(const std::string& text, const ChainEnds& ends = {},
              std::vector<ReadWarning>* warnings = nullptr);
 
-/// The same from the text of a file; the ending of `path` gives its format, and messages name it.
+/// The endings of arm files, without the dot.
+std::vector<std::string> arm_file_endings();
+
+/// Whether a path has the ending of files that describe a tree of links, of which ChainEnds selects
+/// a chain.
+bool has_link_tree_ending(const std::string& path);
+
+/// The same as read_arm() from the text of a file; the ending of `path` gives its format, and
+/// messages name it.
 Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
 
@@ -132,6 +148,7 @@ Arm arm_from_joint_string(std::string_view text);
 ///      "controller_base_assumed", "flange_assumed",       which count as stated unless true
 ///      "maker", "model", "source", "note",                and these texts
 ///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
+///      "shapes": [...],                                   see read_arm_shapes(), not kept
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}

@@ -8,6 +8,7 @@
 #include <beeline/io/text/internal/joint_to_json.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/pose_json.h>
 #include <beeline/model/internal/ranges.h>
 
@@ -95,15 +96,7 @@ ControllerFrames controller_frames(const JsonDocument& document, const Pose& too
 void check_joint_names(const JsonDocument& document, const Json& lists) {
   for (const Json& list : document.items(lists)) {
     if (document.items(list).empty()) document.refuse(list, "has no names");
-    for (const Json& name : document.items(list)) {
-      try {
-        check_name(document.text(name), "it");
-      } catch (const FileError&) {
-        throw;
-      } catch (const Error& error) {
-        document.refuse(name, std::string("is no name: ") + error.what());
-      }
-    }
+    for (const Json& name : document.items(list)) internal::name_from_json(document, name);
   }
 }
 
@@ -112,9 +105,10 @@ void check_joint_names(const JsonDocument& document, const Json& lists) {
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
-  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
-                             "controller_base", "controller_base_assumed", "flange",
-                             "flange_assumed", "joints", "joint_string", "dh", "joint_names"});
+  document.check_keys(
+      root, {"name", "maker", "model", "source", "note", "base", "tool", "controller_base",
+             "controller_base_assumed", "flange", "flange_assumed", "joints", "joint_string", "dh",
+             "joint_names", "shapes"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }

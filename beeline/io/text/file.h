@@ -36,6 +36,10 @@ void write_files(const std::vector<NewFile>& files);
 /// is no dot.
 std::string extension(std::string_view path);
 
+/// Returns text, such as a path, as one word of a command line, to be pasted into a shell: in
+/// single quotes unless it has only letters, digits and `_ - . , / : + @ %`.
+std::string shell_word(std::string_view text);
+
 /// The meaning of the path "-": a file of that name, or the standard input or output.
 enum class Dash { file, standard };
 

@@ -10,8 +10,7 @@ namespace beeline {
 double parse_number(std::string_view text, std::string_view what) {
   double value = 0;
   const ElementFault fault = internal::read_number(text, value);
-  if (fault != ElementFault::none)
-    throw Error(std::string(what) + ": " + internal::clause(fault, text));
+  if (fault != ElementFault::none) throw Error("", what, ": " + internal::clause(fault, text));
   return value;
 }
 

@@ -11,11 +11,11 @@ namespace beeline {
 // Numbers to and from text, independent of the locale.
 
 /// Parses a finite number such as `1`, `-2.5`, `+.5` or `3e-1`; blanks around it are allowed.
-/// Throws Error, which begins with `what`, for anything else, for nan and inf, and for numbers
-/// outside the range of a double.
+/// Throws Error, whose argument is `what`, for anything else, for nan and inf, and for numbers
+/// outside the range of a double. Its message begins with `what`.
 double parse_number(std::string_view text, std::string_view what);
 
-/// Parses numbers separated by commas: `1,2,-3e-1`. Throws Error that names the item.
+/// Parses numbers separated by commas: `1,2,-3e-1`. Throws the same Error, which names the item.
 std::vector<double> parse_numbers(std::string_view text, std::string_view what);
 
 /// Returns the shortest digits that read back as exactly `value`; any NaN is `nan`. Negative zero

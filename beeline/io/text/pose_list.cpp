@@ -16,8 +16,7 @@
 namespace beeline {
 namespace {
 
-constexpr internal::EnumNames<PoseForm::matrix> form_names("pose_form",
-                                                           "rpy rotvec abc quaternion matrix");
+constexpr internal::EnumNames<PoseForm> form_names("pose_form");
 
 using internal::in_quotes;
 using Names = std::vector<std::string>;
@@ -77,7 +76,7 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format) {
     numbers.insert(numbers.end(), {r.x(), r.y(), r.z()});
   } else {
     const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
-    const bool degrees = form == PoseForm::abc || format.unit == AngleUnit::degrees;
+    const bool degrees = form == PoseForm::abc || format.angle_unit == AngleUnit::degrees;
     const double unit = degrees ? 180 / std::numbers::pi : 1;
     if (form == PoseForm::abc) {
       numbers.insert(numbers.end(), {rpy.yaw * unit, rpy.pitch * unit, rpy.roll * unit});
@@ -99,6 +98,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
   try {
     const internal::ColumnsInUnits named = internal::known_columns(rows.columns());
     const Names& header = named.names;
+    if (!rows.has_header()) internal::check_triple(header.size(), format, "a row has ");
     const PoseColumns& columns = internal::pose_columns_of(header);
     list.columns = columns.names;
     list.planar = columns.planar;
@@ -109,7 +109,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
       const auto column = std::find(header.begin(), header.end(), name);
       column_of.push_back(static_cast<std::size_t>(column - header.begin()));
     }
-    const std::vector<double> factors = internal::pose_factors(named, format, rows.stated());
+    const std::vector<double> factors = internal::pose_factors(named, format, rows.stated(), path);
     std::vector<double> values(columns.names.size());
     for (std::vector<double> row; rows.next(row);) {
       for (std::size_t i = 0; i < values.size(); ++i) {

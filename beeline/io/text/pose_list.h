@@ -16,6 +16,9 @@ enum class AngleUnit { radians, degrees };
 
 double to_radians(double angle, AngleUnit unit);
 
+/// Angles beyond, in radians, may be meant in degrees: 2 pi, as typed with four digits.
+constexpr double plausible_angle = 6.2842;
+
 /// The meaning of three numbers without names: x,y,theta or x,y,z.
 enum class Triple {
   planar,    ///< x,y,theta
@@ -41,8 +44,9 @@ const std::vector<std::string>& pose_columns(PoseForm form);
 struct PoseFormat {
   /// Unit of theta, roll, pitch and yaw. Rotation vectors are always in radians, A, B and C in
   /// degrees.
-  AngleUnit unit = AngleUnit::radians;
-  Triple triple = Triple::planar;  ///< the meaning of three numbers without names
+  AngleUnit angle_unit = AngleUnit::radians;
+  /// The meaning of three numbers without names, which are refused by default.
+  std::optional<Triple> triple = std::nullopt;
   /// The form of numbers without names. Default: the form with this number of numbers; rpy for six.
   std::optional<PoseForm> pose_form = std::nullopt;
   bool millimetres = false;  ///< positions are in millimetres instead of metres
@@ -89,7 +93,8 @@ const std::vector<PoseColumns>& all_pose_columns();
 std::string unit_of_column(const std::string& name, const PoseFormat& format);
 
 /// Whether numbers without names may be in these columns: whether they have the orientation of
-/// format.pose_form, or by default rpy, a quaternion or a matrix, or none; of three, format.triple.
+/// format.pose_form, or by default rpy, a quaternion or a matrix, or none; of three, whether they
+/// are format.triple, or may be.
 bool reads_without_names(const PoseColumns& columns, const PoseFormat& format);
 
 /// The pose given by numbers in the order of `columns`. Throws Error as pose_of().
@@ -97,8 +102,9 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
                          const PoseFormat& format);
 
 /// Returns the pose given by numbers without names: 2, 3, 6, 7, 12 or 16 of them. Throws Error for
-/// any other count, for one that PoseFormat::pose_form does not have, for a quaternion whose length
-/// is not 1 to 1e-3, and for a matrix that is not a rigid motion to 1e-6.
+/// any other count, for three without PoseFormat::triple, for a count that PoseFormat::pose_form
+/// does not have, for a quaternion whose length is not 1 to 1e-3, and for a matrix that is not a
+/// rigid motion to 1e-6.
 Pose pose_of(std::span<const double> numbers, const PoseFormat& format = {});
 
 /// Returns the numbers of a pose in the form of `format`, by default rpy, in the order of
@@ -108,13 +114,14 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {}
 
 /// Reads a CSV file whose header names the columns of one form, in any order; upper and lower case
 /// are alike. Without a header, a comment before the first row names the columns, or their number
-/// selects the form, see PoseFormat. The separator is a comma, a semicolon, a tab or blanks; unless
-/// it is a comma, numbers may have decimal commas. Empty lines and lines that begin with # are
-/// skipped. Numbers are in the units of `format`, except where a name of a column (x_mm, roll
-/// [deg]), a row of units below the header (mm,mm,deg) or a comment before it (# units: mm, deg)
-/// gives another one. Throws FileError for a column that is missing or unknown, as pose_of(), for a
-/// pose farther away than 1e100 m, and for a comment that contradicts degrees or millimetres of
-/// `format`.
+/// selects the form, see PoseFormat. The separator is a comma, a semicolon, a tab, a pipe or
+/// blanks; unless it is a comma, numbers may have decimal commas. Empty lines, rules of Markdown
+/// tables and lines that begin with #, % or // are skipped. Numbers are in the units of `format`,
+/// except where a name of a column (x_mm, roll [deg]), a row of units below the header (mm,mm,deg)
+/// or a comment before it (# units: mm, deg) gives another one. Throws FileError for a column that
+/// is missing or unknown, as pose_of(), for a pose farther away than 1e100 m, and for a comment
+/// that contradicts degrees or millimetres of `format`, gives a unit that is not read, or is not
+/// clear about the units of columns without one.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
@@ -153,8 +160,9 @@ bool is_program(std::string_view text);
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
 /// neither a pose nor joint values, with both, or with a part of a pose, except a via row with a
 /// position only; and as read_poses().
-/// Speeds, blends and the travel of prismatic joints stay in metres. A comment that gives other
-/// units than `format` is refused.
+/// Speeds, blends and dwells are in m/s, m and s, unless their names, a row of units or a comment
+/// gives another unit; joint values are in the unit of the options, and a comment that gives
+/// another one is refused beside them.
 ProgramRows read_program_rows(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,

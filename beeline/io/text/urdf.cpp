@@ -52,11 +52,11 @@ Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& bef
   const auto at = chain.begin() + static_cast<std::ptrdiff_t>(i);
   std::string cure;
   if (std::any_of(at, chain.end(), moves)) {
-    cure += "--base " + internal::shell_word(chain[i].reversed ? joint.parent : joint.child);
+    cure += internal::recommended("base", chain[i].reversed ? joint.parent : joint.child);
   }
   if (std::any_of(chain.begin(), at, moves)) {
-    cure += std::string(cure.empty() ? "" : " or ") + "--tip " +
-            internal::shell_word(chain[i].reversed ? joint.child : joint.parent);
+    cure += std::string(cure.empty() ? "" : " or ") +
+            internal::recommended("tip", chain[i].reversed ? joint.child : joint.parent);
   }
   throw FileError(file.path, joint.line,
                   "joint " + joint.name + " is " + internal::in_quotes(joint.type) +

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/collision/scene.h>
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/model/arm.h>
@@ -27,8 +28,11 @@ namespace beeline {
 ///   - The orientation of an `<origin>` is `rpy`, or the quaternion `quat_xyzw` of URDF 1.2.
 ///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
 ///     ignored. Infinities and position limits beyond 1e6 rad or m stand for no limit.
-///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on
-///     the chain is refused.
+///   - The attributes `acceleration`, `deceleration` and `jerk` of `<limit>` are read beside
+///     `velocity`; the acceleration limit is the smaller of the first two. A limit of a rate that
+///     is missing, 0, -1 or beyond 1e10 is unknown; another negative one on the chain is refused.
+///   - Elements and attributes of a joint that URDF does not define are ignored, and so is a second
+///     element of one name; `warnings` says so, except of names with a prefix.
 ///   - Mimic joints whose leader is not on the chain follow the first of them in the file, which
 ///     has a coordinate of its own. A mimic joint whose leader is fixed is fixed too, at its
 ///     offset: `warnings` says so. One whose leader is floating or planar is refused.
@@ -39,7 +43,7 @@ namespace beeline {
 ///     parent link), named in Joint::link.
 ///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
 ///     connected, names given twice, elements of xacro, and joints with an unknown type, an axis
-///     without direction, a lower limit that exceeds the upper one, a velocity limit that is too
+///     without direction, a lower limit that exceeds the upper one, a limit of a rate that is too
 ///     small, or a leader that the file does not have. Without `ends.tip`, a joint that moves and
 ///     is not connected is refused if it may belong to the chain: the name of its parent resembles
 ///     the name of a link, or as many joints move below it as on the chain.
@@ -53,8 +57,9 @@ Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
 
-/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. The
-/// functions that use names of joints and links compare them with an arm.
+/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, named states, and pairs
+/// of links whose contact does not count. The functions that use names of joints and links compare
+/// them with an arm; exempted_pairs() (scene.h) with its shapes.
 struct Srdf {
   struct Group {
     std::string name;
@@ -71,10 +76,14 @@ struct Srdf {
   std::string path;  ///< names the file in messages
   std::vector<Group> groups = {};
   std::vector<State> states = {};
-  std::vector<std::string> virtual_joints = {};  ///< they place the robot in the world
+  std::vector<std::string> virtual_joints = {};     ///< they place the robot in the world
+  std::vector<NamedPair> disabled_collisions = {};  ///< pairs of links that may touch
+  /// Links that may touch all others, except in `enabled_collisions`.
+  std::vector<std::string> disabled_links = {};
+  std::vector<NamedPair> enabled_collisions = {};
 };
 
-/// Reads an SRDF file. Collision pairs, end effectors and passive joints are ignored.
+/// Reads an SRDF file. End effectors, passive joints and spheres of links are ignored.
 /// Throws FileError for text that is not SRDF, a missing attribute, two groups of one name, two
 /// states of one name and group, and a value that is not a number.
 Srdf read_srdf(const std::string& path);

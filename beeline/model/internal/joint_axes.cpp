@@ -15,13 +15,6 @@ Vector3 common_normal(const Vector3& from, const Vector3& to, const Vector3& oth
   return (normal - normal.dot(from) * from).normalized();
 }
 
-Pose frame(const Vector3& x, const Vector3& z, const Vector3& origin) {
-  Pose world_T_frame = Pose::Identity();
-  world_T_frame.linear() << x, z.cross(x), z;
-  world_T_frame.translation() = origin;
-  return world_T_frame;
-}
-
 double angle_about(const Vector3& z, const Vector3& from, const Vector3& to) {
   return std::atan2(z.dot(from.cross(to)), from.dot(to));
 }
@@ -30,10 +23,17 @@ Pose inverse(const Pose& pose) { return pose.inverse(Eigen::Isometry); }
 
 }  // namespace
 
+Pose frame_along(const Vector3& x, const Vector3& z, const Vector3& origin) {
+  Pose world_T_frame = Pose::Identity();
+  world_T_frame.linear() << x, z.cross(x), z;
+  world_T_frame.translation() = origin;
+  return world_T_frame;
+}
+
 Chain chain_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool) {
   Chain chain;
   Vector3 x = axes[0].direction.unitOrthogonal();
-  Pose world_T_before = frame(x, axes[0].direction, axes[0].point);
+  Pose world_T_before = frame_along(x, axes[0].direction, axes[0].point);
   chain.base = world_T_before;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const Vector3& z = axes[i].direction;
@@ -49,7 +49,7 @@ Chain chain_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool) 
     link.coordinate = static_cast<int>(i);
     chain.links.push_back(link);
     x = next;
-    world_T_before = frame(x, z, axes[i].point);
+    world_T_before = frame_along(x, z, axes[i].point);
   }
   chain.tool = inverse(world_T_before) * world_T_tool;
   return chain;

@@ -13,6 +13,9 @@ struct JointAxis {
 };
 std::vector<JointAxis> axes_of(const Chain& chain);
 
+/// Returns the frame at `origin` with these x and z axes, of unit length and normal to each other.
+Pose frame_along(const Vector3& x, const Vector3& z, const Vector3& origin);
+
 /// Returns the chain with these axes in the world, without theta_per_q and d_per_q of its links.
 Chain chain_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool);
 

@@ -44,8 +44,8 @@ BranchTiming::BranchTiming(const MotionRequest& request, const Branch& branch, s
     BranchSection next{{section.samples.back()}, {section.path_parameters.back()}};
     add(std::move(section), first, i);
     first = i + 1;
-    if (status != MotionStatus::reached) {
-      set_segment(route.path, i, reason);
+    if (reason_) {
+      set_segment(route.path, i, reason_);
       return;
     }
     section = std::move(next);
@@ -86,9 +86,8 @@ void BranchTiming::add(BranchSection samples, std::size_t first, std::size_t las
   options.tool_speeds = tool_speeds(section.path, first, last);
   section.timed = timed_section(request_.arm, path, options);
   if (!section.timed.scaling) {
-    status = MotionStatus::outside_limits;
-    reason = section.timed.scaling.reason;
-    reason.set(ReasonField::planned, true);
+    reason_ = section.timed.scaling.reason;
+    if (reason_) reason_.set(ReasonField::planned, true);
     return;
   }
   options.required = section.path.segment_ends();
@@ -100,21 +99,22 @@ void BranchTiming::add(BranchSection samples, std::size_t first, std::size_t las
 }
 
 TimedBranch BranchTiming::sample(double rate) {
-  TimedBranch branch{at_rest(request_.arm, start_), {start_parameter_}};
+  if (reason_) return {MotionStatus::outside_limits, reason_};
+  TimedBranch branch{.trajectory = at_rest(request_.arm, start_),
+                     .path_parameters = {start_parameter_}};
   keep_columns(branch.trajectory, request_.timing.interpolation);
   double sampled_sections = 0;
   for (Section& section : sections_) {
     if (budget_.ended()) break;
     budget_.report(0.5 + 0.5 * sampled_sections++ / static_cast<double>(sections_.size()));
     section.options.timing.rate = rate;
-    section.options.samples_left = static_cast<double>(request_.timing.max_samples) -
-                                   static_cast<double>(branch.trajectory.size());
+    section.options.samples_before = branch.trajectory.size();
+    section.options.begin = branch.trajectory.times.back();
     const SampledSection sampled = sample_section(request_.arm, section.timed, section.options);
     if (!sampled && !sampled.reason) break;  // the budget has ended
     if (!sampled) {
-      status = sampled.too_many() ? MotionStatus::too_many_samples : MotionStatus::outside_limits;
-      reason = sampled.reason;
-      return {};
+      return {sampled.too_many() ? MotionStatus::too_many_samples : MotionStatus::outside_limits,
+              sampled.reason};
     }
     append(branch.trajectory, sampled.trajectory);
     section.sampled.clear();
@@ -131,6 +131,12 @@ TimedBranch BranchTiming::sample(double rate) {
   }
   round_times(branch.trajectory);
   return branch;
+}
+
+double BranchTiming::shortest_duration() const {
+  double duration = 0;
+  for (const Section& section : sections_) duration += section.timed.scaling.duration();
+  return duration;
 }
 
 void BranchTiming::divide(const std::vector<int>& times) {

@@ -7,8 +7,10 @@
 
 namespace beeline::internal {
 
-/// A branch with times: a trajectory from rest to rest.
+/// A branch with times: a trajectory from rest to rest, or the reason why there is none.
 struct TimedBranch {
+  MotionStatus status = MotionStatus::reached;
+  Reason reason = {};  ///< unless reached
   Trajectory trajectory = {};
   std::vector<double> path_parameters = {};  ///< of each sample
 };
@@ -22,12 +24,12 @@ class BranchTiming {
   BranchTiming(const MotionRequest& request, const Branch& branch, std::size_t samples,
                BudgetMeter& budget);
 
-  MotionStatus status = MotionStatus::reached;
-  Reason reason = {};  ///< unless reached
-
-  /// Returns the samples at a rate (RetimeOptions::rate) of all sections before the budget ended.
-  /// Sets status and reason if no samples at the rate are within limits.
+  /// Returns the samples at a rate (RetimeOptions::rate) of all sections before the budget ended,
+  /// or the reason why no samples at the rate are within limits.
   TimedBranch sample(double rate);
+
+  /// The shortest duration of all sections, s: what their time scalings take.
+  double shortest_duration() const;
 
   /// Multiplies the number of samples between sample k and the next by `times[k]` if this is above
   /// 1. For samples without a rate.
@@ -48,6 +50,7 @@ class BranchTiming {
 
   const MotionRequest& request_;
   BudgetMeter& budget_;
+  Reason reason_ = {};  ///< why a section has no time scaling
   Configuration start_;
   double start_parameter_ = 0;
   std::deque<Section> sections_;

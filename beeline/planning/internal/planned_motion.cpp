@@ -7,6 +7,7 @@
 #include <beeline/planning/internal/branch_timing.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/track_branch.h>
+#include <beeline/timing/internal/possible_rate.h>
 #include <beeline/trajectory/internal/given_duration.h>
 
 namespace beeline::internal {
@@ -80,49 +81,50 @@ void set_branch(const Branch& branch, PathMotion& motion) {
   motion.inverse_condition = branch.inverse_condition;
 }
 
-/// Sets the trajectory at a rate; returns whether there is one, and sets the status and reason if
-/// not, unless the budget has ended.
+/// Sets the trajectory at a rate, or the status and reason why there is none. Returns whether there
+/// is one and the budget has not ended.
 bool set_trajectory(BranchTiming& timing, double rate, BudgetMeter& budget, PathMotion& motion) {
-  if (timing.status == MotionStatus::reached) {
-    TimedBranch timed = timing.sample(rate);
-    motion.trajectory = std::move(timed.trajectory);
-    motion.path_parameters = std::move(timed.path_parameters);
-  }
-  motion.status = timing.status;
-  motion.reason = timing.reason;
+  TimedBranch timed = timing.sample(rate);
+  motion.status = timed.status;
+  motion.reason = std::move(timed.reason);
+  motion.trajectory = std::move(timed.trajectory);
+  motion.path_parameters = std::move(timed.path_parameters);
   return motion && !budget.ended();
 }
 
-/// Whether the motion is proved as it is timed now.
-bool is_proved(const MotionRequest& request, double rate, BudgetMeter& budget,
-               BranchTiming& timing) {
+/// Returns the status of the motion as it is timed now: `reached` if it is proved.
+MotionStatus proved_status(const MotionRequest& request, double rate, BudgetMeter& budget,
+                           BranchTiming& timing) {
   PathMotion tried;
-  if (!set_trajectory(timing, rate, budget, tried)) return false;
-  prove(request, budget, tried);
-  return tried && budget.complete();
+  if (set_trajectory(timing, rate, budget, tried)) prove(request, budget, tried);
+  return budget.complete() ? tried.status : status_of<MotionStatus>(budget.ending());
 }
 
 /// Returns the lowest of the usual rates above the requested one for which the motion is proved; 0
-/// if there is none.
+/// if there is none. At some rates there may be no motion, although there is one at a higher rate.
 double proved_rate(const MotionRequest& request, BudgetMeter& budget, BranchTiming& timing) {
   for (const double rate : {50, 100, 125, 250, 500, 1000, 2000, 4000, 8000}) {
     if (!(rate > request.timing.rate)) continue;
-    if (is_proved(request, rate, budget, timing)) return rate;
-    if (budget.ended() || timing.status != MotionStatus::reached) break;
+    const MotionStatus status = proved_status(request, rate, budget, timing);
+    if (status == MotionStatus::reached) return rate;
+    // A higher rate has more samples.
+    if (!budget.complete() || status == MotionStatus::too_many_samples) break;
   }
   return 0;
 }
 
 /// Returns the largest of some speed scales for which the motion is proved at the requested rate; 0
-/// if there is none.
+/// if there is none. At some speeds there may be no motion, although there is one at a lower speed.
 double proved_speed(const MotionRequest& request, const Branch& branch, std::size_t samples,
                     BudgetMeter& budget) {
   for (const double scale : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
     const Arm arm = with_speed_scale(request.arm, scale);
     const MotionRequest slower = with_arm(arm, request);
     BranchTiming timing(slower, branch, samples, budget);
-    if (is_proved(slower, request.timing.rate, budget, timing)) return scale;
-    if (budget.ended() || timing.status != MotionStatus::reached) break;
+    const MotionStatus status = proved_status(slower, request.timing.rate, budget, timing);
+    if (status == MotionStatus::reached) return scale;
+    // A slower motion has more samples.
+    if (!budget.complete() || status == MotionStatus::too_many_samples) break;
   }
   return 0;
 }
@@ -136,7 +138,13 @@ void time_and_prove(const MotionRequest& request, BudgetMeter& budget, BranchTim
   constexpr double falls_by = 0.5;
   double excess = std::numeric_limits<double>::infinity();
   for (int round = 0; round < max_rounds && !budget.ended(); ++round) {
-    if (!set_trajectory(timing, request.timing.rate, budget, motion)) return;
+    if (!set_trajectory(timing, request.timing.rate, budget, motion)) {
+      const auto possible = [&](double rate) {
+        return proved_status(request, rate, budget, timing) == MotionStatus::reached;
+      };
+      set_possible_rate(request.timing, timing.shortest_duration(), possible, motion.reason);
+      return;
+    }
     const auto fault = first_joint_fault(request.arm, motion.trajectory);
     if (fault && fault->kind == Fault::limits) {
       motion.status = MotionStatus::outside_limits;
@@ -237,6 +245,21 @@ void try_other_branches(const MotionRequest& request, BudgetMeter& budget, PathM
   }
 }
 
+/// Marks the reason of a motion whose branch passes near a singularity. There joints move far
+/// between samples, and another tolerance does not help.
+void mark_near_singular(const Branch& branch, PathMotion& motion) {
+  constexpr double near = 0.01;  // inverse condition number
+  switch (motion.reason.code) {
+    case ReasonCode::path_not_proved:
+    case ReasonCode::spline_outside_limits:
+    case ReasonCode::too_many_samples:
+      if (branch.inverse_condition < near) motion.reason.set(ReasonField::near_singular, true);
+      break;
+    default:
+      break;
+  }
+}
+
 }  // namespace
 
 PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget) {
@@ -251,6 +274,7 @@ PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget) {
   if (!request.start && !redundant && unproved && request.timing.rate == 0 && budget.complete()) {
     try_other_branches(request, budget, motion);
   }
+  if (branch) mark_near_singular(branch, motion);
   return motion;
 }
 

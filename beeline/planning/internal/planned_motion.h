@@ -7,9 +7,12 @@ namespace beeline::internal {
 
 inline constexpr double planning_share = 0.5;  ///< of the progress of a motion
 
-/// Plans, times and proves a motion, or returns the reason why there is none. Ignores the duration.
-/// If the best branch is not proved, and neither a start nor a rate is given, tries other complete
-/// branches.
+/// Max work of one nearby_path(), in units of Budget: it bounds the time of a negative answer.
+inline constexpr std::int64_t max_nearby_path_work = 100'000;
+
+/// Plans, times and proves a motion, or returns the reason why there is none. Finds the quickest
+/// motion; keep_duration() slows it down. If the best branch is not proved, and neither a start nor
+/// a rate is given, tries other complete branches.
 PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget);
 
 /// Slows a planned motion down to the request's duration, and proves it again.

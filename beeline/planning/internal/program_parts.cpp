@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/path/blend.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/trajectory/internal/tool_speed.h>
@@ -147,12 +148,20 @@ void check_move(const Arm& arm, const Program& program, std::size_t i) {
   check_kind(arm, program, i);
 }
 
-void check_program(const Arm& arm, const Program& program) {
+/// Throws Error for a waypoint or a via position outside the plane.
+void check_move_in_plane(const ToolPlane& plane, const Move& move) {
+  if (!move.q) plane.check(move.target, "the waypoint");
+  if (move.via && !plane.contains(*move.via)) throw plane.error("the via position");
+}
+
+void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task) {
   if (program.moves.empty()) throw Error("a program needs moves");
   check_count(program);
+  const std::optional<ToolPlane> plane = ToolPlane::required(arm, task);
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     try {
       check_move(arm, program, i);
+      if (plane) check_move_in_plane(*plane, program.moves[i]);
     } catch (const Error& error) {
       throw MoveError(program, i, error.what());
     }

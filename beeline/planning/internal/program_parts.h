@@ -21,8 +21,9 @@ struct ProgramPart {
 /// Throws Error, without move_name(), if move_program() refuses moves[i] itself.
 void check_move(const Arm& arm, const Program& program, std::size_t i);
 
-/// Does the same, with move_name(), for all moves, and for a program without moves.
-void check_program(const Arm& arm, const Program& program);
+/// Does the same, with move_name(), for all moves, for a program without moves, and for a waypoint
+/// outside the plane of a planar arm if no task is given.
+void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task);
 
 /// Whether the tool passes the waypoint of move i without a stop.
 bool is_passed(const Program& program, std::size_t i);

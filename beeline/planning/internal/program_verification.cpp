@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 
+#include <beeline/certificate/internal/fault_list.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/set_fault.h>
 #include <beeline/internal/budget_meter.h>
@@ -38,6 +39,7 @@ class ProgramVerifier {
         rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
     options_.task = task_;
     options_.budget = budget.part();
+    result_.deviation.bound = {};
     interval_bounds_.resize(trajectory.size() - 1);
   }
 
@@ -60,9 +62,15 @@ class ProgramVerifier {
     if (!budget_.complete()) {
       end(budget_.ending(), ended_reason(ReasonCode::ended_before_check, budget_.ending()));
     }
+    std::vector<FaultsOfKind> of_path;
+    if (result_.fault != Fault::none) {
+      add_fault(trajectory_, result_.fault, result_.sample, 0, result_.reason, of_path);
+    }
     if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {
       fail(joint->kind, joint->sample, joint->reason);
     }
+    list_faults(arm_, trajectory_, options_, of_path, budget_, result_);
+    if (!result_) result_.deviation.bound = no_bound;
     return result_;
   }
 
@@ -372,8 +380,7 @@ class ProgramVerifier {
   std::vector<ProgramPart> parts_ = {};
   std::size_t part_ = 0;   // the next one
   std::size_t begin_ = 0;  // the sample at which it begins
-  /// The end of the last dwell, seconds.
-  double dwelled_until_ = -std::numeric_limits<double>::infinity();
+  double dwelled_until_ = -std::numeric_limits<double>::infinity();  // end of the last dwell, s
   Verification result_ = {};
   std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
   std::size_t bounds_end_ = 0;                   // of those that the last attempt wrote
@@ -383,7 +390,7 @@ class ProgramVerifier {
 
 Verification verify(const Arm& arm, const Trajectory& given, const Program& program,
                     const VerifyOptions& options) {
-  check_program(arm, program);
+  check_program(arm, program, options.task);
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   BudgetMeter budget(options.budget);

@@ -162,7 +162,8 @@ SegmentFailure failure_ahead(const TrackedEnd& end) {
   switch (ahead.answer.status) {
     case InverseStatus::solved:
       if (!singular || continues(end)) {
-        return {MotionStatus::not_proved, {ReasonCode::step_not_proved}};
+        return {MotionStatus::not_proved,
+                {ReasonCode::step_not_proved, {{ReasonField::near_singular, singular}}}};
       }
       return {MotionStatus::singular, singular_reason(end)};
     case InverseStatus::outside_limits:

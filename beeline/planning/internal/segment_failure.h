@@ -21,9 +21,9 @@ void set_stop(const Segment& segment, double s, Reason& reason);
 Reason passed_limit(const Arm& arm, int coordinate, bool lower);
 
 /// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
-/// inverse kinematics for the poses just ahead, with and without limits. If the reason has an
-/// amount, it also has the pose of this amount: the segment's end if it cannot be reached for the
-/// same reason, otherwise the pose just ahead.
+/// inverse kinematics for the poses just ahead, with and without limits. A reason with a distance
+/// or an angle names its pose: the segment's end if that fails in the same way, otherwise the pose
+/// just ahead.
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s, const Budget& budget = {});
 

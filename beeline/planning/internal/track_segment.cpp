@@ -143,6 +143,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   check_start(at_start, exact);
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
+  deviation.bound = {};
   const double size = unit_of_length(arm) / weighted_length(segment);
   const auto shortest = [&](double s) {
     const bool begins = s - options.begin < beginning;

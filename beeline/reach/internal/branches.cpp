@@ -1,5 +1,3 @@
-#include <atomic>
-
 #include <beeline/batch/internal/copies.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
@@ -86,16 +84,13 @@ ReachBranches reach_branches(const Arm& arm, const ReachGrid& grid, Eigen::Index
   const Eigen::Index block = block_of_positions(free.solved_orientations(grid));
   std::vector<ReachBranches> blocks(static_cast<std::size_t>((last - first + block - 1) / block));
   const Eigen::Index cells = grid.azimuths() * grid.directions() * grid.rolls();
-  std::atomic<Eigen::Index> computed = 0;
+  FinishedSteps solved(budget, last - first);
   in_parallel(last - first, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
     if (budget.ended((b - a) * cells)) return;
     const auto solver = solvers.borrow();
     solver->solve(grid, first + a, first + b);
     blocks[static_cast<std::size_t>(a / block)] = solver->take();
-    computed += b - a;
-    if (budget.reports()) {
-      budget.report(static_cast<double>(computed) / static_cast<double>(last - first));
-    }
+    solved.add(b - a);
   });
   ReachBranches all{.ending = budget.ending()};
   for (const ReachBranches& some : blocks) all.append(some);

@@ -5,7 +5,6 @@
 
 namespace beeline::internal {
 
-inline constexpr EnumNames<ReachOrientations::any> orientation_names(
-    "orientations", "fixed headings directions rolls any");
+inline constexpr EnumNames<ReachOrientations> orientation_names("orientations");
 
 }  // namespace beeline::internal

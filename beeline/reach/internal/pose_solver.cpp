@@ -18,7 +18,8 @@ constexpr Eigen::Index most_at_once = 32;
 std::optional<int> redundant_joint(const Arm& arm) {
   if (arm.dof() <= default_task(arm).size()) return std::nullopt;
   const Pose reached = forward_kinematics(arm, middle_configuration(arm));
-  const InverseResult result = inverse_kinematics(arm, reached, {.all = true, .grid = 2});
+  const InverseResult result =
+      inverse_kinematics(arm, reached, {.task = default_task(arm), .all = true, .grid = 2});
   if (!result.grid) return std::nullopt;
   return result.grid->joint;
 }
@@ -36,7 +37,10 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 }  // namespace
 
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
-    : arm_(arm), any_(arm), redundant_(redundant_joint(arm)), seed_(middle_configuration(arm)) {
+    : arm_(arm),
+      any_(arm, {.task = default_task(arm)}),
+      redundant_(redundant_joint(arm)),
+      seed_(middle_configuration(arm)) {
   if (redundant_) {
     values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
     form_ = PieperSolver::make(arm, default_task(arm));
@@ -46,7 +50,7 @@ PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
     const Bounds bounds = bounds_of(arm);
     loop_ = form_->request(seed_, Configuration::Ones(arm.dof()), bounds.lower, bounds.upper);
   } else {
-    InverseSolver all(arm, {.all = true, .lock = redundant_});
+    InverseSolver all(arm, {.task = default_task(arm), .all = true, .lock = redundant_});
     if (all.chosen_method() == InverseMethod::closed_form) all_.emplace(all);
   }
   const auto passes = static_cast<Eigen::Index>(values_.size());

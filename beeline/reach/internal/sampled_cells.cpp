@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -104,7 +103,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   const int joints = arm.dof() - (any_roll ? 1 : 0);
   BudgetMeter budget(options.budget);
   std::mutex adding;
-  std::atomic<std::int64_t> computed = 0;
+  FinishedSteps sampled(budget, options.samples);
   constexpr Eigen::Index block = 4096;
   const auto sample = [&](std::int64_t number, Eigen::Index count) {
     if (budget.ended(count)) return;
@@ -121,14 +120,13 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
       q.col(hits++) = q.col(i);
     }
     const SolutionMeasures measures = solution_measures(arm, q.leftCols(hits), 0, joints);
-    const std::lock_guard lock(adding);  // sums and maxima: in any order the same
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      add(cells, targets[i], measures.manipulability[i], measures.margin[i]);
+    {
+      const std::lock_guard lock(adding);  // sums and maxima: in any order the same
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        add(cells, targets[i], measures.manipulability[i], measures.margin[i]);
+      }
     }
-    computed += count;
-    if (budget.reports()) {
-      budget.report(static_cast<double>(computed) / static_cast<double>(options.samples));
-    }
+    sampled.add(count);
   };
   // Some at a time: blocks that come after the end of the budget take time, too.
   constexpr std::int64_t at_once = std::int64_t{1} << 24;

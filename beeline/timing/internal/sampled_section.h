@@ -16,7 +16,7 @@ struct SampledSection {
   Reason reason = {};                         ///< reason why there are none at the rate
 
   explicit operator bool() const { return trajectory.size() > 0; }
-  /// Whether there are none because there would be more than SectionOptions::samples_left.
+  /// Whether there are none because there would be more than SectionOptions::samples_left().
   bool too_many() const { return reason.code == ReasonCode::too_many_samples_at_rate; }
   double duration() const { return trajectory.times.back(); }
 };
@@ -30,7 +30,7 @@ struct SampledSection {
 /// acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the last
 /// one included: the section lasts a whole number of periods. If the budget ends the search, the
 /// motion may take longer than necessary, or there are no samples. Returns no samples, with the
-/// reason and a rate that works, if there would be too many or none are found within limits.
+/// reason, if there would be too many or none are found within limits.
 SampledSection sample_section(const Arm& arm, const TimedSection& section,
                               const SectionOptions& options);
 

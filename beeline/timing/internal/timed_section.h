@@ -29,10 +29,15 @@ struct ToolSpeeds {
 struct SectionOptions {
   RetimeOptions timing = {};
   ToolSpeeds tool_speeds = {};        ///< along the section, in place of timing.tool_speed
-  double samples_left = 200'000;      ///< max samples after the first, with a rate
+  std::size_t samples_before = 1;     ///< samples of the motion up to the section's first
+  double begin = 0;                   ///< time of the section's first sample in the motion, s
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   BudgetMeter& budget = unlimited();  ///< in place of timing.budget
 
+  /// Max samples of the section after its first, with a rate.
+  double samples_left() const {
+    return static_cast<double>(timing.max_samples) - static_cast<double>(samples_before);
+  }
   Profile profile() const { return timing.profile.value_or(default_profile); }
   bool keeps_jerk() const { return beeline::keeps_jerk(profile()); }
 };

@@ -11,19 +11,13 @@ namespace {
 
 constexpr int max_tries = 60;  // of numbers of periods
 
-/// The number rounded down to two digits.
-double rounded_down(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::floor(x / unit) * unit;
-}
-
-/// No samples, because there would be too many.
+/// No samples, because the motion would have too many up to the end of this section.
 SampledSection too_many(double duration, const SectionOptions& options) {
   SampledSection none;
   none.reason = {ReasonCode::too_many_samples_at_rate,
                  {{ReasonField::rate, options.timing.rate},
-                  {ReasonField::max_samples, options.samples_left + 1},
-                  {ReasonField::duration, duration}}};
+                  {ReasonField::max_samples, static_cast<std::size_t>(options.timing.max_samples)},
+                  {ReasonField::duration, options.begin + duration}}};
   return none;
 }
 
@@ -89,10 +83,33 @@ Periods fewest_periods(const TimedSection& section, const SectionOptions& option
           linear ? 0.0 : 1.0};
 }
 
-/// Returns the samples with the fewest periods within limits; no samples if there would be too many
-/// or none are found.
-SampledSection within_limits(const Arm& arm, const TimedSection& section,
-                             const SectionOptions& options) {
+}  // namespace
+
+TimeScaling uniform_scaling(double periods, double period, double length,
+                            const std::function<double(double)>& speed) {
+  TimeScaling uniform;
+  uniform.s = uniform.t = uniform.speed = {0};
+  for (double k = 1; k <= periods; ++k) {
+    const double before = uniform.speed.back();
+    uniform.t.push_back(k * period);
+    uniform.speed.push_back(k == periods ? 0 : speed(k * period));
+    uniform.s.push_back(uniform.s.back() + period * (before + uniform.speed.back()) / 2);
+  }
+  const double scale = length / uniform.s.back();
+  for (double& s : uniform.s) s *= scale;
+  for (double& v : uniform.speed) v *= scale;
+  uniform.s.back() = length;
+  uniform.acceleration.assign(uniform.s.size(), 0);
+  return uniform;
+}
+
+SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
+                                        const SectionOptions& options) {
+  return sampled(arm, section, options, fewest_periods(section, options));
+}
+
+SampledSection uniform_section(const Arm& arm, const TimedSection& section,
+                               const SectionOptions& options) {
   Periods periods = fewest_periods(section, options);
   bool widen = periods.average > 0;  // while it lowers the jerk
   double jerk_before = 0;            // of the average before it was widened
@@ -100,7 +117,7 @@ SampledSection within_limits(const Arm& arm, const TimedSection& section,
   for (int tries = 0; tries < max_tries; ++tries) {
     if (options.budget.ended()) return {};
     const double count = periods.all();
-    if (!(count <= options.samples_left)) return too_many(count / options.timing.rate, options);
+    if (!(count <= options.samples_left())) return too_many(count / options.timing.rate, options);
     SampledSection tried = sampled(arm, section, options, periods);
     if (!tried) return {};
     const NeededSlowdown needed = needed_slowdown(arm, tried, options);
@@ -135,51 +152,6 @@ SampledSection within_limits(const Arm& arm, const TimedSection& section,
   SampledSection none;
   none.reason = {ReasonCode::no_motion_at_rate, {{ReasonField::rate, options.timing.rate}}};
   return none;
-}
-
-}  // namespace
-
-TimeScaling uniform_scaling(double periods, double period, double length,
-                            const std::function<double(double)>& speed) {
-  TimeScaling uniform;
-  uniform.s = uniform.t = uniform.speed = {0};
-  for (double k = 1; k <= periods; ++k) {
-    const double before = uniform.speed.back();
-    uniform.t.push_back(k * period);
-    uniform.speed.push_back(k == periods ? 0 : speed(k * period));
-    uniform.s.push_back(uniform.s.back() + period * (before + uniform.speed.back()) / 2);
-  }
-  const double scale = length / uniform.s.back();
-  for (double& s : uniform.s) s *= scale;
-  for (double& v : uniform.speed) v *= scale;
-  uniform.s.back() = length;
-  uniform.acceleration.assign(uniform.s.size(), 0);
-  return uniform;
-}
-
-SampledSection shortest_uniform_section(const Arm& arm, const TimedSection& section,
-                                        const SectionOptions& options) {
-  return sampled(arm, section, options, fewest_periods(section, options));
-}
-
-SampledSection uniform_section(const Arm& arm, const TimedSection& section,
-                               const SectionOptions& options) {
-  SampledSection found = within_limits(arm, section, options);
-  if (found || options.budget.ended()) return found;
-  SectionOptions other = options;
-  if (found.too_many()) {
-    constexpr double usual_rate = 1000;
-    other.timing.rate = rounded_down(options.samples_left / section.scaling.duration());
-    other.timing.rate = std::min({other.timing.rate, options.timing.rate, 2 * usual_rate});
-  }
-  for (const double factor : {0.5, 2.0, 4.0}) {
-    SectionOptions tried = other;
-    tried.timing.rate *= factor;
-    if (tried.timing.rate == options.timing.rate || !within_limits(arm, section, tried)) continue;
-    found.reason.set(ReasonField::possible_rate, tried.timing.rate);
-    break;
-  }
-  return found;
 }
 
 }  // namespace beeline::internal

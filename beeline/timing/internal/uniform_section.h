@@ -6,7 +6,7 @@
 
 namespace beeline::internal {
 
-/// sample_section() with a rate.
+/// sample_section() with a rate: the samples with the fewest periods within limits.
 ///
 /// Slows the time scaling down to whole periods with d2s/dt2 constant between samples, then takes
 /// its moving average over a whole number of periods. s(t) is then a cubic between two samples,

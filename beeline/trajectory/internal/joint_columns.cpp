@@ -3,9 +3,9 @@
 #include <unordered_map>
 
 #include <beeline/error.h>
+#include <beeline/internal/derived_quantity.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/model/catalog.h>
-#include <beeline/trajectory/internal/derived_quantity.h>
 #include <beeline/trajectory/internal/joint_columns.h>
 
 namespace beeline::internal {
@@ -53,20 +53,23 @@ bool says_position(const std::string& text) {
 }
 
 /// The columns of velocities, 1, or accelerations, 2, beside columns of positions with these names;
-/// none if one is missing.
-std::vector<Eigen::Index> rates_beside(const Names& positions, int quantity, const Index& index) {
+/// none if one is missing: then those that are there are added to `incomplete`.
+std::vector<Eigen::Index> rates_beside(const Names& positions, int quantity, const Index& index,
+                                       std::vector<Eigen::Index>& incomplete) {
+  std::vector<Eigen::Index> some;
   for (const auto& from : quantity_words) {
     for (const auto& to : quantity_words) {
       std::vector<Eigen::Index> columns;
       for (const std::string& position : positions) {
         const auto name = with_word(position, from[0], to[quantity]);
         const auto found = name ? index.find(*name) : index.end();
-        if (found == index.end()) break;
-        columns.push_back(found->second);
+        if (found != index.end()) columns.push_back(found->second);
       }
       if (columns.size() == positions.size()) return columns;
+      some.insert(some.end(), columns.begin(), columns.end());
     }
   }
+  incomplete.insert(incomplete.end(), some.begin(), some.end());
   return {};
 }
 
@@ -76,8 +79,12 @@ void add_rates(const Names& names, const Index& index, JointColumns& columns) {
   for (const Eigen::Index i : columns.positions) {
     positions.push_back(names[static_cast<std::size_t>(i)]);
   }
-  columns.velocities = rates_beside(positions, 1, index);
-  if (!columns.velocities.empty()) columns.accelerations = rates_beside(positions, 2, index);
+  std::vector<Eigen::Index>& unread = columns.unread_rates;
+  columns.velocities = rates_beside(positions, 1, index, unread);
+  columns.accelerations = rates_beside(positions, 2, index, unread);
+  if (!columns.velocities.empty()) return;
+  unread.insert(unread.end(), columns.accelerations.begin(), columns.accelerations.end());
+  columns.accelerations.clear();
 }
 
 /// The columns front + name + ending of all names; none if one is missing.
@@ -136,15 +143,31 @@ Names lower_case(Names names) {
   return names;
 }
 
+/// The names of the joints' columns beside others, in a naming that has all of them; otherwise the
+/// arm's names.
+Names names_meant(const Arm& arm, const Names& names) {
+  std::vector<Affixes> found;
+  for (const Names& naming : joint_namings(arm))
+    find_affixes(names, index_of(names), naming, found);
+  std::erase_if(found, [](const Affixes& each) { return says_derived_quantity(each.front); });
+  if (found.size() != 1) return arm.joint_names();
+  Names meant;
+  for (const Eigen::Index i : found.front().columns) {
+    meant.push_back(names[static_cast<std::size_t>(i)]);
+  }
+  return meant;
+}
+
 [[noreturn]] void refuse_names(const Arm& arm, const Names& names) {
+  const Names joints = names_meant(arm, names);
   std::vector<std::string> missing, unknown = names;
-  for (const std::string& joint : arm.joint_names()) {
+  for (const std::string& joint : joints) {
     if (std::erase(unknown, joint) == 0) missing.push_back(joint);
   }
   std::string text = "the trajectory does not fit arm " + arm.name() + ":";
   if (!missing.empty()) text += " it lacks " + listed(missing) + ";";
   if (!unknown.empty()) text += " the arm has no " + listed(unknown) + ";";
-  text += " the arm's joints are " + listed(arm.joint_names());
+  text += " the arm's joints are " + listed(joints);
   if (!unknown.empty()) {
     text += "; a joint map (joint_map, --joint-map) names the trajectory's joints in this order";
   }

@@ -12,6 +12,8 @@ namespace beeline::internal {
 struct JointColumns {
   std::vector<Eigen::Index> positions;
   std::vector<Eigen::Index> velocities, accelerations;  ///< empty where there are none
+  /// Columns of rates that are left out: some joints have none, or accelerations lack velocities.
+  std::vector<Eigen::Index> unread_rates = {};
 };
 
 /// Whether each joint of one of these lists is part of the name of a column, in any case.

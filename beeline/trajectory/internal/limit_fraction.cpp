@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
@@ -39,6 +40,22 @@ void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
 
 constexpr std::size_t batch = 64;  // samples, of less than a microsecond
 
+/// Returns the largest distance from the middle of the range, over half of it, from sample k to the
+/// next, or 0 if it is at most `known`.
+double range_fraction(const Trajectory& trajectory, std::size_t k, int coordinate,
+                      const Limits& limits, double known) {
+  const auto fraction_of = [&](double q) {
+    return std::abs(position_in_range(q, limits.lower, limits.upper));
+  };
+  const double at_sample = fraction_of(trajectory.positions[k][coordinate]);
+  if (k + 1 == trajectory.size() || trajectory.velocities.empty()) return at_sample;
+  const auto largest = [&](const Extremes& of) {
+    return std::max(fraction_of(of.smallest), fraction_of(of.largest));
+  };
+  const Polynomial p = interval_polynomial(trajectory, k, coordinate);
+  return largest(enclosure(p)) > known ? std::max(at_sample, largest(extremes(p))) : 0;
+}
+
 }  // namespace
 
 std::vector<Limits> motion_limits_of(const Arm& arm) {
@@ -54,6 +71,26 @@ CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajecto
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
     if (k % batch == 0 && budget.ended(batch)) break;
     take_interval(largest, limits, trajectory, k, order);
+  }
+  return largest;
+}
+
+CoordinateFraction range_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
+                                  BudgetMeter& budget) {
+  CoordinateFraction largest;
+  largest.coordinate = -1;
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    if (k % batch == 0 && budget.ended(batch)) break;
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const double half = (limits[i].upper - limits[i].lower) / 2;
+      if (!(half > 0 && half < Limits::none)) continue;
+      const int coordinate = static_cast<int>(i);
+      const double fraction =
+          range_fraction(trajectory, k, coordinate, limits[i], largest.fraction);
+      if (fraction > largest.fraction || largest.coordinate < 0) {
+        largest = {fraction, coordinate, k};
+      }
+    }
   }
   return largest;
 }

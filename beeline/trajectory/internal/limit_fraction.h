@@ -26,6 +26,13 @@ struct CoordinateFraction {
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
                                   int order, BudgetMeter& budget = unlimited());
 
+/// Computes the largest distance of a coordinate from the middle of its range, as a fraction of
+/// half the range, for the motion that the columns mean; coordinates without a range are left out.
+/// The coordinate is -1 if none has a range. If the budget ends the computation, returns the
+/// largest fraction so far.
+CoordinateFraction range_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
+                                  BudgetMeter& budget = unlimited());
+
 /// Computes the largest fraction of the limits of that order between each two samples; 0 for an
 /// order that the interpolation does not bound, and if the budget ends the computation.
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <map>
 
 #include <beeline/formula/internal/chain_graph.h>
 #include <beeline/kinematics/forward.h>
@@ -13,9 +12,9 @@
 namespace beeline::internal {
 namespace {
 
-/// The values of all nodes, for values of the variables.
-std::vector<double> values_of(const ComputationGraph& graph,
-                              const std::map<std::string, double>& variables) {
+/// The values of all nodes at q and dq.
+std::vector<double> values_of(const ComputationGraph& graph, const Configuration& q,
+                              const Configuration& dq) {
   std::vector<double> values;
   const auto of = [&values](int id) { return values[static_cast<std::size_t>(id)]; };
   for (const ComputationGraph::Node& node : graph.nodes()) {
@@ -23,8 +22,13 @@ std::vector<double> values_of(const ComputationGraph& graph,
     switch (node.operation) {
       case ComputationGraph::Operation::number:
         break;
-      case ComputationGraph::Operation::variable:
-        value = variables.at(node.name);
+      case ComputationGraph::Operation::constant:
+        break;
+      case ComputationGraph::Operation::coordinate:
+        value = q[static_cast<Eigen::Index>(node.number)];
+        break;
+      case ComputationGraph::Operation::rate:
+        value = dq[static_cast<Eigen::Index>(node.number)];
         break;
       case ComputationGraph::Operation::cosine:
         value = std::cos(of(node.a));
@@ -54,12 +58,7 @@ std::vector<double> values_of(const ComputationGraph& graph,
 class Evaluation {
  public:
   Evaluation(ChainGraph& chain, const Configuration& q, const Configuration& dq) {
-    std::map<std::string, double> variables = chain.constants();
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      variables["q[" + std::to_string(k) + "]"] = q[k];
-      variables["dq[" + std::to_string(k) + "]"] = dq[k];
-    }
-    values_ = values_of(chain.graph(), variables);
+    values_ = values_of(chain.graph(), q, dq);
   }
 
   Eigen::MatrixXd matrix(const std::vector<ComputationGraph::Id>& entries,
@@ -148,7 +147,9 @@ TEST(ComputationGraph, HasTheTimeDerivativesOfAnyArm) {
 
 TEST(ComputationGraph, ComputesEachValueOnce) {
   ComputationGraph graph;
-  const ComputationGraph::Id x = graph.variable("x"), y = graph.variable("y");
+  const ComputationGraph::Id x = graph.coordinate(0), y = graph.rate(0);
+  EXPECT_EQ(graph.coordinate(0), x);
+  EXPECT_NE(x, y);
   EXPECT_EQ(graph.add(x, y), graph.add(y, x));
   EXPECT_EQ(graph.subtract(x, y), graph.negate(graph.subtract(y, x)));
   EXPECT_EQ(graph.multiply(graph.negate(x), y), graph.negate(graph.multiply(y, x)));

@@ -23,6 +23,17 @@ using namespace internal;
 using std::numbers::pi;
 using testing::largest;
 
+/// The solutions within the tolerance of the solver.
+std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,
+                                            const Task& task, const Configuration& seed) {
+  constexpr double tolerance = 1e-9;
+  std::vector<Configuration> within;
+  for (const PlanarSolution& solution : nearest_planar_solutions(arm, world_T_tool, task, seed)) {
+    if (largest(solution.error) <= tolerance) within.push_back(solution.q);
+  }
+  return within;
+}
+
 /// A pose that maps the xy plane to a parallel plane: any heading and offset, upside down if asked.
 Pose planar_offset(testing::Random& random, double size, bool upside_down) {
   Pose pose =

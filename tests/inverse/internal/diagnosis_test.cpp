@@ -111,7 +111,8 @@ TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
       expect_no(above, InverseStatus::unreachable);
       EXPECT_NEAR(above.residual, off, 1e-9);
     }
-    EXPECT_EQ(inverse_kinematics(rrr, lifted).status, InverseStatus::solved);
+    EXPECT_EQ(inverse_kinematics(rrr, lifted, {.task = Task::planar()}).status,
+              InverseStatus::solved);
 
     const InverseResult turned =
         inverse_kinematics(gantry, to_space({0.1, 0.2, heading + off}), {.ignore_limits = true});

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tuple>
 
 #include <beeline/inverse/internal/self_motion_dimension.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -49,16 +50,47 @@ TEST(SelfMotionDimension, IsThatOfTheSolutionsNearby) {
   for (const auto& [arm, task] : cases) {
     for (int i = 0; i < 5; ++i) {
       const Configuration q = random.configuration(arm);
-      EXPECT_EQ(self_motion_dimension(arm, task, {q}), found_directions(arm, task, q, random))
+      EXPECT_EQ(self_motion_dimension(arm, task, forward_kinematics(arm, q), {q}),
+                found_directions(arm, task, q, random))
           << arm.name() << " " << name(task) << " " << q.transpose();
     }
   }
 }
 
-TEST(SelfMotionDimension, ProvesNothingAtASingularConfiguration) {
-  const Arm arm = built_in("panda");
-  EXPECT_EQ(self_motion_dimension(arm, Task::spatial(), {Configuration::Zero(7)}), 0);
-  EXPECT_EQ(self_motion_dimension(built_in("rrr"), Task::planar(), {Configuration::Zero(3)}), 0);
+int dimension_at(const Arm& arm, const Task& task, const Configuration& q) {
+  return self_motion_dimension(arm, task, forward_kinematics(arm, q), {q});
+}
+
+TEST(SelfMotionDimension, IsFoundAtSingularConfigurations) {
+  // Stretched arms: the solution is isolated, except for rotations about the line of the links.
+  EXPECT_EQ(dimension_at(built_in("rrr"), Task::planar(), Configuration::Zero(3)), 0);
+  EXPECT_EQ(
+      dimension_at(arm_from_joint_string("RRRR"), task_named("110000"), Configuration::Zero(4)), 0);
+  // Two axes of a wrist coincide: they rotate against each other.
+  const Arm puma = built_in("puma560");
+  EXPECT_EQ(dimension_at(puma, Task::spatial(), Configuration{{0.2, 0.6, -0.4, 0.5, 0, 0.3}}), 1);
+}
+
+// The tool of a stretched arm at the edge of its workspace, with rotations that the task leaves
+// free: every solution is singular.
+TEST(InverseKinematics, SaysThatSolutionsAreInfinitelyManyWhereEachIsSingular) {
+  for (const auto& [name, task, x, y, z] :
+       {std::tuple{"ur12e", "111010", 0.029898686595128898, -0.04923239319681974, 0.0197},
+        std::tuple{"ur5", "111001", 0.02591160927505734, -0.007036405671702346, -0.822741}}) {
+    const Arm arm = built_in(name);
+    const bool ur5 = arm.name() == built_in("ur5").name();
+    const Eigen::Quaterniond rotation =
+        ur5 ? Eigen::Quaterniond(0.6857609818176487, -0.013309902688472318, -0.7069815036409535,
+                                 -0.17242933571899688)
+            : Eigen::Quaterniond(0.19057213296026673, 0.19057213296026662, -0.68094218707536,
+                                 -0.6809421870753598);
+    const InverseResult result =
+        inverse_kinematics(arm, make_pose({x, y, z}, rotation.toRotationMatrix()),
+                           {.task = task_named(task), .all = true, .max_restarts = 200});
+    ASSERT_TRUE(result) << name;
+    EXPECT_GT(result.solutions.size(), 20u) << name;
+    EXPECT_GE(result.self_motion_dimension, 1) << name;
+  }
 }
 
 TEST(InverseKinematics, SaysThatSolutionsAreInfinitelyMany) {

@@ -106,7 +106,7 @@ TEST(JointStates, MistakesAreNamedWithTheirLines) {
                  "a.yaml:11: the document is at time 0, not after 0; times must increase");
   EXPECT_REFUSED(states_of(first + state_message(5, {"joint1", "joint2", "hand"}, zero, {}, false)),
                  "a.yaml:16: name must have the joints of the first message, joint1, joint2, "
-                 "joint3, not joint1, joint2, hand");
+                 "joint3, not joint1, joint2, hand; keep the messages of one publisher alone");
   EXPECT_REFUSED(states_of(first + state_message(5, {"joint1", "joint2"}, {"0", "0"}, {}, false)),
                  "must have the joints of the first message");
   EXPECT_REFUSED(states_of(first + state_message(5, state_joints, {"0", "0"}, {}, false)),

@@ -81,7 +81,8 @@ TEST(TrajectoryCsv, MistakesAreNamed) {
 }
 
 TEST(TrajectoryCsv, InvalidTrajectoriesAreNotWritten) {
-  EXPECT_REFUSED(trajectory_to_csv({}), "the trajectory has no joints");
+  EXPECT_REFUSED(trajectory_to_csv({}),
+                 "the trajectory is empty, as after a motion that was refused");
   Trajectory trajectory;
   trajectory.joint_names = {"a"};
   EXPECT_REFUSED(trajectory_to_csv(trajectory), "the trajectory has no samples");

@@ -3,12 +3,15 @@
 #include <string>
 
 #include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/mesh_file.h>
 #include <beeline/io/text/internal/srdf_file.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/io/text/limits_samples.h>
+#include <tests/io/text/mesh_samples.h>
 #include <tests/io/text/urdf_samples.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
@@ -53,6 +56,17 @@ std::vector<Case> cases() {
          named_state(srdf, arm_from_urdf(testing::whole_urdf, "a.urdf", {.tip = "flange"}), "home");
        },
        "<>/\"'=&;!?-[] \n0.e"},
+      {"stl", testing::ascii_stl({{{{1, 2, 3}, {-4, 5e-1, 6}, {0, 0, 0}}}}),
+       [](const std::string& text) { internal::mesh_from_text(text, "a.stl"); }, " \n\rvsef0.-+"},
+      {"binary stl", testing::binary_stl({{{{1, 2, 3}, {-4, 5e-1, 6}, {0, 0, 0}}}}),
+       [](const std::string& text) { internal::mesh_from_text(text, "a.stl"); },
+       std::string("\0\x01\xff\x7fs", 5)},
+      {"obj", testing::obj({{{{1, 2, 3}, {-4, 5e-1, 6}, {0, 0, 0}}}}),
+       [](const std::string& text) { internal::mesh_from_text(text, "a.obj"); }, " \n\rvf/#\\0.-1"},
+      {"cell",
+       "<robot name=\"c\"><link name=\"a\"><collision><origin xyz=\"1 0 0\"/><geometry><box "
+       "size=\"1 2 3\"/></geometry></collision></link></robot>",
+       [](const std::string& text) { scene_from_urdf(text, "c.urdf"); }, "<>/\"'=&;!?-[] \n0.e"},
       {"panda", arm_to_json(built_in("panda")), json, "{}[]\",:\\-+.e019 \n"},
       {"composite", composite, json, "{}[]\",:\\-+.e019 \n"},
       {"dh", dh, json, "{}[]\",:\\-+.e019 \n"},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/json.h>
@@ -41,6 +42,35 @@ TEST(Json, NumbersReadBackExactly) {
   const double zero = -0.0;
   const JsonDocument document = parse(json_numbers(&zero, 1));
   EXPECT_TRUE(std::signbit(document.numbers(document.root(), 1).at(0)));
+}
+
+/// Whole numbers are only in values that a program made; a document of them is read as any other.
+TEST(Json, WholeNumbersOfAProgramAreNumbers) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const int small = random.integer(-1'000'000, 1'000'000);
+    const std::int64_t large = (std::int64_t{1} << 53) - random.integer(0, 1000);
+    const Json made{{"count", small}, {"list", Json()}, {"large", large}};
+    Json with_list = made;
+    Json list = Json::list();
+    list.append(small);
+    list.append(0.5);
+    with_list.add("list", list);
+    const JsonDocument document(with_list, "p.json");
+    const JsonDocument again = parse(with_list.text());
+    for (const JsonDocument* read : {&document, &again}) {
+      EXPECT_EQ(read->number(read->need(read->root(), "count")), small);
+      EXPECT_EQ(read->number(read->need(read->root(), "large")), static_cast<double>(large));
+      EXPECT_EQ(read->numbers(read->need(read->root(), "list"), 2),
+                (std::vector<double>{static_cast<double>(small), 0.5}));
+    }
+  }
+  const JsonDocument document(Json{{"a", 3}}, "p.json");
+  const Json& a = document.need(document.root(), "a");
+  EXPECT_REFUSED(document.text(a), "p.json: a must be text, not a number");
+  EXPECT_REFUSED(document.truth(a), "p.json: a must be true or false, not a number");
+  EXPECT_REFUSED(document.items(a), "p.json: a must be a list, not a number");
+  EXPECT_EQ(Json(std::numeric_limits<std::int64_t>::max()).text(), "9223372036854775807");
 }
 
 TEST(Json, AnyTextReadsBack) {
@@ -167,6 +197,11 @@ TEST(Json, AKeyIsInAnObjectOnce) {
   json.add(Json{{"b", 4}, {"c", 5}});
   json.add(Json());
   EXPECT_EQ(json.text(), "{\n  \"a\": 3,\n  \"b\": 4,\n  \"c\": 5\n}");
+}
+
+TEST(JsonDocument, ReadsAWholeNumberThatAProgramMade) {
+  const JsonDocument document(Json(7), "made.json");
+  EXPECT_EQ(document.number(document.root()), 7);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(PoseForm, WhatIsPrintedReadsBackInEveryFormAndUnit) {
   for (int i = 0; i < testing::cases(3000); ++i) {
     const Pose pose = make_pose(random.vector(2), hard_rotation(random, i));
     for (const PoseForm form : all_forms()) {
-      const PoseFormat format{.unit = i % 2 == 0 ? AngleUnit::radians : AngleUnit::degrees,
+      const PoseFormat format{.angle_unit = i % 2 == 0 ? AngleUnit::radians : AngleUnit::degrees,
                               .pose_form = form,
                               .millimetres = i % 5 < 2};
       const Numbers numbers = pose_numbers(pose, format);
@@ -65,7 +65,7 @@ TEST(PoseForm, WhatIsPrintedReadsBackInEveryFormAndUnit) {
       const bool angles = form == PoseForm::rpy || form == PoseForm::abc;
       ASSERT_LT((typed.matrix() - pose.matrix()).cwiseAbs().maxCoeff(), angles ? 2e-12 : 2e-15)
           << form << ' ' << text;
-      const PoseFormat units{.unit = format.unit, .millimetres = format.millimetres};
+      const PoseFormat units{.angle_unit = format.angle_unit, .millimetres = format.millimetres};
       const PoseList list = poses_from_csv(header_of(form) + "\n" + text + "\n", "a.csv", units);
       ASSERT_EQ(list.form, form);
       ASSERT_LT((list.poses.at(0).matrix() - typed.matrix()).cwiseAbs().maxCoeff(), 1e-15);
@@ -87,8 +87,9 @@ TEST(PoseForm, EachIsItsDefinition) {
     turned = about(b, turned * Vector3::UnitY()) * turned;
     turned = about(c, turned * Vector3::UnitX()) * turned;
     for (const AngleUnit unit : {AngleUnit::radians, AngleUnit::degrees}) {
-      const Pose pose = pose_of(Numbers{100, 200, 300, a, b, c},
-                                {.unit = unit, .pose_form = PoseForm::abc, .millimetres = true});
+      const Pose pose =
+          pose_of(Numbers{100, 200, 300, a, b, c},
+                  {.angle_unit = unit, .pose_form = PoseForm::abc, .millimetres = true});
       ASSERT_LT((pose.linear() - turned.toRotationMatrix()).norm(), 1e-14);
       ASSERT_LT((pose.translation() - Vector3(0.1, 0.2, 0.3)).norm(), 1e-15);
     }
@@ -96,7 +97,7 @@ TEST(PoseForm, EachIsItsDefinition) {
     const double angle = random.uniform(0, 6);
     const Pose vector = pose_of(
         Numbers{1, 2, 3, angle * axis.x(), angle * axis.y(), angle * axis.z()},
-        {.unit = AngleUnit::degrees, .pose_form = PoseForm::rotvec});  // radians all the same
+        {.angle_unit = AngleUnit::degrees, .pose_form = PoseForm::rotvec});  // radians all the same
     ASSERT_LT((vector.linear() - Eigen::AngleAxisd(angle, axis).toRotationMatrix()).norm(), 1e-14);
   }
   const Pose matrix = pose_of(Numbers{0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6});
@@ -133,7 +134,7 @@ TEST(PoseForm, OfNumbersWithoutNamesIsTheOneAskedFor) {
   EXPECT_EQ(parse_pose("0,0,0,1,0,0,0").form, PoseForm::quaternion);
   EXPECT_EQ(parse_pose("1,0,0,0,0,1,0,0,0,0,1,0").form, PoseForm::matrix);
   EXPECT_EQ(parse_pose("0,0,0,0,0,90", {.pose_form = PoseForm::abc}).form, PoseForm::abc);
-  EXPECT_TRUE(parse_pose("1,2,3", {.pose_form = PoseForm::abc}).planar);
+  EXPECT_TRUE(parse_pose("1,2,3", {.triple = Triple::planar, .pose_form = PoseForm::abc}).planar);
   EXPECT_EQ(poses_from_csv("0,0,0,0,0,90\n", "a.csv", {.pose_form = PoseForm::abc}).form,
             PoseForm::abc);
   EXPECT_EQ(

@@ -39,16 +39,17 @@ TEST(PoseList, AllFormsGiveTheSamePose) {
 
 TEST(PoseList, PlanarPosesLieInThePlane) {
   const PoseList list = poses_from_csv("# the chapter's\nx,y,theta\n4.5,5.2,0\n\n1,2,90\n", "a.csv",
-                                       {.unit = AngleUnit::degrees});
+                                       {.angle_unit = AngleUnit::degrees});
   ASSERT_EQ(list.poses.size(), 2u);
   EXPECT_TRUE(list.planar);
   EXPECT_EQ(list.lines, (std::vector<int>{3, 5}));
   EXPECT_EQ(list.poses[0].translation(), Vector3(4.5, 5.2, 0));
   const Rotation quarter = Eigen::AngleAxisd(pi / 2, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_TRUE(list.poses[1].linear().isApprox(quarter, 1e-15));
-  EXPECT_EQ(parse_pose("1,2,90", {.unit = AngleUnit::degrees}).pose.matrix(),
+  EXPECT_EQ(parse_pose("1,2,90", {.angle_unit = AngleUnit::degrees, .triple = Triple::planar})
+                .pose.matrix(),
             list.poses[1].matrix());
-  EXPECT_TRUE(parse_pose("1,2,90").planar);
+  EXPECT_TRUE(parse_pose("1,2,90", {.triple = Triple::planar}).planar);
   EXPECT_FALSE(parse_pose("1,2,3,0,0,90").planar);
 }
 
@@ -59,9 +60,9 @@ TEST(PoseList, ColumnsMayBeInAnyOrder) {
 }
 
 TEST(PoseList, DegreesTouchAnglesOnly) {
-  EXPECT_TRUE(parse_pose("90,0,0,0,0,90", {.unit = AngleUnit::degrees})
+  EXPECT_TRUE(parse_pose("90,0,0,0,0,90", {.angle_unit = AngleUnit::degrees})
                   .pose.isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)).pose, 1e-15));
-  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", {.unit = AngleUnit::degrees}).pose.matrix(),
+  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", {.angle_unit = AngleUnit::degrees}).pose.matrix(),
             parse_pose("1,2,3,1,0,0,0").pose.matrix());
 }
 
@@ -99,9 +100,21 @@ TEST(PoseList, PositionsHaveNoOrientation) {
   EXPECT_TRUE(plane.planar);
   EXPECT_EQ(parse_pose("1,2,3", {.triple = Triple::position}).pose.translation(), Vector3(1, 2, 3));
   EXPECT_FALSE(parse_pose("1,2,3", {.triple = Triple::position}).oriented);
-  EXPECT_TRUE(parse_pose("1,2,3").oriented);
+  EXPECT_TRUE(parse_pose("1,2,3", {.triple = Triple::planar}).oriented);
   EXPECT_TRUE(parse_pose("3,4").planar);
   EXPECT_FALSE(parse_pose("3,4").oriented);
+}
+
+TEST(PoseList, ThreeNumbersWithoutNamesNeedTheirMeaning) {
+  const std::string cure =
+      "3 numbers, x,y,theta or x,y,z; give triple=\"planar\" or triple=\"position\"";
+  for (const PoseFormat& format :
+       {PoseFormat(), PoseFormat{.pose_form = PoseForm::abc}, PoseFormat{.millimetres = true}}) {
+    EXPECT_REFUSED(parse_pose("0,0,0.1034", format), "pose \"0,0,0.1034\" has " + cure);
+    EXPECT_REFUSED(pose_of(std::vector<double>{0, 0, 0.1034}, format), "a pose of " + cure);
+    EXPECT_REFUSED(poses_from_csv("1,2,3\n", "a.csv", format), "a.csv:1: a row has " + cure);
+  }
+  EXPECT_EQ(poses_from_csv("x,y,z\n1,2,3\n", "a.csv").poses.at(0).translation(), Vector3(1, 2, 3));
 }
 
 TEST(PoseList, WithoutAHeaderTheNumberOfColumnsGivesTheForm) {
@@ -128,7 +141,8 @@ TEST(PoseList, SemicolonsSeparateToo) {
   const std::string cure = "separate them by commas or by semicolons, and write decimal points";
   EXPECT_REFUSED(poses_from_csv("x,y,theta\n1,5;2;0\n", "a.csv"), cure);
   for (const char* text : {"x;y;theta\n1,5;2,5;0\n", "1,5;2,5;0\n", "x y theta\n1,5 2,5 0\n"}) {
-    EXPECT_EQ(poses_from_csv(text, "a.csv").poses.at(0).translation(), Vector3(1.5, 2.5, 0));
+    const PoseList list = poses_from_csv(text, "a.csv", {.triple = Triple::planar});
+    EXPECT_EQ(list.poses.at(0).translation(), Vector3(1.5, 2.5, 0));
   }
 }
 
@@ -144,7 +158,7 @@ TEST(PoseList, DialectsAreThoseOfRecordings) {
   }
   EXPECT_REFUSED(poses_from_csv("x,X,y\n1,2,3\n", "a.csv"),
                  "a.csv:1: column \"x\" is given twice, in upper and lower case");
-  EXPECT_REFUSED(poses_from_csv("1,2,x\n", "a.csv"),
+  EXPECT_REFUSED(poses_from_csv("1,2,x\n", "a.csv", {.triple = Triple::planar}),
                  "a.csv:1: column theta: \"x\" is not a number");
 }
 
@@ -156,8 +170,10 @@ TEST(PoseList, EndlessFilesAreRefused) {
 }
 
 TEST(PoseList, TheLargestAngleIsReported) {
-  EXPECT_EQ(parse_pose("1,2,-90").max_angle, -90);
-  EXPECT_EQ(parse_pose("1,2,180", {.unit = AngleUnit::degrees}).max_angle, pi);
+  EXPECT_EQ(parse_pose("1,2,-90", {.triple = Triple::planar}).max_angle, -90);
+  EXPECT_EQ(
+      parse_pose("1,2,180", {.angle_unit = AngleUnit::degrees, .triple = Triple::planar}).max_angle,
+      pi);
   EXPECT_EQ(parse_pose("100,200,300,1,2,-3").max_angle, -3);
   EXPECT_EQ(parse_pose("100,200,300,1,0,0,0").max_angle, 0);
   EXPECT_EQ(parse_pose("100,200,300", {.triple = Triple::position}).max_angle, 0);

@@ -8,7 +8,7 @@ namespace beeline {
 namespace {
 
 ProgramRows rows_of(const std::string& text, AngleUnit unit = AngleUnit::radians) {
-  return program_rows_from_csv(text, "p.csv", {.unit = unit});
+  return program_rows_from_csv(text, "p.csv", {.angle_unit = unit});
 }
 
 TEST(ProgramRows, AreReadInAnyOrderOfTheColumns) {

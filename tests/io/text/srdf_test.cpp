@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/io/text/internal/srdf_file.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/io/text/urdf.h>
 
 #include <tests/io/text/urdf_samples.h>
@@ -139,6 +140,26 @@ TEST(Srdf, StatesOfOneNameAreToldApartByTheirGroup) {
   EXPECT_REFUSED(
       named_state(srdf, arm, "home"),
       "a.srdf:3: state home of group h has other values than in group g; name the group");
+}
+
+TEST(Srdf, ExemptsPairsOfLinksWithShapes) {
+  const std::vector<LinkShapes> links{{"a", 0, {}}, {"b", 1, {}}, {"c", 2, {}}, {"d", 2, {}}};
+  const auto pairs = [&](const std::string& elements) {
+    return exempted_pairs(parse(elements), links);
+  };
+  const auto disable = [](const std::string& one, const std::string& two) {
+    return "<disable_collisions link1=\"" + one + "\" link2=\"" + two + "\" reason=\"Never\"/>\n";
+  };
+  EXPECT_EQ(pairs(""), std::vector<NamedPair>{});
+  EXPECT_EQ(
+      pairs(disable("c", "a") + disable("a", "c") + disable("a", "elsewhere") + disable("b", "b")),
+      (std::vector<NamedPair>{{"c", "a"}}))
+      << "each once, and of these links alone";
+  const std::string all_of_b = "<disable_default_collisions link=\"b\"/>\n";
+  EXPECT_EQ(pairs(all_of_b), (std::vector<NamedPair>{{"b", "a"}, {"b", "c"}, {"b", "d"}}));
+  EXPECT_EQ(pairs(all_of_b + "<enable_collisions link1=\"d\" link2=\"b\"/>" + disable("a", "b")),
+            (std::vector<NamedPair>{{"a", "b"}, {"b", "c"}}));
+  EXPECT_REFUSED(parse("<disable_collisions link1=\"a\"/>"), "a.srdf:2");
 }
 
 TEST(Srdf, MistakesAreNamedWithTheirLine) {

@@ -105,7 +105,7 @@ TEST(UrdfConstant, APalmIsOfferedForFingersWithoutTheirWords) {
                        const std::string& other_type) {
     return base + joint("j1", type, "palm", "p", p) + joint("j2", other_type, "palm", "q", q);
   };
-  const std::string offer = "; --tip palm ends before the gripper";
+  const std::string offer = "; tip=\"palm\" (--tip palm) ends before the gripper";
   for (const std::string& text :
        {two(limit(0, 0.04), limit(0, 0.04), "prismatic", "prismatic"),
         two(limit(0, 0.04), limit(-0.04, 0), "prismatic", "prismatic"),

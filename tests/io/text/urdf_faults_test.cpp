@@ -84,7 +84,7 @@ TEST(UrdfFaults, ThatMayShortenTheChainAreErrorsWithoutATip) {
   for (const Fault& fault : faults()) {
     const std::string text = arm + fault.elements;
     if (fault.moves) {
-      EXPECT_REFUSED(read(text), "; the option tip selects a chain beside it");
+      EXPECT_REFUSED(read(text), "; the option tip (--tip) selects a chain beside it");
       continue;
     }
     // A frame of a tip's body, and one of the base.
@@ -146,7 +146,7 @@ TEST(UrdfFaults, OfAnyNumberAreCounted) {
   EXPECT_EQ(result.warnings.back().count, 20'200u - 10);
   EXPECT_REFUSED(
       read(text + arm + "<joint name=\"lost\" type=\"revolute\"/>" + text),
-      "joint \"lost\" needs a <parent link=...>; the option tip selects a chain beside it");
+      "joint \"lost\" needs a <parent link=...>; the option tip (--tip) selects a chain beside it");
   EXPECT_REFUSED(read(text + arm + text + link("b"), {.tip = "c"}), "two links have the name b");
   std::string repeated;
   for (int i = 0; i < 10'100; ++i) repeated += link("x");

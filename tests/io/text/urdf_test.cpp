@@ -271,9 +271,10 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
     const std::string chain =
         robot(link("a") + link("b") + link("c") + link("d") + joint("j", "revolute", "a", "b") +
               joint("loose", type, "b", "c") + joint("k", "revolute", "c", "d"));
-    EXPECT_REFUSED(parse_urdf(chain), "; --base c or --tip b selects a chain without it");
+    EXPECT_REFUSED(parse_urdf(chain),
+                   "; base=\"c\" (--base c) or tip=\"b\" (--tip b) selects a chain without it");
     EXPECT_REFUSED(parse_urdf(chain, {.base = "d", .tip = "a"}),
-                   "; --base b or --tip c selects a chain without it");
+                   "; base=\"b\" (--base b) or tip=\"c\" (--tip c) selects a chain without it");
     EXPECT_EQ(parse_urdf(chain, {.base = "c"}).dof(), 1);
     EXPECT_REFUSED(parse_urdf(text, {.base = "", .tip = "c"}),
                    "a.urdf:6: joint loose is \"" + type +
@@ -332,6 +333,11 @@ TEST(Urdf, OtherTextIsRefused) {
   EXPECT_REFUSED(
       parse_urdf("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
       "a.urdf:2: is not well-formed XML: an attribute is not name=\"value\", or is given twice");
+  const std::string declared = "<?xml version=\"1.0\"?>\n<robot name=\"r\"/>\n";
+  for (const std::string& front : {std::string("[INFO] done\n"), declared}) {
+    EXPECT_REFUSED(parse_urdf(front + declared), "a declaration <?...?> stands below other text");
+  }
+  EXPECT_REFUSED(parse_urdf("<?xml version=\"1.0\""), "a comment or a declaration has no end");
   // The comments that xacro writes into its output are not xacro.
   EXPECT_NO_THROW(parse_urdf("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
                              link("a") + link("b") + joint("j", "revolute", "a", "b") +

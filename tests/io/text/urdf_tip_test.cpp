@@ -34,7 +34,7 @@ TEST(UrdfBase, LiesBelowAFloatingOrPlanarJoint) {
       EXPECT_REFUSED(read(above + arm, {.base = "world"}),
                      "joint free is \"" + type + "\"; a chain has revolute");
       EXPECT_REFUSED(read(above + arm, {.base = "world"}),
-                     "; --base " + result.warnings.front().link + " selects a chain without it");
+                     "(--base " + result.warnings.front().link + ") selects a chain without it");
     }
   }
 }
@@ -91,20 +91,21 @@ TEST(UrdfTip, BeforeAGripperIsNamedAmongItsFingers) {
   const std::string right = link("right") + joint("finger_2", "prismatic", "hand", "right");
   EXPECT_REFUSED(
       read(arm + hand + right),
-      "has 2 tips below a; choose one as the tip: left, right; --tip hand ends before the "
-      "gripper");
+      "has 2 tips below a; choose one as the tip: left, right; tip=\"hand\" (--tip hand) ends "
+      "before the gripper");
   EXPECT_EQ(read(arm + hand + right, {.tip = "hand"}).dof, 2);
 
   const std::string camera = link("camera") + joint("tilt", "revolute", "b", "camera");
   const std::string refused = testing::refusal([&] { read(arm + hand + camera); });
-  EXPECT_TRUE(refused.ends_with("left, camera; --tip hand ends before the gripper")) << refused;
+  EXPECT_TRUE(refused.ends_with("left, camera; tip=\"hand\" (--tip hand) ends before the gripper"))
+      << refused;
   const std::string alone = testing::refusal([&] { read(arm + hand + right, {.base = "hand"}); });
   EXPECT_TRUE(alone.ends_with("choose one as the tip: left, right")) << alone;
 }
 
 /// The text in front of ` ends before the gripper`, as a shell reads it.
 std::string named_tip(const std::string& message) {
-  const std::string front = "; --tip ", back = " ends before the gripper";
+  const std::string front = " (--tip ", back = ") ends before the gripper";
   const std::size_t begin = message.find(front), end = message.find(back);
   if (begin == std::string::npos || end == std::string::npos) return "";
   const std::string word = message.substr(begin + front.size(), end - begin - front.size());

@@ -33,7 +33,7 @@ void for_random_plans(int count, const RetimeOptions& options, const Check& chec
                                 made->route, {.task = made->task},
                                 options,     {.tolerance = 1e-3, .orientation_tolerance = 1e-3}};
     BranchTiming timing(request, made->branch, 16, meter);
-    if (timing.status != MotionStatus::reached) continue;
+    if (timing.sample(options.rate).status != MotionStatus::reached) continue;
     ++found;
     check(*made, timing, random);
     if (::testing::Test::HasFatalFailure()) return;
@@ -64,6 +64,23 @@ TEST(BranchTiming, PathParametersNeverDecreaseAndAreThoseOfTheSamples) {
                        expect_parameters(made, timing.sample(rate));
                      });
   }
+}
+
+// A rate with too many samples is no reason against another rate.
+TEST(BranchTiming, EachRateHasAStatusOfItsOwn) {
+  const RetimeOptions few{.max_samples = 100};
+  for_random_plans(testing::cases(10), few,
+                   [](const RandomBranch& made, BranchTiming& timing, Random&) {
+                     const double duration = timing.sample(0).trajectory.times.back();
+                     const TimedBranch dense = timing.sample(1000 / duration);
+                     EXPECT_EQ(dense.status, MotionStatus::too_many_samples);
+                     EXPECT_TRUE(dense.reason);
+                     EXPECT_EQ(dense.trajectory.size(), 0);
+                     const TimedBranch sparse = timing.sample(20 / duration);
+                     EXPECT_EQ(sparse.status, MotionStatus::reached) << sparse.reason;
+                     EXPECT_FALSE(sparse.reason);
+                     expect_parameters(made, sparse);
+                   });
 }
 
 TEST(BranchTiming, DivideAddsTheSamplesAskedForAndKeepsTheEndsOfSegments) {

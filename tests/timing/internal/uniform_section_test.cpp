@@ -83,18 +83,23 @@ TEST(UniformSection, LengthensASectionShorterThanAPeriod) {
   EXPECT_NEAR(motion.times[1] * made.options.timing.rate, 1, 1e-6);
 }
 
-TEST(UniformSection, ReportsARateThatMakesFewEnoughSamples) {
+TEST(UniformSection, ReportsTheMotionsSamplesAndDurationUpToHere) {
   Random random;
-  RandomSection made =
-      testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
-  made.options.samples_left = 50;
-  made.options.timing.rate = 200 / made.timed.scaling.duration();
-  const SampledSection none = uniform_section(made.arm, made.timed, made.options);
-  EXPECT_TRUE(none.too_many());
-  const auto possible = testing::field<double>(none.reason, ReasonField::possible_rate);
-  ASSERT_TRUE(possible) << none.reason;
-  made.options.timing.rate = *possible;
-  EXPECT_TRUE(uniform_section(made.arm, made.timed, made.options)) << none.reason;
+  for (int i = 0; i < testing::cases(30); ++i) {
+    RandomSection made =
+        testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
+    SectionOptions& options = made.options;
+    const double shortest = made.timed.scaling.duration();
+    options.timing.rate = 100 / shortest;
+    options.timing.max_samples = random.integer(2, 100);
+    options.samples_before = static_cast<std::size_t>(random.integer(1, 500));
+    options.begin = random.uniform(0, 100);
+    const Reason reason = uniform_section(made.arm, made.timed, options).reason;
+    EXPECT_EQ(testing::field<std::size_t>(reason, ReasonField::max_samples),
+              static_cast<std::size_t>(options.timing.max_samples));
+    EXPECT_GE(testing::field<double>(reason, ReasonField::duration).value_or(0),
+              options.begin + shortest);
+  }
 }
 
 }  // namespace

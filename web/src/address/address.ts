@@ -1,4 +1,11 @@
-import { initialState, sections, type ArmSource, type PageState, type Section } from "../state/page_state.js";
+import {
+  formerSections,
+  initialState,
+  sections,
+  type ArmSource,
+  type PageState,
+  type Section,
+} from "../state/page_state.js";
 import { compressed, decompressed } from "./compression.js";
 import { reachOf, reachWords, writeReach } from "./reach_address.js";
 
@@ -41,7 +48,9 @@ export async function addressOf(state: PageState): Promise<string> {
   if (!state.degrees) words.set("unit", "rad");
   if (state.frame !== initialState.frame) words.set("frame", state.frame);
   if (state.showFrames) words.set("frames", "1");
+  if (!state.showAngles) words.set("angles", "0");
   if (state.showSolutions) words.set("solutions", "1");
+  if (state.showColumns) words.set("columns", "1");
   if (state.showEllipsoid) words.set("ellipsoid", "1");
   if (state.goal) words.set("goal", list(state.goal));
   for (const gain of gains) if (state[gain] !== initialState[gain]) words.set(gain, String(state[gain]));
@@ -54,7 +63,8 @@ export async function addressOf(state: PageState): Promise<string> {
 /** The state of an address. What cannot be read has its initial value. */
 export async function stateOf(hash: string): Promise<PageState> {
   const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longestAddress));
-  const section = words.get("section") as Section;
+  const given = words.get("section") ?? "";
+  const section = (Object.hasOwn(formerSections, given) ? formerSections[given] : given) as Section;
   const frame = words.get("frame") as (typeof frames)[number];
   const gainOf = (name: (typeof gains)[number]): number => {
     const value = Number(words.get(name) || NaN);
@@ -67,7 +77,9 @@ export async function stateOf(hash: string): Promise<PageState> {
     section: sections.includes(section) ? section : initialState.section,
     frame: frames.includes(frame) ? frame : initialState.frame,
     showFrames: words.get("frames") === "1",
+    showAngles: words.get("angles") !== "0",
     showSolutions: words.get("solutions") === "1",
+    showColumns: words.get("columns") === "1",
     showEllipsoid: words.get("ellipsoid") === "1",
     goal: numbers(words.get("goal")),
     gain: gainOf("gain"),
@@ -88,6 +100,8 @@ const named: [string, keyof PageState][] = [
   ["unit", "degrees"],
   ["frame", "frame"],
   ["frames", "showFrames"],
+  ["angles", "showAngles"],
+  ["columns", "showColumns"],
   ["solutions", "showSolutions"],
   ["ellipsoid", "showEllipsoid"],
   ["goal", "goal"],

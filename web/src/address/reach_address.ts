@@ -1,7 +1,7 @@
 import { measures, type Measure } from "../core/reach.js";
 import { cellChoices, directionChoices, initialState, type PageState } from "../state/page_state.js";
 
-/** The part of the state that the section Reach owns. */
+/** The part of the state that the section Workspace owns. */
 type ReachState = Pick<
   PageState,
   "reachCells" | "reachDirections" | "measure" | "level" | "sliceNormal" | "sliceAt" | "showSurface" | "showSlice"

@@ -1,6 +1,6 @@
 import type { Request, WorkerReply, WorkerStart } from "./protocol.js";
 import type { ReachAnswers, ReachTask } from "./reach.js";
-import { CoreError, type CommandResult, type Files } from "./types.js";
+import { Cancelled, CoreError, type CommandResult, type Files } from "./types.js";
 
 type Progress = (fraction: number) => void;
 
@@ -27,20 +27,26 @@ export class CoreWorker {
     return this.ask({ id: this.next++, args, files }, progress);
   }
 
+  /** Starts the worker, so that the first command does not wait for it. */
+  prepare(): void {
+    this.worker ??= this.started();
+    this.worker.catch(() => undefined); // the first command says why
+  }
+
   /** Answers a question about a map of what an arm can do. */
   reach<T extends ReachTask>(task: T, progress?: Progress): Promise<ReachAnswers[T["ask"]]> {
     return this.ask({ id: this.next++, reach: task }, progress);
   }
 
   /** Without a command under way the worker lives on. */
-  cancel(message = "cancelled"): void {
+  cancel(reason: CoreError = new Cancelled("cancelled")): void {
     if (this.waiting.size === 0) return;
     void this.worker?.then(
       (worker) => worker.terminate(),
       () => undefined,
     );
     this.worker = null;
-    for (const { reject } of this.waiting.values()) reject(new CoreError(message));
+    for (const { reject } of this.waiting.values()) reject(reason);
     this.waiting.clear();
   }
 
@@ -50,7 +56,7 @@ export class CoreWorker {
       this.waiting.set(request.id, { resolve: resolve as (result: unknown) => void, reject, progress });
       this.worker?.then(
         (worker) => worker.postMessage(request),
-        (error: Error) => this.cancel(error.message),
+        (error: Error) => this.cancel(new CoreError(error.message)),
       );
     });
   }
@@ -65,7 +71,8 @@ export class CoreWorker {
     const begin: WorkerStart = { module };
     worker.postMessage(begin);
     worker.onmessage = (event: MessageEvent<WorkerReply>) => this.receive(event.data);
-    worker.onerror = (event) => this.cancel(`the core ended: ${event.message || "its worker cannot be loaded"}`);
+    worker.onerror = (event) =>
+      this.cancel(new CoreError(`the core ended: ${event.message || "its worker cannot be loaded"}`));
     return worker;
   }
 

@@ -1,5 +1,5 @@
 import { instantiateCommand, type Factory } from "./load.js";
-import { writeText, type CommandModule } from "./module.js";
+import { readText, writeText, type CommandModule } from "./module.js";
 import { CoreError, type CommandResult, type Files } from "./types.js";
 
 /** Collects a stream's bytes. */
@@ -58,11 +58,12 @@ export async function command(
   module.progress = progress;
   prepare(module, files);
   const code = call(module, args);
-  return { code, stdout: stdout.text(), stderr: stderr.text(), files: written(module, files) };
+  const refusal = readText(module, module._beeline_error());
+  return { code, stdout: stdout.text(), stderr: stderr.text(), refusal, files: written(module, files) };
 }
 
 /** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused. */
 export function answer<T = unknown>(result: CommandResult): T {
-  if (result.code > 1) throw new CoreError(result.stderr.replace(/^beeline: /, "").trim());
+  if (result.code > 1) throw new CoreError(result.refusal);
   return JSON.parse(result.stdout) as T;
 }

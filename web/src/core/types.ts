@@ -40,6 +40,8 @@ export interface CommandResult {
   stdout: string;
   /** Reasons and warnings, without the progress. */
   stderr: string;
+  /** The message of bad usage or a bad input file; otherwise empty. */
+  refusal: string;
   /** The files that the command wrote. */
   files: Files;
 }
@@ -47,4 +49,9 @@ export interface CommandResult {
 /** The message of the core, in the words of the command line. */
 export class CoreError extends Error {
   override name = "CoreError";
+}
+
+/** A computation was ended from outside, which needs no words. */
+export class Cancelled extends CoreError {
+  override name = "Cancelled";
 }

@@ -32,6 +32,10 @@ export function checkReach(pose: ArrayLike<number>, goal: { x: number; y: number
 
 /** Whether typed formulas give the pose of a planar arm of one revolute and one prismatic joint, everywhere. */
 export function checkFormulas(texts: { x: string; y: string; angle: string }, arm: Arm, random: () => number): Verdict {
+  const names = { x: "x", y: "y", angle: "θ" };
+  const empty = (["x", "y", "angle"] as const).filter((field) => texts[field].trim() === "");
+  if (empty.length > 0)
+    return { solved: false, says: `Type a formula for ${empty.map((field) => names[field]).join(" and ")} too.` };
   try {
     const [x, y, angle] = [texts.x, texts.y, texts.angle].map((text) => readFormula(text, ["q1", "q2"]));
     for (let trial = 0; trial < trials; ++trial) {
@@ -45,7 +49,8 @@ export function checkFormulas(texts: { x: string; y: string; angle: string }, ar
       if (!(Math.abs(Math.sin(turn / 2)) < close)) wrong.push("the angle");
       if (wrong.length === 0) continue;
       const at = q.map((value) => value.toFixed(2)).join(", ");
-      return { solved: false, says: `Not yet: ${wrong.join(" and ")} differ at q = (${at}).` };
+      const verb = wrong.length === 1 ? "differs" : "differ";
+      return { solved: false, says: `Not yet: ${wrong.join(" and ")} ${verb} at q = (${at}).` };
     }
     return { solved: true, says: `Right: all three agree with the core at ${trials} random configurations.` };
   } catch (error) {

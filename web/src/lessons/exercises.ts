@@ -1,4 +1,5 @@
-import { element } from "../panels/element.js";
+import { poseOfRpy } from "../core/pose.js";
+import { element } from "../elements/element.js";
 import type { Services, Shown } from "../page/section.js";
 import { stepResponse } from "../core/step_response.js";
 import { checkConstantJacobian, checkGain, checkFormulas, checkReach, type Verdict } from "./checks.js";
@@ -9,6 +10,13 @@ export interface ExerciseContext {
   shown: Shown;
   /** The arm of a joint string or a built-in name, to compare with; release it. */
   arm(text: string): Shown["arm"];
+}
+
+/** An exercise in a lesson. */
+export interface Exercise {
+  root: HTMLElement;
+  /** The arm has moved, or the lesson was opened. */
+  update?(): void;
 }
 
 function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
@@ -22,31 +30,50 @@ function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
   };
 }
 
-function exercise(text: string, ...children: HTMLElement[]): HTMLElement {
-  return element(
-    "section",
-    { class: "exercise", "aria-label": "Exercise" },
-    element("h2", {}, "Exercise"),
-    text,
-    ...children,
-  );
+/** A form: Enter checks as the button does. */
+function exercise(text: string, check: () => void, ...children: HTMLElement[]): HTMLElement {
+  const form = element("form", { class: "exercise", "aria-label": "Exercise", novalidate: true });
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    check();
+  });
+  form.append(element("h2", {}, "Exercise"), element("p", {}, text), ...children);
+  return form;
 }
 
-function reach(context: ExerciseContext): HTMLElement {
+function checkButton(): HTMLElement {
+  return element("p", {}, element("button", {}, "Check"));
+}
+
+function reach(context: ExerciseContext): Exercise {
   const goal = { x: 2, y: 6, degrees: 45 };
   const answer = verdict();
-  const check = (): void => {
-    const { shown } = context; // now, not when the lesson was opened
+  let checkedAt: number[] | null = null;
+  const arm = (): Shown["arm"] | null => {
     const { q } = context.services.store.get();
-    const fits = q && shown.arm.planar && q.length === shown.arm.dof;
-    if (!fits) return answer.show({ solved: false, says: "Set the arm rrr first." });
-    answer.show(checkReach(shown.arm.forward(q).at(-1) as Float64Array, goal));
+    return q && context.shown.arm.planar && q.length === context.shown.arm.dof ? context.shown.arm : null;
   };
-  const text = `Bring the tool to x = ${goal.x}, y = ${goal.y}, at ${goal.degrees}°, with the sliders below or by hand.`;
-  return exercise(text, element("p", {}, element("button", { type: "button", onclick: check }, "Check")), answer.root);
+  const check = (): void => {
+    const { q } = context.services.store.get();
+    checkedAt = q;
+    const pose = q && arm()?.forward(q).at(-1);
+    if (!pose) return answer.show({ solved: false, says: "Set the arm rrr first." });
+    answer.show(checkReach(pose, goal));
+  };
+  const target = poseOfRpy([goal.x, goal.y, 0, 0, 0, (goal.degrees * Math.PI) / 180]);
+  const text = `Bring the tool to x = ${goal.x}, y = ${goal.y}, at ${goal.degrees}°: drag it, or use the sliders.`;
+  return {
+    root: exercise(text, check, checkButton(), answer.root),
+    update() {
+      context.services.draw({ waypoints: arm() ? [{ pose: target, label: "target", held: false }] : [] });
+      if (checkedAt === context.services.store.get().q) return;
+      answer.show({ solved: false, says: "" }); // it was for another place of the arm
+      checkedAt = null;
+    },
+  };
 }
 
-function formulas({ arm }: ExerciseContext, text: string): HTMLElement {
+function formulas({ arm }: ExerciseContext, text: string): Exercise {
   const answer = verdict();
   const field = (label: string, id: string): [HTMLElement, HTMLInputElement] => {
     const input = element("input", { id, spellcheck: "false", autocomplete: "off" });
@@ -60,11 +87,10 @@ function formulas({ arm }: ExerciseContext, text: string): HTMLElement {
     answer.show(checkFormulas({ x: x.value, y: y.value, angle: angle.value }, rp, Math.random));
     rp.release();
   };
-  const button = element("button", { type: "button", onclick: check }, "Check");
-  return exercise(text, rowX, rowY, rowAngle, element("p", {}, button), answer.root);
+  return { root: exercise(text, check, rowX, rowY, rowAngle, checkButton(), answer.root) };
 }
 
-function constantJacobian({ arm }: ExerciseContext): HTMLElement {
+function constantJacobian({ arm }: ExerciseContext): Exercise {
   const answer = verdict();
   const input = element("input", {
     id: "constant-arm",
@@ -81,15 +107,13 @@ function constantJacobian({ arm }: ExerciseContext): HTMLElement {
       answer.show({ solved: false, says: (error as Error).message });
     }
   };
-  return exercise(
-    "The Jacobian of this arm changes as the arm moves. Is that so for every arm? Name one whose Jacobian is constant.",
-    element("p", { class: "formula" }, element("label", { for: "constant-arm" }, "Arm"), input),
-    element("p", {}, element("button", { type: "button", onclick: check }, "Check")),
-    answer.root,
-  );
+  const row = element("p", { class: "formula" }, element("label", { for: "constant-arm" }, "Arm"), input);
+  const text =
+    "The Jacobian of this arm changes as the arm moves. Is that so for every arm? Name one whose Jacobian is constant.";
+  return { root: exercise(text, check, row, checkButton(), answer.root) };
 }
 
-function gain(context: ExerciseContext): HTMLElement {
+function gain(context: ExerciseContext): Exercise {
   const most = 10;
   const answer = verdict();
   const check = (): void => {
@@ -114,22 +138,18 @@ function gain(context: ExerciseContext): HTMLElement {
     }
   };
   const wanted = `Find a gain with which less than 2 % of the way is left after ${most} steps, and no joint overshoots.`;
-  return exercise(
-    wanted,
-    element("p", {}, element("button", { type: "button", onclick: check }, "Check")),
-    answer.root,
-  );
+  return { root: exercise(wanted, check, checkButton(), answer.root) };
 }
 
 /** The exercises by the names that the lessons use. */
-export const exercises: Record<string, (context: ExerciseContext) => HTMLElement> = {
+export const exercises: Record<string, (context: ExerciseContext) => Exercise> = {
   reach,
   gain,
   rp: (context) =>
     formulas(
       context,
       "Sketch an arm RP in the plane: a revolute joint, a link of length 1, then a prismatic joint along the link. Where " +
-        "is its tool? Type x, y and the angle as formulas in q1 and q2: with sin, cos, + − * / ^ and brackets.",
+        "is its tool? Type x, y and the angle as formulas in q1 and q2, or θ1 and d2, as you would write them.",
     ),
   "formula-rp": (context) =>
     formulas(

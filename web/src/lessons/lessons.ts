@@ -43,7 +43,7 @@ export const lessons: Lesson[] = [
   {
     id: "jacobian",
     title: "7 The Jacobian",
-    scene: "#arm=rrr&q=0,1.5707963267948966,0",
+    scene: "#arm=rrr&q=0,1.5707963267948966,0&columns=1",
     load: () => import("./text/7_jacobian.md"),
   },
   {

@@ -4,6 +4,8 @@ export interface Session {
   arm: string;
   /** A trajectory as CSV. */
   trajectory: string | null;
+  /** The section that the page begins with. */
+  section?: string | null;
 }
 
 /** The session of the server that the page comes from; null where that is no `beeline view`, which marks the page. */
@@ -31,7 +33,10 @@ async function refusal(): Promise<string> {
   }
 }
 
-/** Calls `moved` with the joint values that a program posts, and `says` with the state of the connection. After a lost
+const silence = 3000; // milliseconds without joint values: the program has stopped
+
+/** Calls `moved` with the joint values that a program posts, and `says` with "live" while it posts them, with what is
+ * wrong with the connection, or with nothing. After a lost
  * connection the browser connects again by itself; after an answer other than 200, such as a proxy gives during a
  * restart, it gives up for ever, and this tries again after a delay. */
 export function follow(moved: (q: number[]) => void, says: (text: string) => void): () => void {
@@ -39,6 +44,7 @@ export function follow(moved: (q: number[]) => void, says: (text: string) => voi
   let timer = 0;
   let delay = shortestDelay;
   let ended = false;
+  let quiet = 0;
   const retry = async (): Promise<void> => {
     const seconds = delay;
     delay = Math.min(2 * delay, longestDelay);
@@ -51,12 +57,16 @@ export function follow(moved: (q: number[]) => void, says: (text: string) => voi
     events.addEventListener("joints", (event: MessageEvent<string>) => {
       const { q } = JSON.parse(event.data) as { q: number[] };
       moved(q);
+      says("live");
+      clearTimeout(quiet);
+      quiet = window.setTimeout(() => says(""), silence);
     });
     events.addEventListener("open", () => {
       delay = shortestDelay;
-      says("live");
+      says("");
     });
     events.addEventListener("error", () => {
+      clearTimeout(quiet);
       if (events.readyState === EventSource.CLOSED) void retry();
       else says("connecting again");
     });
@@ -65,6 +75,7 @@ export function follow(moved: (q: number[]) => void, says: (text: string) => voi
   return () => {
     ended = true;
     clearTimeout(timer);
+    clearTimeout(quiet);
     events.close();
   };
 }

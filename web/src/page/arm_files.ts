@@ -1,8 +1,8 @@
 import type { Core } from "../core/core.js";
 import type { ArmChooser } from "../panels/arm_chooser.js";
-import { tooLarge } from "../panels/arm_chooser.js";
+import { tooLarge } from "../core/limits.js";
 import type { MeshList } from "../panels/mesh_list.js";
-import { TipChooser, tipsOf } from "../panels/tip_chooser.js";
+import { endsOf, TipChooser, type ChainEnd } from "../panels/tip_chooser.js";
 import { baseName, isMeshFile, visualMeshes, type PathFile } from "../scene/mesh_files.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
@@ -15,6 +15,8 @@ interface OpenedUrdf {
   files: PathFile[];
 }
 
+const mostEnds = 50; // links that are tried as the end of a chain
+
 /** Arms from files that were dropped or chosen, and the meshes of a URDF. */
 export class ArmFiles {
   private urdf: OpenedUrdf | null = null;
@@ -22,15 +24,15 @@ export class ArmFiles {
   private reading = 0;
   private readonly tips = new TipChooser((tip) => this.again(tip));
   private again: (tip: string) => void = () => undefined;
+  /** What is to be said of an arm once it is shown. */
+  private remark = { json: "", text: "" };
 
   constructor(
     private readonly core: Core,
     private readonly store: Store<PageState>,
     private readonly chooser: ArmChooser,
     private readonly list: MeshList,
-  ) {
-    chooser.root.append(this.tips.root);
-  }
+  ) {}
 
   /** Takes an arm's file, with the meshes of a URDF; or more meshes of the URDF that is shown. Says why a file cannot be
    * read. */
@@ -45,12 +47,15 @@ export class ArmFiles {
     const usable = meshes.filter(({ file }) => tooLarge(file) === null);
     const arms = armFiles(files, meshes.length > 0);
     const [arm, ...others] = arms;
-    if (arm) await this.openArm(arm, usable);
-    else await this.addMeshes(usable);
     const large = meshes.find(({ file }) => tooLarge(file) !== null);
-    if (arm && others.length > 0)
-      this.chooser.refuse(`${baseName(arm.path)} is shown, of several: ${names(others)} too`);
-    else if (large) this.chooser.refuse(tooLarge(large.file) ?? "");
+    if (!arm) {
+      await this.addMeshes(usable);
+      if (large) this.chooser.refuse(tooLarge(large.file) ?? "");
+      return;
+    }
+    const several = others.length > 0 ? `${baseName(arm.path)} is shown; not shown: ${names(others)}.` : "";
+    const parts = [several, large ? (tooLarge(large.file) ?? "") : ""];
+    await this.openArm(arm, usable, parts.filter((part) => part !== "").join(" "));
   }
 
   /** The page shows another arm: with its meshes, if it is the arm of the URDF. */
@@ -60,33 +65,57 @@ export class ArmFiles {
     this.list.clear();
     if (this.urdf?.json === shown.arm.json) void this.showMeshes();
     else this.tips.ask([]);
+    if (this.remark.text !== "" && this.remark.json === shown.arm.json) this.chooser.say(this.remark.text);
+    this.remark.text = "";
   }
 
   /** Shows the arm of a text: JSON, or a URDF with its meshes whose chain ends at `tip`. Where the chain cannot end
-   * without a choice, it is asked for. */
-  openText(name: string, text: string, meshes: PathFile[] = [], tip = ""): void {
+   * without a choice, it is asked for. `remark` is said of the arm once it is shown. */
+  openText(name: string, text: string, meshes: PathFile[] = [], remark = "", tip = ""): void {
     const isUrdf = /\.urdf$/i.test(name);
     if (tip === "") this.tips.ask([]);
     try {
-      const arm = this.core.arm(name, { [name]: text }, { tip });
-      const { json } = arm;
-      arm.release();
+      const json = this.jsonOf(name, text, tip);
       this.urdf = isUrdf ? { json, text, files: meshes } : null;
-      this.store.set({ arm: { json }, q: null, goal: null });
+      this.remark = { json, text: remark };
+      this.store.set({ arm: { json }, q: null, goal: null, waypoints: [] });
     } catch (error) {
-      this.chooser.refuse((error as Error).message);
-      if (!isUrdf || tip !== "") return;
-      this.tips.ask(tipsOf(text));
-      this.again = (chosen) => this.openText(name, text, meshes, chosen);
+      const ends = isUrdf && tip === "" ? this.endsThatDo(name, text) : [];
+      if (ends.length === 0) return this.chooser.refuse((error as Error).message);
+      this.tips.ask(ends);
+      this.chooser.ask(this.tips.root);
+      this.tips.focus();
+      this.again = (chosen) => this.openText(name, text, meshes, remark, chosen);
     }
   }
 
-  private async openArm({ path, file }: PathFile, meshes: PathFile[]): Promise<void> {
+  /** The JSON of the arm of a text. Throws where the core refuses it. */
+  private jsonOf(name: string, text: string, tip: string): string {
+    const arm = this.core.arm(name, { [name]: text }, { tip });
+    const { json } = arm;
+    arm.release();
+    return json;
+  }
+
+  /** The links of a URDF at which the core can end the chain: none where another tip does not mend the file. */
+  private endsThatDo(name: string, text: string): ChainEnd[] {
+    return endsOf(text)
+      .slice(0, mostEnds)
+      .filter(({ link }) => {
+        try {
+          return this.jsonOf(name, text, link) !== "";
+        } catch {
+          return false;
+        }
+      });
+  }
+
+  private async openArm({ path, file }: PathFile, meshes: PathFile[], remark: string): Promise<void> {
     const refusal = tooLarge(file);
     if (refusal !== null) return this.chooser.refuse(refusal);
     const reading = ++this.reading; // of two files the later is shown
     const text = await file.text();
-    if (reading === this.reading) this.openText(baseName(path), text, meshes);
+    if (reading === this.reading) this.openText(baseName(path), text, meshes, remark);
   }
 
   private async addMeshes(meshes: PathFile[]): Promise<void> {
@@ -107,16 +136,16 @@ export class ArmFiles {
         `Drawn without meshes. ${missing(wanted.map(baseName))} Drop them too, all at once or a folder.`,
       );
     try {
-      const { RobotMeshes } = await import("../scene/robot_meshes.js");
       const { joints } = JSON.parse(shown.arm.json) as { joints: { link?: string }[] };
-      const meshes = await RobotMeshes.read(urdf.text, ["", ...joints.map(({ link = "" }) => link)], urdf.files);
-      if (reading !== this.reading) return void meshes.dispose();
-      shown.view.showMeshes(meshes, () => this.list.moved());
-      const count = meshes.meshes.length;
+      const links = ["", ...joints.map(({ link = "" }) => link)];
+      const report = await shown.picture.showMeshes(urdf.text, links, urdf.files, () => this.list.moved());
+      if (reading !== this.reading) return;
+      if (!report) return this.list.say("Drawn without meshes: this arm moves in a plane.");
+      const count = report.meshes.length;
       this.list.say(
-        [`${count} ${count === 1 ? "mesh" : "meshes"}.`, missing(meshes.missing), ...meshes.faults].join(" ").trim(),
+        [`${count} ${count === 1 ? "mesh" : "meshes"}.`, missing(report.missing), ...report.faults].join(" ").trim(),
       );
-      this.list.show(meshes.meshes);
+      this.list.show(report.meshes);
     } catch (error) {
       if (reading === this.reading) this.list.say(`The meshes cannot be shown: ${(error as Error).message}`);
     }

@@ -1,229 +1,206 @@
-import { Matrix4, Vector3, type Group } from "three";
-import type { Arm } from "../core/arm.js";
-import { answer } from "../core/command.js";
-import type { Files } from "../core/types.js";
-import { stepResponse } from "../core/step_response.js";
-import { element, shown } from "../panels/element.js";
-import { GainsPanel } from "../panels/gains.js";
-import { poseNumbers } from "../panels/pose.js";
-import { StepChart } from "../panels/step_chart.js";
-import { blue, trail } from "../scene/marks.js";
 import { middle, type ArmDescription } from "../core/description.js";
+import { toolPose } from "../core/pose.js";
+import { iconButton } from "../elements/button.js";
+import { element } from "../elements/element.js";
+import { GainsPanel } from "../panels/gains.js";
+import { StepChart } from "../panels/step_chart.js";
+import type { Ghost } from "../scene/picture.js";
+import type { PageState } from "../state/page_state.js";
+import { ControlRuns, type ControlKind, type ControlTask } from "./control_runs.js";
+import { reducedMotion } from "./rest.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 
-/** What `beeline move` and `beeline line --method inverse-jacobian` print. */
-interface Outcome {
-  status: string;
-  steps?: number;
-  samples: number;
-  overshoot?: number;
-  reason: string;
-}
+const duration = 2000; // milliseconds of a run, at most
+const glide = 500; // milliseconds from where the arm is to where it starts
+const frame = 30; // milliseconds of a step, at least
 
-interface Run {
-  title: string;
-  colour: number;
-  args: string[];
-  files: Files;
-}
-
-const steps = 2000; // of a controller that crawls
-const responseSteps = 400;
-const amber = 0xd95f02;
-
-/** Joint-space and Cartesian control side by side, to the same goal: Figures 1.7 and 1.9 of the chapter. */
+/** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
+ * gains while they move. */
 export class Control implements SectionPanel {
   readonly root = element("div", { class: "panel" });
-  private readonly gains = new GainsPanel((key, value) =>
-    this.services.store.set({ [key === "kp" ? "gain" : key]: value }),
-  );
+  private readonly gains = new GainsPanel((key, value) => {
+    this.interrupt();
+    this.services.store.set({ [key === "kp" ? "gain" : key]: value });
+  });
   private readonly chart = new StepChart();
-  private readonly results = element("div", { role: "status" });
-  private readonly go = element("button", { type: "button", onclick: () => void this.run() }, "Go to the goal");
-  private trails: Group[] = [];
-  private open = false;
+  private readonly runs: ControlRuns;
+  private readonly back: HTMLButtonElement;
   private shown: Shown | null = null;
+  /** Where the arm has started; null: it starts where it is. */
+  private start: number[] | null = null;
+  private computed = "";
   private playing = 0;
-  private turn = 0;
+  private moving = false;
 
   constructor(private readonly services: Services) {
     const { store } = services;
+    this.runs = new ControlRuns(services, ["joint", "cartesian"]);
     const goal = element("button", { type: "button" }, "Make this the goal");
-    goal.addEventListener("click", () => store.set({ goal: store.get().q }));
+    goal.addEventListener("click", () => {
+      this.start = null;
+      store.set({ goal: store.get().q });
+    });
+    this.back = element("button", { type: "button", onclick: () => this.goBack() }, "Back to the start");
+    const go = (kind: ControlKind, word: string): HTMLElement =>
+      iconButton("play", word, "The arm moves step by step", () => void this.play(kind));
     this.root.append(
-      element("h2", {}, "Joint space beside Cartesian space"),
+      element("h2", {}, "Control"),
       element(
         "p",
         {},
-        "Both controllers go to the goal by steps in proportion to the error. One measures it in the joints, so " +
-          "the tool's path is curved. The other measures it at the tool, through the inverse Jacobian, so the path is a " +
-          "straight line. Each dot is a step: the dots lie close together where the arm is slow.",
+        "Two controllers go to the goal, each step in proportion to the error. One measures it in the joints, and the " +
+          "tool's path is curved; the other measures it at the tool, and the path is straight. A dot is a step.",
       ),
-      element("p", { class: "quiet" }, "Move the arm to a pose and make it the goal; then move it elsewhere and go."),
-      element("p", { class: "pair" }, goal, this.go),
-      this.results,
+      element("p", { class: "pair" }, go("joint", "Go in joint space"), go("cartesian", "Go in Cartesian space")),
+      this.runs.root,
+      element("p", { class: "pair" }, goal, this.back),
       this.gains.root,
-      element(
-        "p",
-        { class: "quiet" },
-        "Both controllers use Kp. Ki and Kd act in joint space: a sum of the errors, and their change.",
-      ),
       this.chart.root,
     );
   }
 
   take(shown: Shown): void {
     this.shown = shown;
-    ++this.playing;
-    ++this.turn;
-    this.trails = [];
-    this.results.replaceChildren();
+    this.start = null;
+    this.forget();
   }
 
-  update(q: number[]): void {
-    const { goal, showFrames } = this.services.store.get();
+  update(q: number[], changed: ReadonlySet<keyof PageState>): void {
     if (!this.shown) return;
-    const { arm, view } = this.shown;
-    if (!this.open) for (const group of this.trails) view.stage.scene.add(group);
-    this.open = true;
-    view.show(q, arm.forward(q), showFrames);
-    view.showGhosts(this.withGoal(goal));
-    this.showResponse(q);
+    if (changed.size === 1 && changed.has("q") && !this.moving) {
+      this.interrupt();
+      this.start = null; // a hand has moved the arm: it starts from here
+    }
+    const { gain, ki, kd, degrees } = this.services.store.get();
+    this.gains.show({ kp: gain, ki, kd });
+    const task = this.task(q);
+    this.back.disabled = this.start === null;
+    const key = JSON.stringify([task, degrees]);
+    if (key === this.computed) return;
+    this.computed = key;
+    this.compute(task);
   }
 
   leave(): void {
-    this.open = false;
-    ++this.playing;
-    for (const group of this.trails) group.removeFromParent();
-    this.shown?.view.showGhosts([]);
+    this.forget();
   }
 
-  private showResponse(q: number[]): void {
-    const { goal, gain, ki, kd, degrees } = this.services.store.get();
-    this.gains.show({ kp: gain, ki, kd });
+  interrupt(): void {
+    ++this.playing;
+    this.services.draw({ moving: false });
+  }
+
+  /** The goal was dragged to a pose. */
+  waypoint(_: number, pose: number[]): void {
+    if (!this.shown) return;
+    const { goal } = this.task(this.services.store.get().q ?? []);
+    const [found] = this.shown.arm.inverse(pose, goal);
+    if (found) this.services.store.set({ goal: Array.from(found) });
+  }
+
+  private forget(): void {
+    ++this.playing;
+    this.computed = "";
+    this.runs.stop();
+  }
+
+  private task(q: number[]): ControlTask {
+    const { goal, gain, ki, kd } = this.services.store.get();
+    const from = this.start ?? q;
+    const fits = goal !== null && goal.length === this.shown?.arm.dof;
+    return { from, goal: fits ? goal : aside(from, this.shown?.description), gains: { kp: gain, ki, kd } };
+  }
+
+  private compute(task: ControlTask): void {
     if (!this.shown) return;
     const { arm, description } = this.shown;
-    const to = this.fits(goal) ? goal : this.aside(q, description);
-    if (to.every((value, k) => value === q[k])) return this.chart.refuse("The arm is at the goal: hold it elsewhere.");
+    const start: Ghost[] = this.start ? [{ q: task.from, tone: "start" }] : [];
+    const ghosts: Ghost[] = [...start, { q: task.goal, tone: "goal" }];
+    const waypoints = [{ pose: Array.from(toolPose(arm, task.goal)), label: "goal", held: true }];
+    if (task.goal.every((value, k) => value === task.from[k])) {
+      this.runs.stop();
+      this.services.draw({ trails: [], ghosts: [], waypoints });
+      return this.chart.refuse("The arm is at the goal: move it elsewhere.");
+    }
     try {
-      const response = stepResponse(arm, { kp: gain, ki, kd }, q, to, responseSteps);
-      this.chart.show(response, description.joints, degrees);
+      this.services.draw({ trails: this.runs.update(this.shown, task), ghosts, waypoints });
+      if (this.runs.response)
+        this.chart.show(this.runs.response, task.gains, description.joints, this.services.store.get().degrees);
     } catch (error) {
+      this.services.draw({ trails: [], ghosts, waypoints });
       this.chart.refuse((error as Error).message);
     }
   }
 
-  /** A list whose second configuration, the first ghost, is the goal. */
-  private withGoal(goal: number[] | null): number[][] {
-    return this.fits(goal) ? [goal, goal] : [];
-  }
-
-  private fits(q: number[] | null): q is number[] {
-    return q !== null && q.length === this.shown?.arm.dof;
-  }
-
-  private clear(): void {
-    ++this.playing;
-    ++this.turn;
-    for (const group of this.trails) group.removeFromParent();
-    this.trails = [];
-  }
-
-  private async run(): Promise<void> {
-    const { q, goal, gain, ki, kd } = this.services.store.get();
-    if (!this.shown || !this.fits(q)) return;
-    const { arm, view, description } = this.shown;
-    this.clear();
-    const to = this.fits(goal) ? goal : this.aside(q, description);
-    this.services.store.set({ goal: to });
-    const pose = poseNumbers(arm.forward(to).at(-1) as Float64Array);
-    const common = [`--gain=${gain}`, `--max-steps=${steps}`, "--out=run.csv", "--json"];
-    const from = `--from=${q.join(",")}`;
-    const poses = `x,y,z,qw,qx,qy,qz\n${[...pose.position, ...pose.quaternion].join(",")}\n`;
-    const runs: Run[] = [
-      {
-        title: "Joint space",
-        colour: amber,
-        args: ["move", "arm.json", from, `--to=${to.join(",")}`, `--ki=${ki}`, `--kd=${kd}`, ...common],
-        files: {},
-      },
-      {
-        title: "Cartesian space",
-        colour: blue,
-        args: ["line", "arm.json", from, "--through=goal.csv", "--method=inverse-jacobian", ...common],
-        files: { "goal.csv": poses },
-      },
-    ];
-    this.results.replaceChildren();
-    const { turn } = this;
-    for (const run of runs) {
-      if (turn === this.turn) await this.one(run, arm, view);
-    }
-  }
-
-  private async one(run: Run, arm: Arm, view: Shown["view"]): Promise<void> {
-    const { turn } = this;
-    const line = element("p", {}, `${run.title}: …`);
-    this.results.append(line);
-    try {
-      const result = await this.services.command(run.args, run.files);
-      if (turn !== this.turn) return;
-      const outcome = answer<Outcome>(result);
-      const written = result.files["run.csv"];
-      const rows = written === undefined ? [] : rowsOf(arm, written);
-      const points = rows.map((row) => new Vector3().setFromMatrixPosition(this.tool(arm, row)));
-      const count = Math.max(0, points.length - 1);
-      const over = outcome.overshoot ? `, overshoot ${shown(outcome.overshoot)}` : "";
-      line.textContent = `${run.title}: ${outcome.status}, ${count} steps${over}. ${outcome.reason}`;
-      const group = trail(points, run.colour);
-      this.trails.push(group);
-      if (!this.open) return;
-      view.stage.scene.add(group);
-      await this.play(rows);
-    } catch (error) {
-      line.textContent = `${run.title}: ${(error as Error).message}`;
-    }
-  }
-
-  private tool(arm: Arm, q: number[]): Matrix4 {
-    return new Matrix4().fromArray(Array.from(arm.forward(q).at(-1) as Float64Array));
-  }
-
-  /** Shows the rows in two seconds, then the arm where it began. */
-  private async play(rows: number[][]): Promise<void> {
+  private goBack(): void {
     const turn = ++this.playing;
-    const duration = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 2000;
+    const { start } = this;
+    if (!start) return;
+    void this.glideTo(start, turn).then(() => {
+      if (turn !== this.playing) return;
+      this.start = null;
+      this.computed = ""; // the start has no ghost any more
+      this.update(start, new Set());
+    });
+  }
+
+  /** Moves the arm to joint values on the straight way in joint space. */
+  private async glideTo(to: number[], turn: number): Promise<void> {
+    const from = this.services.store.get().q ?? to;
+    if (from.every((value, k) => value === to[k])) return;
+    await this.animate(glide, turn, (fraction) => {
+      const part = fraction * fraction * (3 - 2 * fraction); // it begins and ends at rest
+      this.move(fraction === 1 ? to : from.map((value, k) => value + part * ((to[k] ?? 0) - value)));
+    });
+  }
+
+  /** Calls `show` with fractions of the time from 0 to 1, until another motion begins. */
+  private async animate(length: number, turn: number, show: (fraction: number) => void): Promise<void> {
     const begin = performance.now();
     while (turn === this.playing) {
-      const share = duration === 0 ? 1 : Math.min(1, (performance.now() - begin) / duration);
-      const row = rows[Math.round(share * (rows.length - 1))];
-      if (row) this.place(row);
-      if (share === 1) break;
+      const fraction = reducedMotion() ? 1 : Math.min(1, (performance.now() - begin) / length);
+      show(fraction);
+      if (fraction === 1) return;
       await new Promise((resolve) => requestAnimationFrame(resolve));
     }
-    const { q } = this.services.store.get();
-    if (q && turn === this.playing) this.place(q);
   }
 
-  private place(q: number[]): void {
-    this.shown?.view.show(q, this.shown.arm.forward(q), this.services.store.get().showFrames);
+  private move(q: number[]): void {
+    this.moving = true;
+    this.services.store.set({ q });
+    this.moving = false;
   }
 
-  /** A goal for those who have not chosen one: each joint a third of the way to the farther limit. */
-  private aside(q: number[], description: ArmDescription): number[] {
-    const centre = middle(description);
-    return q.map((value, k) => {
-      const { lower, upper } = description.joints[k]?.limits ?? { lower: null, upper: null };
-      const far = value > (centre[k] ?? 0) ? (lower ?? value - 1.5) : (upper ?? value + 1.5);
-      return value + Math.sign(far - value) * Math.min(Math.abs(far - value) / 3, 0.7);
+  /** Moves the arm along the steps of a controller, from the start to where they end. */
+  private async play(kind: ControlKind): Promise<void> {
+    const { q, goal } = this.services.store.get();
+    if (!q || !this.shown) return;
+    const turn = ++this.playing;
+    const task = this.task(q);
+    if (goal === null) this.services.store.set({ goal: task.goal });
+    this.start = task.from;
+    this.services.draw({ moving: true });
+    await this.glideTo(task.from, turn);
+    const rows = this.runs.rowsOf(kind);
+    await this.animate(Math.min(duration, frame * rows.length), turn, (fraction) => {
+      const row = rows[Math.round(fraction * (rows.length - 1))];
+      if (row) this.move(row);
     });
+    if (turn === this.playing) this.services.draw({ moving: false });
+    this.computed = ""; // the start has a ghost from now on
+    if (turn === this.playing) this.update(this.services.store.get().q ?? q, new Set());
   }
 }
 
-/** The joint values of a trajectory that the command has written. */
-function rowsOf(arm: Arm, csv: string): number[][] {
-  const motion = arm.trajectory("motion.csv", csv);
-  const rows = motion.rows();
-  motion.release();
-  return rows;
+/** A goal for those who have not chosen one: each joint up to a third of the way to the farther limit, each by another
+ * part of it, so that their curves differ. */
+function aside(q: number[], description: ArmDescription | undefined): number[] {
+  if (!description) return q;
+  const centre = middle(description);
+  return q.map((value, k) => {
+    const { lower, upper } = description.joints[k]?.limits ?? { lower: null, upper: null };
+    const far = value > (centre[k] ?? 0) ? (lower ?? value - 1.5) : (upper ?? value + 1.5);
+    const part = 1 - (0.7 * k) / q.length;
+    return value + part * Math.sign(far - value) * Math.min(Math.abs(far - value) / 3, 0.7);
+  });
 }

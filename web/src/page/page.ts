@@ -1,34 +1,63 @@
 import factory from "beeline-module/core.js";
-import { addressOf, longestAddress, partOf, stateOf } from "../address/address.js";
-import { CoreWorker } from "../core/client.js";
+import listedArms from "virtual:arms";
+import { partOf, stateOf } from "../address/address.js";
 import type { Arm } from "../core/arm.js";
+import { CoreWorker } from "../core/client.js";
 import { Core } from "../core/core.js";
+import { describe, type ArmDescription } from "../core/description.js";
 import { compile, type Factory } from "../core/load.js";
 import type { CoreModule } from "../core/module.js";
-import { ArmChooser } from "../panels/arm_chooser.js";
-import { element } from "../panels/element.js";
-import { MeshList } from "../panels/mesh_list.js";
+import { iconButton } from "../elements/button.js";
+import { element } from "../elements/element.js";
+import { fading } from "../elements/fading.js";
+import { icon } from "../elements/icons.js";
 import { lessons } from "../lessons/lessons.js";
-import { JointsPanel } from "../panels/joints.js";
-import { follow, sessionOf } from "../live/live.js";
-import { initialState, type ArmSource, type PageState, type Section } from "../state/page_state.js";
+import { follow, sessionOf, type Session } from "../live/live.js";
+import { ArmChooser } from "../panels/arm_chooser.js";
+import { MeshList } from "../panels/mesh_list.js";
+import type { Picture, PictureParts } from "../scene/picture.js";
+import { PlanarPicture } from "../scene/planar/planar_picture.js";
 import { bytesOf, startWorker } from "../share/parts.js";
 import { savedAddress, savedTrajectory } from "../share/save_page.js";
+import { History } from "../state/history.js";
+import {
+  initialState,
+  sameArm,
+  sections,
+  work,
+  type ArmSource,
+  type PageState,
+  type Section,
+} from "../state/page_state.js";
 import { Store } from "../state/store.js";
+import { AddressBar } from "./address_bar.js";
 import { ArmFiles } from "./arm_files.js";
-import { ArmView } from "./arm_view.js";
+import { ArmPanel } from "./arm_panel.js";
 import { Control } from "./control.js";
-import { describe, type ArmDescription } from "../core/description.js";
-import { Hold } from "./hold.js";
+import { Holding } from "./holding.js";
 import { LessonsSection } from "./lessons.js";
-import { MotionSection } from "./motion.js";
-import { ReachSection } from "./reach.js";
-import { svgButton } from "./save_svg.js";
+import { LineSection } from "./line.js";
+import { Opening } from "./opening.js";
+import { Overlays } from "./overlays.js";
+import { Rest } from "./rest.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
-import { toolbar } from "./toolbar.js";
+import { helpDialog, settingsDialog } from "./settings.js";
+import { ShareDialog } from "./share_dialog.js";
+import { Toolbar } from "./toolbar.js";
+import { welcome } from "./welcome.js";
+import { Workspace } from "./workspace.js";
 
 /** The arm's file in the folder of a command. */
 const armFile = "arm.json";
+const titles: Record<Section, string> = {
+  pose: "Pose",
+  control: "Control",
+  line: "Line",
+  workspace: "Workspace",
+  lessons: "Lessons",
+};
+const idle = 1000; // milliseconds until the worker is loaded, which plans and proves
+const settled = 400; // milliseconds until a state is one to go back to
 
 /** The state of an address; a lesson begins with its figure where the address has no arm. */
 async function stateAt(hash: string): Promise<PageState> {
@@ -40,109 +69,161 @@ async function stateAt(hash: string): Promise<PageState> {
 
 /** The page: its state, the arm that it shows, and a panel for each section. */
 export class Page {
-  private readonly panels: Map<Section, { title: string; panel: SectionPanel }>;
+  private readonly panels: Map<Section, SectionPanel>;
   private readonly links: Map<Section, HTMLElement>;
   private readonly services: Services;
-  private readonly motion: MotionSection;
+  private readonly overlays = new Overlays();
+  private readonly holding: Holding;
+  private readonly armPanel: ArmPanel;
+  private readonly toolbar: Toolbar;
+  private readonly line: LineSection;
+  private readonly lessons: LessonsSection;
   private readonly files: ArmFiles;
-  private readonly saveSvg: HTMLButtonElement;
+  private readonly chooser: ArmChooser;
+  private readonly address = new AddressBar();
+  private readonly history: History<PageState>;
+  private readonly rest = new Rest(settled);
+  private readonly welcome: HTMLElement;
+  private readonly live = element("span", { role: "status", class: "live", hidden: true });
+  private readonly undo = iconButton("undo", "Undo", "Undo (Ctrl Z)", () => this.go(this.history.undo()));
+  private readonly redo = iconButton("redo", "Redo", "Redo (Ctrl Shift Z)", () => this.go(this.history.redo()));
   private shown: Shown | null = null;
   /** The part of the state that belongs to the arm that is shown. */
-  private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
-  private writing = 0;
+  private valid: Pick<PageState, "arm" | "q" | "goal" | "waypoints"> | null = null;
+  private showing: Section | null = null;
+  /** When commands may load the worker: after the opening. */
+  private free: Promise<void> = Promise.resolve();
+  private taking = 0;
   private reading = 0;
-  private readonly tooLong = element("p", { role: "status", class: "refusal" });
 
   private constructor(
     private readonly document: Document,
     private readonly core: Core,
     worker: CoreWorker,
     private readonly store: Store<PageState>,
-    private readonly chooser: ArmChooser,
-    meshes: MeshList,
   ) {
-    this.files = new ArmFiles(core, store, chooser, meshes);
+    this.history = new History(store.get(), work);
     this.services = {
       store,
-      command: (args, files = {}, progress = undefined) =>
-        worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress),
+      command: async (args, files = {}, progress = undefined) => {
+        await this.free;
+        return worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress);
+      },
       reach: (task, progress) => worker.reach(task, progress),
       cancel: () => worker.cancel(),
+      draw: (marks) => this.overlays.draw(marks),
     };
-    this.saveSvg = svgButton(this.services, (reason) => chooser.refuse(reason));
-    const joints = new JointsPanel((q) => store.set({ q }));
-    this.motion = new MotionSection(this.services);
-    this.panels = new Map<Section, { title: string; panel: SectionPanel }>([
-      ["hold", { title: "Hold", panel: new Hold(this.services, joints) }],
-      ["control", { title: "Control", panel: new Control(this.services) }],
-      ["motion", { title: "Motion", panel: this.motion }],
-      ["reach", { title: "Reach", panel: new ReachSection(this.services) }],
-      ["lessons", { title: "Lessons", panel: new LessonsSection(this.services, joints, (text) => core.arm(text)) }],
-    ]);
-    const side = document.getElementById("side") as HTMLElement;
-    side.replaceChildren(chooser.root, this.tooLong, ...[...this.panels.values()].map(({ panel }) => panel.root));
-    (document.getElementById("tools") as HTMLElement).replaceChildren(
-      ...toolbar(
-        store,
-        () => this.shown?.view ?? null,
-        this.saveSvg,
-        (reason) => chooser.refuse(reason),
-      ),
-      this.motion.light,
+    const meshes = new MeshList();
+    this.chooser = new ArmChooser(
+      listedArms,
+      {
+        text: (text) => store.set({ arm: { text }, q: null, goal: null, waypoints: [] }),
+        files: (files) => this.files.open(files),
+        table: (json) => this.files.openText("dh_table.json", json),
+      },
+      this.address.note,
+      meshes.line,
+      meshes.root,
     );
-    this.links = new Map([...this.panels].map(([name, { title }]) => [name, this.link(name, title)]));
-    (document.getElementById("sections") as HTMLElement).replaceChildren(...this.links.values());
-    this.showSections();
+    this.files = new ArmFiles(core, store, this.chooser, meshes);
+    this.holding = new Holding(this.services, () => this.panels.get(store.get().section));
+    this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
+    this.toolbar = new Toolbar(store);
+    this.line = new LineSection(this.services);
+    this.lessons = new LessonsSection(this.services, (text) => core.arm(text));
+    this.welcome = welcome((section) => this.turnTo(section));
+    this.panels = new Map<Section, SectionPanel>([
+      ["control", new Control(this.services)],
+      ["line", this.line],
+      ["workspace", new Workspace(this.services)],
+      ["lessons", this.lessons],
+    ]);
+    this.links = new Map(sections.map((name) => [name, this.link(name)]));
+    this.build();
     store.subscribe((_, changed) => this.changed(changed));
     document.defaultView?.addEventListener("hashchange", ({ newURL }) => void this.readAddress(new URL(newURL).hash));
+    document.addEventListener("keydown", (event) => this.key(event));
   }
 
   /** Loads the core, reads the address and shows it. */
   static async open(document: Document): Promise<Page> {
-    const core = await Core.load(
-      factory as unknown as Factory<CoreModule>,
-      (await bytesOf("core-module")) as BufferSource,
-    );
+    const [bytes, state, session] = await Promise.all([
+      bytesOf("core-module"),
+      stateAt(location.hash === "" ? savedAddress() : location.hash),
+      sessionOf(document),
+    ]);
+    const core = await Core.load(factory as unknown as Factory<CoreModule>, bytes as BufferSource);
     const worker = new CoreWorker(startWorker, async () => compile((await bytesOf("command-module")) as BufferSource));
-    const state = await stateAt(location.hash === "" ? savedAddress() : location.hash);
-    const session = await sessionOf(document);
-    if (session && location.hash === "") state.arm = { json: session.arm };
-    const store = new Store(state);
-    let page: Page | null = null;
-    const meshes = new MeshList();
-    const chooser = new ArmChooser(
-      core.builtInNames(),
-      (text) => store.set({ arm: { text }, q: null, goal: null }),
-      (files) => page?.files.open(files),
-      (json) => page?.files.openText("dh_table.json", json),
-      meshes.line,
-      meshes.root,
-    );
-    page = new Page(document, core, worker, store, chooser, meshes);
-    chooser.acceptDrops(document.body);
-    page.takeArm(store.get().arm);
+    if (session && location.hash === "") {
+      state.arm = sourceOfSession(core, session);
+      const section = session.section ?? (session.trajectory === null ? null : "line");
+      state.section = sections.find((name) => name === section) ?? state.section;
+    }
+    const fresh = location.hash === "" && !session && savedAddress() === "";
+    const page = new Page(document, core, worker, new Store(state));
+    page.chooser.acceptDrops(document.body);
+    page.welcome.hidden = !fresh;
+    page.address.read(page.store.get());
+    await page.takeArm(page.store.get().arm);
     if (session) page.goLive();
     const trajectory = session ? session.trajectory : await savedTrajectory();
-    if (trajectory !== null) page.openTrajectory(trajectory);
+    if (trajectory !== null) page.line.recording.open("motion.csv", trajectory);
+    page.history.begin(page.store.get());
+    if (fresh && page.shown) page.begin(page.shown);
+    else setTimeout(() => worker.prepare(), idle);
     return page;
+  }
+
+  private begin(shown: Shown): void {
+    this.free = new Promise((resolve) => {
+      new Opening(this.services, shown, () => {
+        this.history.begin(this.store.get());
+        resolve();
+      });
+    });
+  }
+
+  private build(): void {
+    const place = (id: string): HTMLElement => this.document.getElementById(id) as HTMLElement;
+    const settings = settingsDialog(this.store);
+    const help = helpDialog();
+    const share = new ShareDialog(this.services, () => this.shown);
+    const panels = [...this.panels.values()].map(({ root }) => root);
+    place("side").replaceChildren(this.chooser.notes, this.welcome, ...panels, this.armPanel.root);
+    fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
+    place("sections").replaceChildren(...this.links.values());
+    place("bar").replaceChildren(
+      this.chooser.button,
+      this.undo,
+      this.redo,
+      iconButton("share", "Share", "Link, picture, drawing, one file, frame", () => void share.open()),
+      iconButton("settings", "Settings", "Units and appearance", () => settings.showModal()),
+      iconButton("help", "Help", "What hands and keys do", () => help.showModal()),
+    );
+    this.document.querySelector(".skip")?.addEventListener("click", (event) => {
+      event.preventDefault(); // the address is the state's
+      this.document.getElementById("joint-0")?.focus();
+    });
+    this.document.body.append(this.chooser.dialog, share.root, settings, help);
+    this.document.addEventListener("focusin", ({ target }) => {
+      if (!(target instanceof HTMLInputElement) || target.type !== "number") return;
+      requestAnimationFrame(() => target.select()); // after the click has placed its cursor: digits replace the number
+    });
+    this.showHistory();
+    this.showSections();
   }
 
   /** Follows the joint values that a program posts to `beeline view`. */
   private goLive(): void {
-    const light = element("span", { role: "status", class: "live" }, "connecting");
-    (this.document.getElementById("tools") as HTMLElement).append(light);
     follow(
       (q) => {
         if (q.length === this.shown?.arm.dof) this.store.set({ q });
       },
-      (text) => (light.textContent = text),
+      (text) => {
+        this.live.textContent = text;
+        this.live.hidden = text === "";
+      },
     );
-  }
-
-  /** Plays the trajectory that the page was opened with. */
-  private openTrajectory(csv: string): void {
-    this.store.set({ section: "motion" });
-    this.motion.open("motion.csv", csv);
   }
 
   private changed(changed: ReadonlySet<keyof PageState>): void {
@@ -151,96 +232,140 @@ export class Page {
     // A panel that was hidden has missed the changes since.
     const missed = changed.has("section") ? (Object.keys(initialState) as (keyof PageState)[]) : [];
     if (arm === this.valid?.arm) this.update(new Set([...changed, ...missed]));
-    else if (changed.has("arm")) this.takeArm(arm);
-    void this.writeAddress();
+    else if (changed.has("arm")) void this.takeArm(arm);
+    this.note();
+    void this.address.write(this.store.get());
+  }
+
+  /** Notes a state to go back to, once the hand rests. */
+  private note(): void {
+    this.rest.then(() => {
+      if (this.holding.holds) return this.note();
+      this.history.record(this.store.get());
+      this.showHistory();
+    });
+  }
+
+  private go(state: PageState | null): void {
+    if (!state) return;
+    this.holding.forget();
+    const { section, lesson } = state; // where the work was done
+    this.store.set({ ...Object.fromEntries(work.map((key) => [key, state[key]])), section, lesson });
+    this.showHistory();
+  }
+
+  private showHistory(): void {
+    this.undo.disabled = !this.history.canUndo;
+    this.redo.disabled = !this.history.canRedo;
+  }
+
+  private key(event: KeyboardEvent): void {
+    const typing = (event.target as Element).matches?.("input:not([type=range]), textarea, select");
+    if (typing || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    event.preventDefault();
+    this.go(event.shiftKey ? this.history.redo() : this.history.undo());
   }
 
   /** Reads an arm and shows it; the one before stays where it is refused. */
-  private takeArm(source: ArmSource): void {
+  private async takeArm(source: ArmSource): Promise<void> {
     try {
       const text = "text" in source ? source.text : armFile;
       const files = "text" in source ? {} : { [armFile]: source.json };
-      this.show(this.core.arm(text, files), source);
+      await this.show(this.core.arm(text, files), source);
     } catch (error) {
       if (this.valid) this.store.set(this.valid);
-      else if (source !== initialState.arm) this.store.set({ arm: initialState.arm, q: null, goal: null });
+      else if (!sameArm(source, initialState.arm)) {
+        this.store.set({ arm: initialState.arm, q: null, goal: null });
+        if (this.valid === null) await this.takeArm(initialState.arm);
+      }
       this.chooser.refuse((error as Error).message);
     }
   }
 
-  private show(arm: Arm, source: ArmSource): void {
+  private async show(arm: Arm, source: ArmSource): Promise<void> {
+    const taking = ++this.taking;
+    // Spatial pictures are loaded when the first one is needed.
+    const make = arm.planar ? null : (await import("../scene/spatial/spatial_picture.js")).SpatialPicture;
+    if (taking !== this.taking) return arm.release();
     this.services.cancel(); // what is computed for the arm before
-    this.shown?.view.dispose();
+    this.shown?.picture.dispose();
     this.shown?.arm.release();
     const description = describe(arm);
     const holder = this.document.getElementById("stage") as HTMLElement;
-    this.shown = {
-      arm,
-      description,
-      view: new ArmView(holder, arm, sizeOf(arm, description), description.reach?.centre?.[2] ?? 0),
-    };
-    for (const { panel } of this.panels.values()) panel.take(this.shown);
+    const parts: PictureParts = { holder, arm, description, size: sizeOf(arm, description), hand: this.holding };
+    const picture: Picture = make ? new make(parts) : new PlanarPicture(parts);
+    this.shown = { arm, description, picture };
     this.chooser.show(description.name);
-    this.files.take(this.shown);
-    this.saveSvg.hidden = !arm.planar;
-    const { q, goal } = this.store.get();
-    this.valid = { arm: source, q, goal };
+    for (const taker of [this.overlays, this.holding, this.toolbar, this.armPanel, ...this.panels.values(), this.files])
+      taker.take(this.shown);
+    this.document.title = `${description.name} – Beeline`;
+    const { q, goal, waypoints } = this.store.get();
+    this.valid = { arm: source, q, goal, waypoints };
     if (q === null || q.length !== arm.dof) this.store.set({ q: arm.displayConfiguration() });
-    else this.update(new Set(["q"]));
+    this.update(new Set(Object.keys(initialState) as (keyof PageState)[]));
   }
 
   private update(changed: ReadonlySet<keyof PageState>): void {
-    const { arm, q, goal, section } = this.store.get();
+    const state = this.store.get();
+    const { arm, q, goal, waypoints, section } = state;
     if (!q || q.length !== this.shown?.arm.dof) return;
-    this.valid = { arm, q, goal };
-    this.panels.get(section)?.panel.update(q, changed);
+    this.valid = { arm, q, goal, waypoints };
+    this.overlays.update(q, state);
+    this.armPanel.update(q, changed);
+    this.panels.get(section)?.update(q, changed);
   }
 
   private showSections(): void {
     const { section } = this.store.get();
-    for (const [name, { panel }] of this.panels) {
-      if (name !== section && !panel.root.hidden) panel.leave();
-      panel.root.hidden = name !== section;
-      const link = this.links.get(name); // kept, as it may have the focus
-      if (name === section) link?.setAttribute("aria-current", "page");
-      else link?.removeAttribute("aria-current");
+    if (section === this.showing) return;
+    if (this.showing) this.panels.get(this.showing)?.leave();
+    if (this.showing) this.welcome.hidden = true;
+    this.overlays.clear();
+    this.showing = section;
+    for (const [name, { root }] of this.panels) root.hidden = name !== section;
+    for (const [name, link] of this.links) {
+      if (name === section) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
     }
+    this.armPanel.arrange(section);
+    this.document.getElementById("side")?.scrollTo({ top: 0 });
   }
 
-  private link(name: Section, title: string): HTMLElement {
-    const link = element("a", { href: `#section=${name}` }, title);
+  /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */
+  private turnTo(section: Section): void {
+    if (section === "lessons") void this.lessons.enter();
+    else this.store.set({ ...this.lessons.before(), section });
+  }
+
+  private link(name: Section): HTMLElement {
+    const link = element("a", { href: `#section=${name}` }, icon(name), element("span", {}, titles[name]));
     link.addEventListener("click", (event) => {
       event.preventDefault();
-      this.store.set({ section: name });
+      this.turnTo(name);
     });
     return link;
   }
 
   private async readAddress(hash: string): Promise<void> {
     const turn = ++this.reading;
-    ++this.writing; // what is about to be written is older
     const state = await stateAt(hash);
-    if (turn === this.reading) this.store.set(state);
+    if (turn !== this.reading) return;
+    const { arm } = this.store.get();
+    if (sameArm(state.arm, arm)) state.arm = arm;
+    this.address.read(state);
+    this.holding.forget();
+    this.store.set(state);
   }
+}
 
-  private async writeAddress(): Promise<void> {
-    const turn = ++this.writing;
-    await new Promise((resolve) => setTimeout(resolve, 250)); // browsers limit how often it may change
-    if (turn !== this.writing) return;
-    const hash = `#${await addressOf(this.store.get())}`;
-    if (turn !== this.writing) return;
-    const written = hash.length <= longestAddress;
-    this.tooLong.textContent = written
-      ? ""
-      : "This is too long for a link: the address stays as it was. Use Save page.";
-    if (!written) return;
-    // In full, as the frame of a notebook (about:srcdoc) takes other addresses for addresses of the notebook.
-    history.replaceState(
-      null,
-      "",
-      location.href.replace(/#.*|$/, () => hash),
-    );
-  }
+/** The arm of `beeline view`, by its name where it is a built-in one: the address stays short. */
+function sourceOfSession(core: Core, { arm: json }: Session): ArmSource {
+  const { name } = JSON.parse(json) as { name?: string };
+  if (name === undefined || !core.builtInNames().includes(name)) return { json };
+  const builtIn = core.arm(name);
+  const same = builtIn.json.trim() === json.trim() || core.arm(armFile, { [armFile]: json }).json === builtIn.json;
+  builtIn.release();
+  return same ? { text: name } : { json };
 }
 
 /** How much of the world the picture shows, metres: the reach, or where it has no bound the arm as it is shown first. */

@@ -1,17 +1,22 @@
 import type { Arm } from "../core/arm.js";
+import type { ArmDescription } from "../core/description.js";
 import type { ReachAnswers, ReachTask } from "../core/reach.js";
 import type { CommandResult, Files } from "../core/types.js";
+import type { Marks, Picture } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
-import type { ArmView } from "./arm_view.js";
-import type { ArmDescription } from "../core/description.js";
 
 /** The arm that the page shows. */
 export interface Shown {
   arm: Arm;
   description: ArmDescription;
-  view: ArmView;
+  picture: Picture;
 }
+
+/** The marks that a section draws. */
+export type SectionMarks = Partial<
+  Pick<Marks, "moving" | "ghosts" | "trails" | "waypoints" | "extent" | "tiles" | "surface" | "cell">
+>;
 
 /** What a section may ask of the page. */
 export interface Services {
@@ -21,6 +26,8 @@ export interface Services {
   /** Answers a question about a map of what an arm can do, in the same worker. */
   reach<T extends ReachTask>(task: T, progress?: (fraction: number) => void): Promise<ReachAnswers[T["ask"]]>;
   cancel(): void;
+  /** Draws marks beside the arm, until the section is left. Those that are not named stay. */
+  draw(marks: SectionMarks): void;
 }
 
 /** A section of the page: a panel beside the picture. */
@@ -30,6 +37,12 @@ export interface SectionPanel {
   take(shown: Shown): void;
   /** The state has changed, or the section is shown from now on. Called only while it is shown. */
   update(q: number[], changed: ReadonlySet<keyof PageState>): void;
-  /** Another section is shown from now on: takes its marks out of the picture. */
+  /** Another section is shown from now on. Its marks are taken out of the picture. */
   leave(): void;
+  /** A waypoint was dragged to a pose, a column-major 4 x 4 matrix, or dropped there. */
+  waypoint?(index: number, pose: number[], released: boolean): void;
+  /** A tile of the section was clicked at this point. */
+  tile?(point: number[]): void;
+  /** A hand has taken hold of the arm: what moves it by itself stops. */
+  interrupt?(): void;
 }

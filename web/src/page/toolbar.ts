@@ -1,60 +1,66 @@
-import { addressOf } from "../address/address.js";
-import { element } from "../panels/element.js";
-import { saveFile } from "../share/save_file.js";
-import { pageAsDocument } from "../share/save_page.js";
+import { iconButton } from "../elements/button.js";
+import type { IconName } from "../elements/icons.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
-import type { ArmView } from "./arm_view.js";
+import type { Shown } from "./section.js";
 
-type Switch = "degrees" | "showFrames" | "showSolutions" | "showEllipsoid";
+type Switch = "showFrames" | "showAngles" | "showSolutions" | "showColumns" | "showEllipsoid";
 
-/** The buttons of the picture; `saveSvg` is one more of them. `refuse` gets the reason where something is not saved. */
-export function toolbar(
-  store: Store<PageState>,
-  view: () => ArmView | null,
-  saveSvg: HTMLElement,
-  refuse: (reason: string) => void,
-): HTMLElement[] {
-  const report = (error: unknown): void => refuse(`The page is not saved: ${(error as Error).message}`);
-  const pressed = (on: boolean): Record<string, string> => ({ "aria-pressed": String(on) });
-  const toggle = (text: string, key: Switch): HTMLElement => {
-    const button = element("button", { type: "button", ...pressed(store.get()[key]) }, text);
-    button.addEventListener("click", () => store.set({ [key]: !store.get()[key] }));
-    store.subscribe((state) => button.setAttribute("aria-pressed", String(state[key])));
+const switches: { key: Switch; icon: IconName; word: string; title: string; planar?: true }[] = [
+  { key: "showAngles", icon: "angles", word: "Angles", title: "The values of the joints", planar: true },
+  { key: "showFrames", icon: "frames", word: "Frames", title: "The frame of each link" },
+  {
+    key: "showSolutions",
+    icon: "solutions",
+    word: "Solutions",
+    title: "All configurations with this pose of the tool",
+  },
+  { key: "showColumns", icon: "columns", word: "Jacobian", title: "Its columns: the tool's velocity for each joint" },
+  {
+    key: "showEllipsoid",
+    icon: "ellipsoid",
+    word: "Ellipsoid",
+    title: "The tool's velocities for joint velocities of norm 1",
+  },
+];
+
+/** The buttons of the picture: those that act on the arm that is shown. */
+export class Toolbar {
+  readonly buttons: HTMLElement[];
+  private readonly planarOnly: HTMLElement[];
+  private readonly turn: HTMLButtonElement;
+  private shown: Shown | null = null;
+
+  constructor(private readonly store: Store<PageState>) {
+    const toggles = switches.map(({ key, icon, word, title }) => this.toggle(key, icon, word, title));
+    this.planarOnly = toggles.filter((_, i) => switches[i]?.planar);
+    this.turn = iconButton("turn", "Turn", "The handle at the tool turns it instead of moving it", () =>
+      this.setTurning(),
+    );
+    this.turn.setAttribute("aria-pressed", "false");
+    const home = iconButton("whole", "Whole arm", "Show the whole arm", () => this.shown?.picture.home());
+    this.buttons = [...toggles, this.turn, home];
+  }
+
+  take(shown: Shown): void {
+    this.shown = shown;
+    for (const button of this.planarOnly) button.hidden = !shown.arm.planar;
+    this.turn.hidden = shown.arm.planar;
+    this.turn.setAttribute("aria-pressed", "false"); // another arm begins with arrows
+  }
+
+  private setTurning(): void {
+    const turning = this.turn.getAttribute("aria-pressed") !== "true";
+    this.turn.setAttribute("aria-pressed", String(turning));
+    this.shown?.picture.mark({ turning });
+  }
+
+  private toggle(key: Switch, icon: IconName, word: string, title: string): HTMLElement {
+    const { store } = this;
+    const button = iconButton(icon, word, title, () => store.set({ [key]: !store.get()[key] }));
+    const show = (state: Readonly<PageState>): void => button.setAttribute("aria-pressed", String(state[key]));
+    store.subscribe(show);
+    show(store.get());
     return button;
-  };
-  const turn = element("button", { type: "button", ...pressed(false) }, "Turn the tool");
-  turn.addEventListener("click", () => {
-    const turning = turn.getAttribute("aria-pressed") !== "true";
-    turn.setAttribute("aria-pressed", String(turning));
-    const shown = view();
-    if (shown) shown.handleMode = turning ? "rotate" : "translate";
-  });
-  store.subscribe((_, changed) => {
-    if (changed.has("arm")) turn.setAttribute("aria-pressed", "false"); // another arm begins with arrows
-  });
-  const home = element("button", { type: "button", onclick: () => view()?.stage.home() }, "Whole arm");
-  const save = element("button", { type: "button", onclick: () => void savePicture(view()) }, "Save picture");
-  return [
-    toggle("Degrees", "degrees"),
-    toggle("Frames", "showFrames"),
-    toggle("All solutions", "showSolutions"),
-    toggle("Velocity ellipsoid", "showEllipsoid"),
-    turn,
-    home,
-    save,
-    saveSvg,
-    element("button", { type: "button", onclick: () => void savePage(store).catch(report) }, "Save page"),
-  ];
-}
-
-async function savePicture(view: ArmView | null): Promise<void> {
-  const blob = await view?.stage.picture();
-  if (blob) saveFile("arm.png", blob);
-}
-
-/** One file that holds the page, the core and the arm. */
-async function savePage(store: Store<PageState>): Promise<void> {
-  const text = await pageAsDocument(await addressOf(store.get()));
-  saveFile("beeline.html", new Blob([text], { type: "text/html" }));
+  }
 }

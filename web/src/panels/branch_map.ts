@@ -1,4 +1,4 @@
-import { element, shown } from "./element.js";
+import { element, shown } from "../elements/element.js";
 
 /** One way to follow the path, from one solution of inverse kinematics at its first pose. */
 export interface Branch {
@@ -10,6 +10,8 @@ export interface Branch {
   inverse_condition: number;
   reason: string;
 }
+
+const singular = 1e-4; // inverse condition: a smaller one has no meaning as a number
 
 /** The branches as a map: a row each, as long as it follows the path, the waypoints as marks; where it ends and why, or
  * how far it stays from joint limits and singularities. A click plans the path along a branch that follows all of it.
@@ -49,7 +51,7 @@ function row(
   const percent = (100 * branch.path_parameter) / lines;
   const margins =
     `margin to joint limits ${shown(100 * branch.limit_margin, 0)} %, ` +
-    `condition ${shown(1 / branch.inverse_condition, 1)}`;
+    (branch.inverse_condition < singular ? "singular" : `condition ${shown(1 / branch.inverse_condition, 1)}`);
   const marks = Array.from({ length: lines - 1 }, (_, i) =>
     element("i", { class: "mark", style: `left: ${(100 * (i + 1)) / lines}%` }),
   );

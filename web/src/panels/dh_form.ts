@@ -1,6 +1,6 @@
 import { armOfDhTable, DhFault, type DhColumn, type DhRow, type DhTable } from "../core/dh_table.js";
 import { saveFile } from "../share/save_file.js";
-import { element } from "./element.js";
+import { element } from "../elements/element.js";
 
 const columns: [DhColumn, string][] = [
   ["a", "a, metres"],
@@ -24,7 +24,7 @@ interface Row {
 
 /** A Denavit-Hartenberg table to type in, which becomes an arm. */
 export class DhForm {
-  readonly root = element("details", {}, element("summary", {}, "or a DH table"));
+  readonly root = element("details", {}, element("summary", {}, "A DH table"));
   private readonly name = element("input", {
     id: "dh-name",
     value: "my arm",

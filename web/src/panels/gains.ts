@@ -1,5 +1,6 @@
 import type { Gains } from "../core/types.js";
-import { element } from "./element.js";
+import { element } from "../elements/element.js";
+import { slide, slider } from "./slider.js";
 
 interface Gain {
   key: keyof Gains;
@@ -18,31 +19,39 @@ const all: Gain[] = [
 /** A slider and a number for each gain of a PID controller. */
 export class GainsPanel {
   readonly root = element("fieldset", { class: "gains" }, element("legend", {}, "Gains, per step"));
-  private readonly fields = new Map<keyof Gains, { slider: HTMLInputElement; number: HTMLInputElement }>();
+  /** Which end of its range a typed gain was beyond. */
+  private readonly note = element("p", { class: "quiet", role: "status" });
+  private readonly fields = new Map<keyof Gains, { range: HTMLInputElement; number: HTMLInputElement }>();
 
   constructor(changed: (key: keyof Gains, value: number) => void) {
     for (const { key, letter, name, min, max } of all) {
       const label = `K${letter}, ${name} gain`;
       const id = `gain-${key}`;
-      const slider = element("input", { type: "range", "aria-label": `${label}, slider`, min, max, step: 0.01 });
+      const range = slider({ "aria-label": `${label}, slider`, min, max, step: 0.01 });
       const number = element("input", { type: "number", id, "aria-label": label, min, max, step: "any" });
-      slider.addEventListener("input", () => changed(key, Number(slider.value)));
+      range.addEventListener("input", () => {
+        this.note.textContent = "";
+        changed(key, Number(range.value));
+      });
       number.addEventListener("change", () => {
         if (number.value === "") return;
         const value = Math.min(max, Math.max(min, Number(number.value)));
+        const end = value === max ? "at most" : "at least";
+        this.note.textContent = value === Number(number.value) ? "" : `K${letter} is ${end} ${value} here.`;
         number.value = String(value);
         changed(key, value);
       });
-      this.fields.set(key, { slider, number });
+      this.fields.set(key, { range, number });
       const title = element("label", { for: id }, element("i", {}, "K", element("sub", {}, letter)), ` ${name}`);
-      this.root.append(element("div", { class: "joint" }, title, slider, number));
+      this.root.append(element("div", { class: "joint" }, title, range, number));
     }
+    this.root.append(this.note);
   }
 
   show(gains: Gains): void {
-    for (const [key, { slider, number }] of this.fields) {
+    for (const [key, { range, number }] of this.fields) {
       const value = gains[key] ?? 0;
-      slider.value = String(value);
+      slide(range, value);
       if (document.activeElement !== number) number.value = String(value);
     }
   }

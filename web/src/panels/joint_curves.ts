@@ -1,8 +1,10 @@
 import type uPlot from "uplot";
 import type { JointDescription } from "../core/description.js";
 import type { Quantity, Trajectory } from "../core/trajectory.js";
-import { element, shown } from "./element.js";
-import { unitOf } from "./units.js";
+import { element, shown } from "../elements/element.js";
+import { unitOf } from "../elements/units.js";
+import { jointColour, onTheme, resolved } from "../scene/colours.js";
+import { numbered } from "./chart_axis.js";
 
 const perTime: Record<Quantity, string> = { position: "", velocity: "/s", acceleration: "/s²" };
 const height = 110;
@@ -39,7 +41,7 @@ export class JointCurves {
     new ResizeObserver(() => {
       for (const plot of this.plots) plot.setSize({ width: this.width(), height });
     }).observe(this.root);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => void this.draw());
+    onTheme(() => void this.draw());
     this.take(null, [], true);
   }
 
@@ -67,12 +69,12 @@ export class JointCurves {
   private async draw(): Promise<void> {
     const { motion, joints } = this;
     const quantity = this.choice.value as Quantity;
-    const { default: Plot } = await import("uplot");
+    const { default: Plot } = motion ? await import("uplot") : { default: null };
     if (motion !== this.motion || quantity !== this.choice.value) return;
     for (const plot of this.plots) plot.destroy();
     this.plots = [];
     this.charts.replaceChildren();
-    if (!motion) return;
+    if (!motion || !Plot) return;
     joints.forEach((joint, k) => {
       const unit = unitOf(joint.type, this.degrees);
       const values = motion.column(quantity, k).map((value) => value * unit.factor);
@@ -83,27 +85,26 @@ export class JointCurves {
       });
       const title = element("p", { class: "quiet" }, caption(joint.name, range, unit.name + perTime[quantity]));
       this.charts.append(title, holder);
-      this.plots.push(new Plot(this.options(range), [motion.times, values], holder));
+      this.plots.push(new Plot(this.options(range, jointColour(k)), [motion.times, values], holder));
     });
   }
 
-  private options(range: Range): uPlot.Options {
-    const style = getComputedStyle(document.documentElement);
-    const colour = (name: string): string => style.getPropertyValue(name).trim();
-    const axis = { stroke: colour("--quiet"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false } };
+  private options(range: Range, colour: string): uPlot.Options {
+    const grid = { stroke: resolved("--grid"), width: 1 };
+    const axis = { stroke: resolved("--quiet"), grid, ticks: { show: false }, font: "12px system-ui, sans-serif" };
     return {
       width: this.width(),
       height,
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { x: false, y: false }, sync: { key: "joints" } },
-      scales: { x: { time: false }, y: { range: (_, low, high) => around(low, high, range) } },
+      scales: { x: { time: false }, y: { range: (_, low, high) => around(low, high) } },
       axes: [
         { ...axis, size: 24, values: (_, times) => times.map((time) => `${time} s`) },
-        { ...axis, size: 52 },
+        { ...axis, size: 52, ...numbered(2) },
       ],
-      series: [{}, { stroke: colour("--accent"), width: 2, points: { show: false } }],
+      series: [{}, { stroke: resolved(colour), width: 1.5, points: { show: false } }],
       hooks: {
-        draw: [(plot) => this.marks(plot, range, colour("--alarm"), colour("--text"))],
+        draw: [(plot) => this.marks(plot, range)],
         ready: [
           (plot) => {
             plot.over.addEventListener("click", () => {
@@ -116,36 +117,28 @@ export class JointCurves {
     };
   }
 
-  /** Draws the limits, dashed, and the time of the player. */
-  private marks(plot: uPlot, { lower, upper }: Range, alarm: string, text: string): void {
+  /** Draws what is beyond the limits as bands, and the time of the player. */
+  private marks(plot: uPlot, { lower, upper }: Range): void {
     const { ctx, bbox } = plot;
-    const line = (x1: number, y1: number, x2: number, y2: number, colour: string, dash: number[]): void => {
-      ctx.save();
-      ctx.strokeStyle = colour;
-      ctx.lineWidth = devicePixelRatio;
-      ctx.setLineDash(dash.map((length) => length * devicePixelRatio));
-      ctx.beginPath();
-      ctx.moveTo(x1, y1);
-      ctx.lineTo(x2, y2);
-      ctx.stroke();
-      ctx.restore();
-    };
-    for (const limit of [lower, upper]) {
-      if (limit === null) continue;
-      const y = plot.valToPos(limit, "y", true);
-      line(bbox.left, y, bbox.left + bbox.width, y, alarm, [6, 4]);
-    }
+    const [top, bottom] = [bbox.top, bbox.top + bbox.height];
+    const at = (value: number): number => Math.min(bottom, Math.max(top, plot.valToPos(value, "y", true)));
+    ctx.save();
+    ctx.fillStyle = resolved("--alarm");
+    ctx.globalAlpha = 0.16;
+    if (upper !== null) ctx.fillRect(bbox.left, top, bbox.width, at(upper) - top);
+    if (lower !== null) ctx.fillRect(bbox.left, at(lower), bbox.width, bottom - at(lower));
+    ctx.globalAlpha = 1;
     const x = plot.valToPos(this.time, "x", true);
-    if (x >= bbox.left && x <= bbox.left + bbox.width) line(x, bbox.top, x, bbox.top + bbox.height, text, []);
+    ctx.fillStyle = resolved("--text");
+    if (x >= bbox.left && x <= bbox.left + bbox.width) ctx.fillRect(x, top, devicePixelRatio, bbox.height);
+    ctx.restore();
   }
 }
 
-/** A range of the axis that shows the curve and its limits. */
-function around(low: number, high: number, { lower, upper }: Range): [number, number] {
-  const begin = Math.min(low, lower ?? low);
-  const end = Math.max(high, upper ?? high);
-  const margin = 0.06 * (end - begin) || 1;
-  return [begin - margin, end + margin];
+/** A range of the axis that shows the curve; limits near it are seen too. */
+function around(low: number, high: number): [number, number] {
+  const margin = Math.max(0.12 * (high - low), 1e-3 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
+  return [low - margin, high + margin];
 }
 
 function caption(name: string, { lower, upper, assumed }: Range, unit: string): string {

@@ -1,12 +1,14 @@
 import type { JointDescription } from "../core/description.js";
-import { element, shown } from "./element.js";
-import { unitOf, type Unit } from "./units.js";
+import { element, shown } from "../elements/element.js";
+import { unitOf, type Unit } from "../elements/units.js";
+import { jointColour } from "../scene/colours.js";
+import { slide, slider } from "./slider.js";
 
 /** How far a slider reaches from 0 where the joint has no limit, radians or metres. A number can be typed beyond. */
 const open = { angle: 2 * Math.PI, length: 1 };
 
 interface Row {
-  slider: HTMLInputElement;
+  range: HTMLInputElement;
   number: HTMLInputElement;
   unit: Unit;
 }
@@ -14,6 +16,8 @@ interface Row {
 /** A slider and a number for each coordinate, within its limits. */
 export class JointsPanel {
   readonly root = element("fieldset", { class: "joints" });
+  /** Further rows stand here. */
+  readonly below = element("div");
   private rows: Row[] = [];
   private q: number[] = [];
 
@@ -22,6 +26,7 @@ export class JointsPanel {
   /** Shows sliders for other joints, or in other units. */
   describe(joints: JointDescription[], degrees: boolean): void {
     this.rows = joints.map((joint) => this.row(joint, degrees));
+    const names = shortened(joints.map(({ name }) => name));
     this.root.replaceChildren(
       element("legend", {}, "Joints"),
       ...this.rows.map((row, i) => {
@@ -30,22 +35,23 @@ export class JointsPanel {
         row.number.id = id;
         return element(
           "div",
-          { class: "joint" },
-          element("label", { for: id }, ...breakable(joint.name)),
-          element("div", { class: "range" }, row.slider, ends(joint, row.unit)),
+          { class: "joint", style: `--joint: ${jointColour(i)}` },
+          element("label", { for: id, title: joint.name }, element("span", { class: "name" }, names[i] ?? joint.name)),
+          element("div", { class: "range" }, row.range, ends(joint, row.unit)),
           row.number,
           element("span", { class: "unit", "aria-hidden": "true" }, row.unit.name),
         );
       }),
+      this.below,
       ...withoutLimits(joints),
     );
   }
 
   show(q: number[]): void {
     this.q = q;
-    this.rows.forEach(({ slider, number, unit }, i) => {
+    this.rows.forEach(({ range, number, unit }, i) => {
       const value = (q[i] ?? 0) * unit.factor;
-      slider.value = String(value);
+      slide(range, value);
       if (document.activeElement !== number) number.value = value.toFixed(unit.digits);
     });
   }
@@ -57,7 +63,7 @@ export class JointsPanel {
     const min = (lower > -Infinity ? lower : Math.min(-span, upper - span)) * unit.factor;
     const max = (upper < Infinity ? upper : Math.max(span, lower + span)) * unit.factor;
     const label = `${joint.name}, ${unit.name === "°" ? "degrees" : unit.name}`;
-    const slider = element("input", { type: "range", "aria-label": `${label}, slider`, min, max, step: "any" });
+    const range = slider({ "aria-label": `${label}, slider`, min, max, step: "any" });
     const number = element("input", {
       type: "number",
       "aria-label": label,
@@ -69,19 +75,29 @@ export class JointsPanel {
       if (from.value === "") return;
       const value = Math.min(upper * unit.factor, Math.max(lower * unit.factor, Number(from.value)));
       number.value = value.toFixed(unit.digits);
-      slider.value = String(value);
-      const k = this.rows.findIndex((row) => row.slider === slider);
+      slide(range, value);
+      const k = this.rows.findIndex((row) => row.range === range);
       this.changed(this.q.with(k, value / unit.factor));
     };
-    slider.addEventListener("input", () => take(slider));
+    range.addEventListener("input", () => take(range));
     number.addEventListener("change", () => take(number));
-    return { slider, number, unit };
+    return { range, number, unit };
   }
 }
 
-/** A name that can be broken behind its underscores. */
-function breakable(name: string): (Node | string)[] {
-  return name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [element("wbr"), part] : [part]));
+const widest = 8; // letters that fit beside a slider
+
+/** Names without the words, up to an underscore, that all of them begin with, where one of them is too long. */
+function shortened(names: string[]): string[] {
+  const [first = ""] = names;
+  if (names.length < 2 || names.every((name) => name.length <= widest)) return names;
+  const words = first.split(/(?<=_)/);
+  let prefix = "";
+  for (const word of words.slice(0, -1)) {
+    if (!names.every((name) => name.startsWith(prefix + word) && name !== prefix + word)) break;
+    prefix += word;
+  }
+  return names.map((name) => name.slice(prefix.length));
 }
 
 /** The limits below the ends of a slider; screen readers have them from the slider. */

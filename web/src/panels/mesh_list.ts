@@ -1,6 +1,6 @@
-import type { Object3D } from "three";
-import { element, shown } from "./element.js";
-import { poseNumbers } from "./pose.js";
+import { element, shown } from "../elements/element.js";
+import { poseNumbers } from "../core/pose.js";
+import type { MeshReport } from "../scene/picture.js";
 
 /** Which meshes are shown and where, and in one line which are not. */
 export class MeshList {
@@ -24,15 +24,14 @@ export class MeshList {
     this.status.textContent = line;
   }
 
-  show(meshes: { file: string; link: string; frame: Object3D }[]): void {
+  show(meshes: MeshReport["meshes"]): void {
     this.root.hidden = meshes.length === 0;
     this.summary.textContent = meshes.length === 1 ? "Frame of the mesh" : `Frames of the ${meshes.length} meshes`;
     const items = meshes.map(() => element("li"));
     this.list.replaceChildren(...items);
     this.refresh = () =>
-      meshes.forEach(({ file, link, frame }, i) => {
-        frame.updateWorldMatrix(true, false);
-        const { position, rpy } = poseNumbers(frame.matrixWorld.elements);
+      meshes.forEach(({ file, link, pose }, i) => {
+        const { position, rpy } = poseNumbers(pose());
         const text = (values: number[]): string => values.map((value) => shown(value)).join(" ");
         (items[i] as HTMLElement).textContent =
           `${file} on ${link}: x y z ${text(position)} m, roll pitch yaw ${text(rpy)} rad`;

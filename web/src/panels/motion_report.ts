@@ -1,6 +1,7 @@
+import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
 import type { Branch } from "./branch_map.js";
-import { element, shown, table } from "./element.js";
+import { element, shown, table } from "../elements/element.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
 export interface LineAnswer {
@@ -19,24 +20,58 @@ export interface LineAnswer {
   branches?: Branch[];
 }
 
-function small(value: number | null | undefined, unit: string): string {
+type Unit = readonly [name: string, size: number];
+const lengths: Unit[] = [
+  ["m", 1],
+  ["mm", 1e-3],
+  ["µm", 1e-6],
+  ["nm", 1e-9],
+];
+const angles: Unit[] = [
+  ["rad", 1],
+  ["mrad", 1e-3],
+  ["µrad", 1e-6],
+  ["nrad", 1e-9],
+];
+
+/** A length, m, or an angle, rad, with about two digits in the unit that suits it; a bound is rounded up. */
+export function small(value: number | null | undefined, units: Unit[], rounding: "nearest" | "up" = "nearest"): string {
   if (value === null || value === undefined) return "—";
-  return `${value.toExponential(1).replace("-", "−").replace("+", "")} ${unit}`;
+  const [name, size] = units.find(([, one]) => Math.abs(value) >= 0.9995 * one) ?? (units.at(-1) as Unit);
+  const number = value / size;
+  const digits = Math.abs(number) < 9.95 ? 1 : 0;
+  const tens = 10 ** digits;
+  return `${shown(rounding === "up" ? Math.ceil(number * tens - 1e-9) / tens : number, digits)} ${name}`;
 }
 
-/** Status, reason, deviation measured and proved, use of the limits. */
-export function planReport(answer: LineAnswer): HTMLElement {
+const rounding = 1e-9;
+
+/** Whether a motion exceeds a limit of a joint: a recording may, and is played all the same. */
+export function exceedsLimits({ limits = {} }: LineAnswer): boolean {
+  return Object.values(limits).some((use) => use !== null && use.fraction > 1 + rounding);
+}
+
+/** Status, reason, deviation measured and proved, use of the limits. What exceeds a limit is red, and not reached. */
+export function planReport(answer: LineAnswer, joints: JointDescription[]): HTMLElement {
   const time = answer.duration == null ? "" : `, ${shown(answer.duration, 2)} s`;
-  const parts: HTMLElement[] = [element("p", {}, element("strong", {}, answer.status), `${time}. ${answer.reason}`)];
+  const exceeds = exceedsLimits(answer);
+  const status = exceeds && answer.status === "reached" ? "exceeds the limits" : answer.status;
+  const good = status === "reached";
+  const parts: HTMLElement[] = [
+    element("p", {}, element("strong", { class: good ? "good" : "over" }, status), `${time}. ${answer.reason}`),
+  ];
+  const proof = proofInWords(answer);
+  if (good && proof !== "") parts.unshift(element("p", { class: "proof" }, proof));
+  const tables: HTMLElement[] = [];
   if (answer.deviation_bound !== undefined && answer.deviation_bound !== null) {
-    parts.push(
+    tables.push(
       table(
         "Deviation from the line",
         ["measured", "proved"],
         ["position", "orientation"],
         [
-          [small(answer.deviation_measured, "m"), small(answer.deviation_bound, "m")],
-          [small(answer.orientation_measured, "rad"), small(answer.orientation_bound, "rad")],
+          [small(answer.deviation_measured, lengths), small(answer.deviation_bound, lengths, "up")],
+          [small(answer.orientation_measured, angles), small(answer.orientation_bound, angles, "up")],
         ],
       ),
     );
@@ -44,20 +79,43 @@ export function planReport(answer: LineAnswer): HTMLElement {
   const used = Object.entries(answer.limits ?? {}).flatMap(([name, use]) => (use ? [{ name, ...use }] : []));
   if (used.length > 0) {
     const rows = used.map(({ fraction, joint, assumed }) => [
-      `${shown(100 * fraction, 1)} %`,
+      fraction > 3 ? `${shown(fraction, fraction < 10 ? 1 : 0)} times` : `${shown(100 * fraction, 1)} %`,
       joint,
       assumed === true ? "assumed" : "",
     ]);
-    parts.push(
-      table(
-        "Largest use of the limits",
-        ["", "at joint", ""],
-        used.map(({ name }) => name),
-        rows,
-      ),
+    const made = table(
+      "Largest use of the limits",
+      ["", "at joint", ""],
+      used.map(({ name }) => name),
+      rows,
     );
+    used.forEach(({ fraction }, i) => made.tBodies[0]?.rows[i]?.classList.toggle("over", fraction > 1 + rounding));
+    tables.push(element("div", { class: "wide" }, made));
+    const assumedHere = assumptions(used, joints);
+    if (assumedHere !== "") parts.push(element("p", { class: "quiet" }, assumedHere));
   }
-  return element("div", { class: "numbers" }, ...parts);
+  const folded = element("details", { open: exceeds }, element("summary", {}, "Deviation and limits"), ...tables);
+  return element("div", { class: "numbers" }, ...parts, ...(tables.length > 0 ? [folded] : []));
+}
+
+/** What is proved, in one sentence; none where nothing is. */
+function proofInWords({ deviation_bound: bound }: LineAnswer): string {
+  if (bound === undefined || bound === null) return "";
+  return `Proved: at every time the tool is within ${small(bound, lengths, "up")} of the line.`;
+}
+
+/** Which limits are not published for the arm, and what is assumed instead. */
+function assumptions(used: { name: string; joint: string; assumed?: boolean }[], joints: JointDescription[]): string {
+  const assumed = used.filter((use) => use.assumed === true);
+  if (assumed.length === 0) return "";
+  const values = assumed.flatMap(({ name, joint }) => {
+    const { assumed: here, type } = joints.find((one) => one.name === joint) ?? {};
+    const value = name === "velocity" || name === "acceleration" ? here?.[name] : undefined;
+    const unit = `${type === "prismatic" ? "m" : "rad"}/s${name === "acceleration" ? "²" : ""}`;
+    return value === undefined ? [] : `${shown(value, 2).replace(/\.?0+$/, "")} ${unit}`;
+  });
+  const names = new Intl.ListFormat("en").format(assumed.map(({ name }) => name));
+  return `No limits of ${names} are published for this arm; ${values.join(" and ")} ${values.length > 1 ? "are" : "is"} assumed.`;
 }
 
 /** A button that saves a text, made when it is pressed, as a file. */

@@ -1,7 +1,7 @@
 import { cellOf, centreOf, largest, measures, type Measure, type ReachMap } from "../core/reach.js";
 import { gradient } from "../scene/colour_scale.js";
 import type { PageState } from "../state/page_state.js";
-import { element, shown } from "./element.js";
+import { element, shown } from "../elements/element.js";
 import { measureText, shapeOf } from "./reach_measures.js";
 
 /** The part of the state that this panel owns. */
@@ -34,6 +34,8 @@ export class ReachDisplay {
   private readonly slider = element("input", { type: "range", "aria-label": "Position of the slice, slider" });
   private readonly at = element("input", { type: "number", step: "any", "aria-label": "Position of the slice" });
   private readonly surfaceRow: HTMLElement;
+  private readonly plane: HTMLElement;
+  private readonly sliceLabel = element("label", { for: "reach-tiles" }, "Slice");
 
   constructor(changed: (change: Partial<Choices>) => void) {
     this.measure.addEventListener("change", () => changed({ measure: this.measure.value as Measure }));
@@ -48,6 +50,7 @@ export class ReachDisplay {
     this.at.addEventListener("change", () => {
       if (this.at.value !== "") changed({ sliceAt: Number(this.at.value) });
     });
+    this.plane = element("span", { class: "plane" }, this.normal, " = ", this.at, " m");
     const label = (text: string, of: HTMLElement): HTMLElement => element("label", { for: of.id }, text);
     this.surfaceRow = element(
       "div",
@@ -61,14 +64,7 @@ export class ReachDisplay {
       element("div", { class: "choice" }, label("Measure of a position", this.measure), this.measure),
       element("figure", { class: "colours" }, scale, this.numbers, this.caption),
       this.surfaceRow,
-      element(
-        "div",
-        { class: "shown" },
-        this.tiles,
-        label("Slice", this.tiles),
-        this.slider,
-        element("span", { class: "plane" }, this.normal, " = ", this.at, " m"),
-      ),
+      element("div", { class: "shown" }, this.tiles, this.sliceLabel, this.slider, this.plane),
     );
   }
 
@@ -100,7 +96,8 @@ export class ReachDisplay {
     const at = centreOf(axis, sliceIndex(map, { ...state, sliceNormal: normal }));
     this.tiles.checked = state.showSlice;
     this.normal.value = String(normal);
-    this.normal.disabled = this.at.disabled = this.slider.disabled = planar;
+    this.slider.hidden = this.plane.hidden = planar; // the map has one height
+    this.sliceLabel.textContent = planar ? "Tiles" : "Slice";
     this.slider.min = String(centreOf(axis, 0));
     this.slider.max = String(centreOf(axis, axis.cells - 1));
     this.slider.step = String(axis.step);

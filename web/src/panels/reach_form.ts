@@ -1,6 +1,6 @@
 import { cellCount, positionCount, type ReachGrid } from "../core/reach.js";
 import { cellChoices, directionChoices } from "../state/page_state.js";
-import { element, shown } from "./element.js";
+import { element, shown } from "../elements/element.js";
 
 /** Poses whose inverse kinematics takes minutes, and how many there are in a cell for a redundant arm. */
 const many = 1_500_000;

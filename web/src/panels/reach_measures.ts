@@ -1,5 +1,5 @@
 import type { Measure } from "../core/reach.js";
-import { shown } from "./element.js";
+import { shown } from "../elements/element.js";
 
 /** How a measure of the positions of a map is shown. */
 interface Shape {

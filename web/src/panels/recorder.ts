@@ -1,4 +1,4 @@
-import { element } from "./element.js";
+import { element } from "../elements/element.js";
 
 /** Joint values at a time since the recording began, seconds. */
 export interface Recorded {

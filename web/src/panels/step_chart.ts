@@ -1,12 +1,14 @@
 import type uPlot from "uplot";
 import type { JointDescription } from "../core/description.js";
-import type { StepResponse } from "../core/step_response.js";
-import { element, shown } from "./element.js";
-import { unitOf } from "./units.js";
+import { divergence, type StepResponse } from "../core/step_response.js";
+import type { Gains } from "../core/types.js";
+import { element, shown } from "../elements/element.js";
+import { unitOf } from "../elements/units.js";
+import { jointColour, onTheme, resolved } from "../scene/colours.js";
+import { numbered } from "./chart_axis.js";
 
 const height = 190;
-const drawn = 60; // steps: the same for all gains, so that charts can be compared
-const colours = ["#d0312d", "#2e8b3d", "#4a7fe0", "#d95f02", "#9a5fc0", "#1f9e9e", "#8a8f98"];
+const usual = 60; // steps: the same for all gains that converge, so that charts can be compared
 
 /** The errors of the joints over the steps of PID control, one curve a joint. */
 export class StepChart {
@@ -24,7 +26,7 @@ export class StepChart {
     new ResizeObserver(() => {
       if (this.root.clientWidth > 0) this.plot?.setSize({ width: this.root.clientWidth, height });
     }).observe(this.root);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => void this.draw());
+    onTheme(() => void this.draw());
   }
 
   /** Says why there is no response. */
@@ -36,50 +38,54 @@ export class StepChart {
     this.words.textContent = reason;
   }
 
-  show(response: StepResponse, joints: JointDescription[], degrees: boolean): void {
+  show(response: StepResponse, gains: Gains, joints: JointDescription[], degrees: boolean): void {
     const units = joints.map(({ type }) => unitOf(type, degrees));
     const names = [...new Set(units.map(({ name }) => name))].join(" and ");
+    const count = stepsOf(response);
     const scaled = response.errors.map((errors, k) =>
-      errors.slice(0, drawn + 1).map((error) => error * (units[k]?.factor ?? 1)),
+      errors.slice(0, count + 1).map((error) => error * (units[k]?.factor ?? 1)),
     );
-    this.words.textContent = inWords(response);
-    this.holder.setAttribute("aria-label", `Errors in ${names} over ${drawn} steps. ${inWords(response)}`);
+    const words = inWords(response, gains);
+    this.words.textContent = words;
+    this.holder.setAttribute("aria-label", `Errors in ${names} over ${count} steps. ${words}`);
     this.legend.replaceChildren(
       ...joints.map(({ name }, k) => {
-        const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
-        swatch.style.background = colour(k);
+        const swatch = element("span", {
+          class: "swatch",
+          "aria-hidden": "true",
+          style: `background: ${jointColour(k)}`,
+        });
         return element("li", {}, swatch, `${name}, ${units[k]?.name ?? ""}`);
       }),
     );
-    const most = 1.3 * scaled.reduce((most, [first = 0]) => Math.max(most, Math.abs(first)), 0) || 1;
     const low = scaled.flat().reduce((least, value) => Math.min(least, value), 0);
     const high = scaled.flat().reduce((top, value) => Math.max(top, value), 0);
-    const margin = 0.05 * (high - low);
-    const range: [number, number] = [Math.max(-most, low - margin), Math.min(most, high + margin) || 1];
+    const margin = 0.05 * (high - low) || 1;
+    const range: [number, number] = [low - margin, high + margin];
     this.latest = { rows: scaled, range };
     void this.draw();
   }
 
   private async draw(): Promise<void> {
     const turn = ++this.drawing;
+    if (!this.latest) return;
     const { default: Plot } = await import("uplot");
     if (turn !== this.drawing || !this.latest || this.root.clientWidth === 0) return;
     this.plot?.destroy();
     const { rows, range } = this.latest;
-    const steps = Array.from({ length: drawn + 1 }, (_, step) => step);
+    const steps = (rows[0] ?? []).map((_, step) => step);
     this.plot = new Plot(options(rows.length, range, this.root.clientWidth), [steps, ...rows], this.holder);
   }
 }
 
-function colour(k: number): string {
-  return colours[k % colours.length] as string;
+/** How many steps are drawn: of a controller that diverges, until the errors hide how they began. */
+function stepsOf({ errors, diverged, left }: StepResponse): number {
+  return diverged ?? (left < 1 ? usual : (errors[0]?.length ?? 1) - 1);
 }
 
 function options(count: number, range: [number, number], width: number): uPlot.Options {
-  const style = getComputedStyle(document.documentElement);
-  const quiet = style.getPropertyValue("--quiet").trim();
-  const grid = { stroke: style.getPropertyValue("--line").trim(), width: 1 };
-  const axis = { stroke: quiet, grid, ticks: { show: false } };
+  const grid = { stroke: resolved("--grid"), width: 1 };
+  const axis = { stroke: resolved("--quiet"), grid, ticks: { show: false }, font: "12px system-ui, sans-serif" };
   return {
     width,
     height,
@@ -87,26 +93,37 @@ function options(count: number, range: [number, number], width: number): uPlot.O
     cursor: { show: false },
     scales: { x: { time: false }, y: { range: () => range } },
     axes: [
-      { ...axis, size: 24, values: (_, steps) => steps.map((step) => (step === drawn ? `${step} steps` : `${step}`)) },
-      { ...axis, size: 52 },
+      { ...axis, size: 24, values: (_, steps) => steps.map((step, i) => (i === 0 ? `step ${step}` : `${step}`)) },
+      { ...axis, size: 52, ...numbered(4) },
     ],
     series: [
       {},
       ...Array.from({ length: count }, (_, k) => ({
-        stroke: colour(k),
-        width: 2,
-        points: { show: true, size: 3, fill: colour(k) },
+        stroke: resolved(jointColour(k)),
+        width: 1.5,
+        points: { show: true, size: 4, fill: resolved(jointColour(k)) },
       })),
     ],
   };
 }
 
 /** What one should see. */
-function inWords({ errors, overshoot, settled, left }: StepResponse): string {
+function inWords({ errors, overshoot, settled, left, diverged, factor }: StepResponse, gains: Gains): string {
   const steps = (errors[0]?.length ?? 1) - 1;
-  const over = overshoot > 0.001 ? `It overshoots by ${shown(100 * Math.min(overshoot, 1e6), 1)} % of the way. ` : "";
-  if (left > 1) return `Unstable: the errors grow from step to step.`;
-  if (settled === null) return `${over}After ${steps} steps ${shown(100 * left, 1)} % of the error is left.`;
-  const slow = settled > drawn ? "It crawls: " : "";
+  const over = overshoot > 0.001 ? `It overshoots by ${shown(100 * overshoot, 1)} % of the way. ` : "";
+  const why = becauseOf(factor, gains);
+  if (diverged !== null)
+    return `Unstable: the errors grow from step to step, beyond ${divergence} times the first after ${diverged} steps. ${why}`;
+  if (left > 1) return `Unstable: the errors grow from step to step. ${why}`;
+  if (settled === null)
+    return `${over}After ${steps} steps ${shown(100 * left, 1)} % of the error is left.${left > 0.999 ? ` ${why}` : ""}`;
+  const slow = settled > usual ? "It crawls: " : "";
   return `${over}${slow}${slow === "" ? "T" : "t"}he errors stay below 2 % from step ${settled} on.`;
+}
+
+/** Why the errors grow. */
+export function becauseOf(factor: number, { kp, ki = 0, kd = 0 }: Gains): string {
+  if (ki === 0 && kd === 0)
+    return `Each step multiplies the error by 1 − Kp = ${shown(1 - kp, 2).replace(/\.?0+$/, "")}; it shrinks only for 0 < Kp < 2.`;
+  return `In the end each step multiplies the error by about ${shown(factor, 2)}: the gains are too large together.`;
 }

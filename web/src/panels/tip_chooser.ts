@@ -1,27 +1,44 @@
-import { element } from "./element.js";
+import { element } from "../elements/element.js";
 
-/** The links of a URDF text at which a chain can end: those that carry no joint. */
-export function tipsOf(urdf: string): string[] {
+/** A link of a URDF at which a chain can end. */
+export interface ChainEnd {
+  link: string;
+  /** It carries several joints: the chain ends before them. */
+  branches: boolean;
+}
+
+/** The links of a URDF text at which a chain can end: those that carry no joint, then those that carry several. */
+export function endsOf(urdf: string): ChainEnd[] {
   const document = new DOMParser().parseFromString(urdf, "text/xml");
-  const parents = new Set(
-    [...document.querySelectorAll("joint > parent")].map((parent) => parent.getAttribute("link")),
-  );
+  const carried = new Map<string, number>();
+  for (const parent of document.querySelectorAll("joint > parent")) {
+    const link = parent.getAttribute("link") ?? "";
+    carried.set(link, (carried.get(link) ?? 0) + 1);
+  }
   const links = [...document.querySelectorAll("robot > link")].map((link) => link.getAttribute("name") ?? "");
-  return links.filter((link) => !parents.has(link));
+  const tips = links.filter((link) => !carried.has(link));
+  const forks = links.filter((link) => (carried.get(link) ?? 0) > 1);
+  return [...tips.map((link) => ({ link, branches: false })), ...forks.map((link) => ({ link, branches: true }))];
 }
 
 /** Asks where the chain of a URDF with several ends shall end. */
 export class TipChooser {
-  readonly root = element("p", { class: "pair", hidden: true });
+  readonly root = element("p", { class: "pair tips", hidden: true });
   private readonly choice = element("select", { id: "tip" });
 
   constructor(chosen: (tip: string) => void) {
     const go = element("button", { type: "button", onclick: () => chosen(this.choice.value) }, "End there");
-    this.root.append(element("label", { for: "tip" }, "Tip"), this.choice, go);
+    this.root.append(element("label", { for: "tip" }, "Where does the arm end?"), this.choice, go);
   }
 
-  ask(tips: string[]): void {
-    this.choice.replaceChildren(...tips.map((tip) => element("option", {}, tip)));
-    this.root.hidden = tips.length < 2;
+  /** Asks for one of these ends; nothing where there is none. */
+  ask(ends: ChainEnd[]): void {
+    const text = ({ link, branches }: ChainEnd): string => (branches ? `${link}, before it branches` : link);
+    this.choice.replaceChildren(...ends.map((end) => element("option", { value: end.link }, text(end))));
+    this.root.hidden = ends.length === 0;
+  }
+
+  focus(): void {
+    this.choice.focus();
   }
 }

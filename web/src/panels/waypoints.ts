@@ -1,48 +1,66 @@
-import { tooLarge } from "./arm_chooser.js";
-import { element, shown } from "./element.js";
+import { tooLarge } from "../core/limits.js";
+import { headingOf, poseOfQuaternion, posesFile } from "../core/pose.js";
+import { iconButton } from "../elements/button.js";
+import { element, shown } from "../elements/element.js";
 
 /** The waypoints of a line: the tool's poses, added by hand, or a file of poses as commands read it. */
 export class WaypointsPanel {
   readonly root = element("div");
   private readonly list = element("ol", { class: "waypoints" });
   private readonly message = element("p", { role: "alert", class: "refusal" });
+  private readonly clear = element("button", { type: "button", disabled: true }, "Remove all");
   private poses: number[][] = [];
+  private planar = false;
+  private degrees = true;
   private file: { name: string; text: string } | null = null;
 
   /** `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
   constructor(
     pose: () => number[] | null,
     private readonly changed: (poses: number[][]) => void,
+    private readonly fileChanged: () => void,
   ) {
-    const add = element("button", { type: "button" }, "Add the tool's pose");
-    add.addEventListener("click", () => {
+    const add = iconButton("add", "Add a waypoint here", "The tool's pose becomes the next waypoint", () => {
       const added = pose();
       this.file = null;
       if (added) this.changed([...this.poses, added]);
     });
-    const clear = element("button", { type: "button" }, "Remove all");
-    clear.addEventListener("click", () => this.removeAll());
+    this.clear.addEventListener("click", () => this.removeAll());
     const load = element("input", { type: "file", accept: ".csv,.json", "aria-label": "Waypoints from a file" });
     load.addEventListener("change", () => {
       const file = load.files?.[0];
       if (file) void this.read(file);
       load.value = "";
     });
-    const fromFile = element("details", {}, element("summary", {}, "or from a file of poses"), load);
-    this.root.append(element("p", { class: "pair" }, add, clear), fromFile, this.message, this.list);
+    const fromFile = element("details", {}, element("summary", {}, "Waypoints from a file"), load);
+    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, this.list, fromFile);
   }
 
-  show(poses: number[][]): void {
+  /** `planar`: the tool moves in x, y and θ only. */
+  describe(planar: boolean): void {
+    this.planar = planar;
+  }
+
+  show(poses: number[][], degrees: boolean): void {
     this.poses = poses;
+    this.degrees = degrees;
     if (poses.length > 0) this.file = null;
+    this.clear.disabled = this.empty;
     const items = this.file
       ? [this.item(`the poses of ${this.file.name}`, "Remove the file", () => this.removeAll())]
-      : poses.map(([x = 0, y = 0, z = 0], i) =>
-          this.item(`${shown(x, 3)}, ${shown(y, 3)}, ${shown(z, 3)} m`, `Remove waypoint ${i + 1}`, () =>
+      : poses.map((pose, i) =>
+          this.item(this.inWords(pose), `Remove waypoint ${i + 1}`, () =>
             this.changed(this.poses.filter((_, k) => k !== i)),
           ),
         );
     this.list.replaceChildren(...items);
+  }
+
+  private inWords(pose: number[]): string {
+    const [x, y, z] = pose.slice(0, 3).map((value) => shown(value, 3));
+    if (!this.planar) return `${x}, ${y}, ${z} m`;
+    const theta = headingOf(poseOfQuaternion(pose));
+    return `${x}, ${y} m, ${this.degrees ? `${shown((theta * 180) / Math.PI, 1)}°` : `${shown(theta, 3)} rad`}`;
   }
 
   /** Whether there is a line through them. */
@@ -56,9 +74,7 @@ export class WaypointsPanel {
 
   /** The file of poses that commands read: its name and its text. */
   get asFile(): { name: string; text: string } {
-    if (this.file) return this.file;
-    const rows = this.poses.map((pose) => pose.join(","));
-    return { name: "poses.csv", text: ["x,y,z,qw,qx,qy,qz", ...rows, ""].join("\n") };
+    return this.file ?? { name: "poses.csv", text: posesFile(this.poses) };
   }
 
   /** Poses of a file belong to the arm that was shown. */
@@ -75,20 +91,22 @@ export class WaypointsPanel {
       return;
     }
     const ending = file.name.toLowerCase().endsWith(".json") ? "json" : "csv";
-    this.file = { name: `poses.${ending}`, text };
     this.changed([]);
-    this.show([]);
+    this.file = { name: `poses.${ending}`, text };
+    this.show([], this.degrees);
+    this.fileChanged();
   }
 
   private removeAll(): void {
     this.file = null;
     this.changed([]);
-    this.show([]);
+    this.show([], this.degrees);
+    this.fileChanged();
   }
 
   private item(text: string, label: string, remove: () => void): HTMLElement {
-    const button = element("button", { type: "button", "aria-label": label }, "×");
+    const button = element("button", { type: "button", class: "remove", "aria-label": label, title: label }, "×");
     button.addEventListener("click", remove);
-    return element("li", {}, `${text} `, button);
+    return element("li", {}, element("span", {}, text), button);
   }
 }

@@ -1,4 +1,4 @@
-import { element } from "../panels/element.js";
+import { element } from "../elements/element.js";
 
 /** Offers a file to be saved. */
 export function saveFile(name: string, content: Blob): void {

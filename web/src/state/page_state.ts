@@ -1,8 +1,10 @@
 import type { Measure } from "../core/reach.js";
 
 /** The parts of the page, each with a panel of its own. */
-export const sections = ["hold", "control", "motion", "reach", "lessons"] as const;
+export const sections = ["pose", "control", "line", "workspace", "lessons"] as const;
 export type Section = (typeof sections)[number];
+/** What sections were called in older links. */
+export const formerSections: Record<string, Section> = { hold: "pose", motion: "line", reach: "workspace" };
 
 /** Where the arm comes from: an argument ARM of the command line (a built-in name or a joint string), or the JSON that
  * `beeline show --out` writes. */
@@ -19,9 +21,13 @@ export interface PageState {
   /** The frame of the Jacobian in the panel. */
   frame: "base" | "tool" | "space";
   showFrames: boolean;
+  /** The angles of the joints in the picture of a planar arm. */
+  showAngles: boolean;
   showSolutions: boolean;
+  /** The columns of the Jacobian as arrows at the tool. */
+  showColumns: boolean;
   showEllipsoid: boolean;
-  /** The goal of the control section, as a configuration; null: each joint a third of the way to its farther limit. */
+  /** The goal of the section Control, as a configuration; null: each joint a third of the way to its farther limit. */
   goal: number[] | null;
   /** Gains of the controllers, per step; ki and kd of joint-space control only. */
   gain: number;
@@ -45,13 +51,15 @@ export interface PageState {
 }
 
 export const initialState: PageState = {
-  arm: { text: "ur5" },
+  arm: { text: "rrr" },
   q: null,
   degrees: true,
-  section: "hold",
+  section: "pose",
   frame: "base",
   showFrames: false,
+  showAngles: true,
   showSolutions: false,
+  showColumns: false,
   showEllipsoid: false,
   goal: null,
   gain: 0.1,
@@ -68,6 +76,14 @@ export const initialState: PageState = {
   showSlice: true,
   lesson: "",
 };
+
+/** What Undo takes back; the others are how it is looked at. */
+export const work = ["arm", "q", "goal", "gain", "ki", "kd", "waypoints"] as const;
+
+/** Whether two sources are the same text. */
+export function sameArm(a: ArmSource, b: ArmSource): boolean {
+  return "text" in a ? "text" in b && a.text === b.text : "json" in b && a.json === b.json;
+}
 
 /** What can be chosen for reachCells and reachDirections. */
 export const cellChoices = [8, 12, 16, 20, 30, 40];

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
-#include <optional>
-#include <string_view>
 #include <unordered_map>
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/text/internal/column_unit.h>
+#include <beeline/io/text/internal/foreign_unit.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 
@@ -20,10 +19,42 @@ struct UnitOfRate {
 };
 
 /// A longer text stands before its own ending.
-constexpr UnitOfRate rates[] = {{"/s^2", 2},     {"/s2", 2},  {"/s\xc2\xb2", 2}, {"_s^2", 2},
-                                {"_per_s2", 2},  {"_s2", 2},  {"/sec^2", 2},     {"/sec2", 2},
-                                {"_per_sec", 1}, {"/sec", 1}, {"_sec", 1},       {"_per_s", 1},
-                                {" per s", 1},   {"/s", 1},   {"_s", 1},         {"", 0}};
+constexpr UnitOfRate rates[] = {{"/s^2", 2},
+                                {"/s2", 2},
+                                {"/s\xc2\xb2", 2},
+                                {"/s/s", 2},
+                                {"_s^2", 2},
+                                {"_per_s2", 2},
+                                {"_s2", 2},
+                                {"/sec^2", 2},
+                                {"/sec2", 2},
+                                {"/sec\xc2\xb2", 2},
+                                {"/second^2", 2},
+                                {" per second squared", 2},
+                                {" per second^2", 2},
+                                {" per second per second", 2},
+                                {" per s^2", 2},
+                                {" per s2", 2},
+                                {" s^-2", 2},
+                                {"*s^-2", 2},
+                                {" s\xe2\x81\xbb\xc2\xb2", 2},
+                                {"\xc2\xb7s\xe2\x81\xbb\xc2\xb2", 2},
+                                {"_per_second", 1},
+                                {"_per_sec", 1},
+                                {"/second", 1},
+                                {"/sec", 1},
+                                {"_sec", 1},
+                                {"_per_s", 1},
+                                {" per second", 1},
+                                {" per sec", 1},
+                                {" per s", 1},
+                                {" s^-1", 1},
+                                {"*s^-1", 1},
+                                {" s\xe2\x81\xbb\xc2\xb9", 1},
+                                {"\xc2\xb7s\xe2\x81\xbb\xc2\xb9", 1},
+                                {"/s", 1},
+                                {"_s", 1},
+                                {"", 0}};
 
 /// The endings of rates that may stand behind the unit: `joint1_deg_vel`.
 constexpr std::string_view quantities[] = {
@@ -76,11 +107,8 @@ const Unit* angle_among_words(const std::string& name) {
   for (std::size_t begin = 0; begin < lower.size();) {
     std::size_t end = begin;
     while (end < lower.size() && !is_end_of_word(lower[end])) ++end;
-    const std::string_view word = std::string_view(lower).substr(begin, end - begin);
-    for (const Unit& unit : all_units()) {
-      const auto found = std::find(unit.names.begin(), unit.names.end(), word);
-      if (unit.quantity == Quantity::angle && found != unit.names.end()) return &unit;
-    }
+    const Unit* const unit = unit_called(std::string_view(lower).substr(begin, end - begin));
+    if (unit != nullptr && unit->quantity == Quantity::angle) return unit;
     begin = end + 1;
   }
   return nullptr;
@@ -134,128 +162,61 @@ NameInUnit split_twice(const std::string& name, const std::vector<std::string>& 
   return inner;
 }
 
-/// The unit that an item of a row of units gives, as text behind a name: ` [deg/s]`; empty for one
-/// of another quantity, none for a text that is no unit.
-std::optional<std::string> unit_behind(std::string_view item) {
-  constexpr std::string_view others[] = {"", "-", "1", "%", "n", "nm", "n.m", "n*m", "a", "v", "w"};
+/// The item of a row of units in lower case, without brackets and the dot of an abbreviation.
+std::string unit_text(std::string_view item) {
   item = trimmed(item);
   if (item.size() >= 2 && is_opening(item.front())) item = item.substr(1, item.size() - 2);
-  const std::string lower = lower_case(std::string(trimmed(item)));
-  if (std::find(std::begin(others), std::end(others), lower) != std::end(others)) return "";
-  const std::string behind = " [" + lower + "]";
+  item = trimmed(item);
+  if (item.size() >= 2 && item.ends_with('.')) item.remove_suffix(1);
+  return lower_case(item);
+}
+
+/// Whether the text is a unit, or one of a rate.
+bool is_unit(const std::string& text) {
   for (const bool times : {false, true}) {
-    const NameInUnit found = split_at_unit("x" + behind, times);
-    if (found.unit != nullptr && found.stem == "x" && (!times || found.power == 0)) return behind;
+    const NameInUnit found = split_at_unit("x [" + text + "]", times);
+    if (found.unit != nullptr && found.stem == "x" && (!times || found.power == 0)) return true;
   }
-  return std::nullopt;
+  return false;
 }
 
-bool is_one_of(std::string_view word, std::string_view words) {
-  return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
+bool is_numeric(const std::string& item) {
+  double value = 0;
+  return parse_double(item.data(), item.data() + item.size(), value).ec == std::errc();
 }
-
-/// Collects the units of comments.
-class CommentReader {
- public:
-  void read(const std::string& comment) {
-    constexpr const char* subjects =
-        "unit units angle angles angular position positions joint joints length lengths distance "
-        "distances time times timestamp timestamps value values column columns coordinates "
-        "orientation orientations rotation rotations translation translations roll pitch yaw q "
-        "angle_unit angle_units length_unit time_unit";
-    constexpr const char* fillers =
-        "a all and are as data expressed for given in is measured of recorded stored the written";
-    // With one of these, a unit does not count behind other words.
-    constexpr const char* others =
-        "acceleration accelerations celsius converted from limit limits max maximum no not "
-        "resolution speed speeds step to velocities velocity";
-    const std::vector<std::string> words = words_of(comment);
-    const auto is_known = [](const std::string& word) {
-      return is_one_of(word, fillers) || unit_called(word).unit != nullptr;
-    };
-    const bool plain = std::none_of(words.begin(), words.end(), [](const std::string& word) {
-      return is_one_of(word, others);
-    });
-    bool active = std::all_of(words.begin(), words.end(), is_known), any_subject = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const NameInUnit found = unit_called(words[i]);
-      const bool counts = i + 1 < words.size() && words[i + 1] == "of";  // degrees of freedom
-      const bool behind_in = any_subject && plain && i > 0 && words[i - 1] == "in";
-      if (is_one_of(words[i], subjects)) {
-        active = any_subject = true;
-      } else if (found.unit != nullptr && !counts && (active || (behind_in && found.power == 0))) {
-        add(found);
-      } else if (!is_one_of(words[i], fillers)) {
-        active = false;
-      }
-    }
-  }
-
-  StatedUnits finish() {
-    StatedUnits& stated = stated_;
-    if (stated.angle == nullptr) stated.angle = rate_of_angle_;
-    if (rate_of_angle_ != nullptr) set(stated.angle, *rate_of_angle_, "angles and their rates");
-    if (stated.length == nullptr) stated.length = rate_of_length_;
-    if (rate_of_length_ != nullptr) set(stated.length, *rate_of_length_, "lengths and their rates");
-    return stated;
-  }
-
- private:
-  static NameInUnit unit_called(const std::string& word) {
-    for (const bool times : {false, true}) {
-      NameInUnit found = split_at_unit("x [" + word + "]", times);
-      if (found.unit != nullptr && found.stem == "x" && (!times || found.power == 0)) return found;
-    }
-    return {};
-  }
-
-  /// Words in lower case, with the slash of `deg/s` in them.
-  static std::vector<std::string> words_of(const std::string& comment) {
-    std::vector<std::string> words(1);
-    for (const char c : lower_case(comment)) {
-      const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
-                          c == '/' || c == '^' || static_cast<unsigned char>(c) >= 0x80;
-      if (letter) {
-        words.back() += c;
-      } else if (!words.back().empty()) {
-        words.emplace_back();
-      }
-    }
-    if (words.back().empty()) words.pop_back();
-    return words;
-  }
-
-  static void set(const Unit*& stated, const Unit& unit, const char* what) {
-    if (stated != nullptr && stated != &unit) {
-      throw Error(std::string("the comments give ") + what + " in " + name_of(*stated) +
-                  " and in " + name_of(unit) + "; write the unit behind each column's name");
-    }
-    stated = &unit;
-  }
-
-  void add(const NameInUnit& found) {
-    const bool rate = found.power > 0;
-    switch (found.unit->quantity) {
-      case Quantity::angle:
-        return set(rate ? rate_of_angle_ : stated_.angle, *found.unit, "angles");
-      case Quantity::length:
-        return set(rate ? rate_of_length_ : stated_.length, *found.unit, "lengths");
-      case Quantity::time:
-        return set(stated_.time, *found.unit, "times");
-    }
-  }
-
-  StatedUnits stated_;
-  const Unit *rate_of_angle_ = nullptr, *rate_of_length_ = nullptr;
-};
 
 }  // namespace
+
+bool states_unit(std::string_view item) {
+  const std::string text = unit_text(item);
+  const ForeignUnit* const foreign = foreign_unit(text);
+  return is_unit(text) || (foreign != nullptr && foreign->is_only_a_unit);
+}
+
+bool is_time_name(std::string_view name) {
+  constexpr std::string_view known[] = {
+      "t",        "time",      "timestamp",       "time_stamp",   "stamp",   "date",
+      "datetime", "date_time", "time_from_start", "elapsed_time", "elapsed", "uptime"};
+  return std::find(std::begin(known), std::end(known), name) != std::end(known);
+}
+
+RateText rate_at_front(std::string_view text) {
+  RateText found;
+  for (const auto& [behind, power] : rates) {
+    if (behind.size() <= found.size || !text.starts_with(behind)) continue;
+    const char next = behind.size() < text.size() ? text[behind.size()] : ' ';
+    const bool goes_on = (next >= 'a' && next <= 'z') || (next >= '0' && next <= '9') ||
+                         next == '^' || static_cast<unsigned char>(next) >= 0x80;
+    if (!goes_on) found = {power, behind.size()};
+  }
+  return found;
+}
 
 const std::vector<Unit>& all_units() {
   using enum Quantity;
   static const std::vector<Unit> units{
-      {angle, 1, {"rad", "radian", "radians"}},
-      {angle, std::numbers::pi / 180, {"deg", "degree", "\xc2\xb0", "\xc2\xba", "degrees"}},
+      {angle, 1, {"rad", "rads", "radian", "radians"}},
+      {angle, std::numbers::pi / 180, {"deg", "degs", "degree", "\xc2\xb0", "\xc2\xba", "degrees"}},
       {length, 1, {"m", "metre", "meter", "meters", "metres"}},
       {length, 1e-3, {"mm", "millimetre", "millimeter", "millimeters", "millimetres"}},
       {time, 1, {"s", "sec", "secs", "second", "seconds"}},
@@ -270,6 +231,13 @@ const std::vector<Unit>& all_units() {
 }
 
 std::string name_of(const Unit& unit) { return std::string(unit.names.front()); }
+
+const Unit* unit_called(std::string_view text) {
+  for (const Unit& unit : all_units()) {
+    if (std::find(unit.names.begin(), unit.names.end(), text) != unit.names.end()) return &unit;
+  }
+  return nullptr;
+}
 
 const Unit& unit_among(Quantity quantity, const std::string& text, const std::string& what) {
   std::vector<std::string> names;
@@ -288,7 +256,7 @@ NameInUnit split_at_time_unit(const std::string& name) {
 
 ColumnsInUnits columns_in_units(const std::vector<std::string>& names,
                                 const std::vector<std::string>& known) {
-  ColumnsInUnits columns{.names = names, .given = names, .sources = names};
+  ColumnsInUnits columns{.names = names, .given = names};
   // Only few known names end in a unit.
   std::vector<std::string> guarded;
   std::copy_if(known.begin(), known.end(), std::back_inserter(guarded),
@@ -298,6 +266,7 @@ ColumnsInUnits columns_in_units(const std::vector<std::string>& names,
   for (const std::string& given : names) {
     NameInUnit split = split_twice(given, guarded);
     columns.units.push_back(split.unit);
+    columns.powers.push_back(split.power);
     ++counts[split.stem];
     stems.push_back(std::move(split.stem));
   }
@@ -307,51 +276,28 @@ ColumnsInUnits columns_in_units(const std::vector<std::string>& names,
   return columns;
 }
 
-std::vector<std::string> with_units(std::vector<std::string> names,
-                                    const std::vector<std::string>& items) {
+UnitRow with_units(std::vector<std::string> names, const std::vector<std::string>& items) {
   if (names.size() != items.size()) return {};
+  UnitRow row;
   bool any = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::optional<std::string> behind = unit_behind(items[i]);
-    if (!behind) return {};
-    any = any || !behind->empty();
-    names[i] += *behind;
-  }
-  return any ? names : std::vector<std::string>();
-}
-
-StatedUnits stated_units(const std::vector<std::string>& comments) {
-  CommentReader reader;
-  for (const std::string& comment : comments) reader.read(comment);
-  return reader.finish();
-}
-
-std::vector<double> factors_to(const std::vector<std::string>& wanted,
-                               const ColumnsInUnits& columns, const StatedUnits& stated) {
-  std::vector<double> factors;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const Unit* unit = columns.units[i];
-    const auto target = std::find_if(all_units().begin(), all_units().end(), [&](const Unit& any) {
-      return any.names.front() == wanted[i];
-    });
-    const bool has_unit = target != all_units().end();
-    if (unit != nullptr && (!has_unit || target->quantity != unit->quantity)) {
-      const char* const units = !has_unit                             ? "has no unit"
-                                : target->quantity == Quantity::angle ? "is an angle: rad or deg"
-                                                                      : "is a length: m or mm";
-      throw Error("column " + printable(columns.given[i]) + " is in " + name_of(*unit) +
-                  ", but it " + units);
-    }
-    if (unit == nullptr && has_unit) {
-      unit = target->quantity == Quantity::angle ? stated.angle : stated.length;
-      if (unit != nullptr && target->si != 1 && unit != &*target) {
-        throw Error("column " + printable(columns.given[i]) + " is in " + name_of(*unit) +
-                    ", as a comment says, but is asked for in " + name_of(*target));
+    const std::string text = unit_text(items[i]);
+    const ForeignUnit* const foreign = foreign_unit(text);
+    const bool known = is_unit(text);
+    any = any || known || (foreign != nullptr && foreign->is_only_a_unit);
+    if (known) {
+      names[i] += " [" + text + "]";
+    } else if (!is_unit_of_other_quantity(text)) {
+      if (is_numeric(text)) return {};
+      if (row.fault.empty()) {
+        row.fault = "column " + printable(names[i]) + ": " + in_quotes(items[i]) +
+                    " in the row of units is not read; " + units_that_are_read;
       }
     }
-    factors.push_back(unit == nullptr ? 1 : unit->si / target->si);
   }
-  return factors;
+  if (!any) return {};
+  if (row.fault.empty()) row.names = std::move(names);
+  return row;
 }
 
 }  // namespace beeline::internal

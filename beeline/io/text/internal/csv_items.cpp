@@ -1,8 +1,10 @@
+#include <array>
 #include <unordered_map>
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/text/internal/csv_items.h>
+#include <beeline/io/text/internal/csv_number.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 
@@ -24,10 +26,11 @@ bool remove_up_to(std::string_view& line, std::size_t end, char separator) {
 }
 
 /// Whether the line is a row of numbers, and each of its commas is between two digits.
-bool has_decimal_commas(std::string_view line) {
+bool has_decimal_commas(std::string_view text) {
+  const std::string line = with_plain_minus(text);
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (line.find_first_not_of("0123456789+-.,eE; \t\"") != std::string_view::npos) return false;
-  for (std::size_t i = line.find(','); i != std::string_view::npos; i = line.find(',', i + 1)) {
+  if (line.find_first_not_of("0123456789+-.,eE; \t|\"") != line.npos) return false;
+  for (std::size_t i = line.find(','); i != line.npos; i = line.find(',', i + 1)) {
     if (i == 0 || i + 1 == line.size() || !is_digit(line[i - 1]) || !is_digit(line[i + 1])) {
       return false;
     }
@@ -37,21 +40,31 @@ bool has_decimal_commas(std::string_view line) {
 
 }  // namespace
 
+bool is_framed(std::string_view line) {
+  return line.size() > 1 && line.starts_with('|') && line.ends_with('|');
+}
+
+std::string_view without_terminators(std::string_view line) {
+  while (!line.empty() && (line.back() == ';' || is_blank(line.back()))) line.remove_suffix(1);
+  return line;
+}
+
 char csv_separator(std::string_view line) {
-  bool quoted = false, comma = false, semicolon = false, tab = false, blank = false;
   line = trimmed(line);
-  for (const char c : line) {
+  if (is_framed(line)) return '|';
+  bool quoted = false;
+  constexpr std::string_view separators = ",;\t| ";
+  std::array<bool, separators.size()> found{};  // outside of quotes
+  for (const char c : without_terminators(line)) {
     if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    comma = comma || c == ',';
-    semicolon = semicolon || c == ';';
-    tab = tab || c == '\t';
-    blank = blank || c == ' ';
+    const std::size_t i = separators.find(c);
+    if (!quoted && i != std::string_view::npos) found[i] = true;
   }
-  if (comma && !has_decimal_commas(line)) return ',';
-  if (semicolon) return ';';
-  if (tab) return '\t';
-  return blank ? ' ' : ',';
+  found.front() = found.front() && !has_decimal_commas(without_terminators(line));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i]) return separators[i];
+  }
+  return line.ends_with(';') && line.find(',') == std::string_view::npos ? ';' : ',';
 }
 
 bool take_item(std::string_view& line, std::string& item, char separator) {
@@ -92,8 +105,9 @@ std::vector<std::string> csv_items(std::string_view line, char separator) {
 }
 
 std::string csv_name(const std::string& name) {
-  const bool plain = name.find_first_of(",; \t\"") == std::string::npos && !name.starts_with('#') &&
-                     !name.starts_with('%');
+  const bool plain = name.find_first_of(",; \t|\"") == std::string::npos &&
+                     name.find_first_not_of("-=+:") != std::string::npos &&
+                     !name.starts_with('#') && !name.starts_with('%') && !name.starts_with("//");
   if (plain) return name;
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);

@@ -8,10 +8,17 @@
 namespace beeline::internal {
 
 /// Returns the separator of a text from its first line, by the characters outside of quotes: a
-/// comma; a semicolon if there are no commas except decimal ones; a tab if there is neither; a
-/// blank, which stands for any number of them, if there are no other separators. A single item has
-/// a comma.
+/// comma; a semicolon if there are no commas except decimal ones; a tab if there is neither; then a
+/// pipe, which a framed line always has; a blank, which stands for any number of them, if there are
+/// no other separators. Semicolons at the end of the line do not count beside other separators. A
+/// single item has a comma.
 char csv_separator(std::string_view line);
+
+/// Whether a line begins and ends with a pipe, as in Markdown.
+bool is_framed(std::string_view line);
+
+/// Removes semicolons at the end of a line, which MATLAB and C have there.
+std::string_view without_terminators(std::string_view line);
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 

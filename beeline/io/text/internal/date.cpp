@@ -49,9 +49,7 @@ class DateText {
     return value;
   }
 
-  [[noreturn]] void refuse() const {
-    throw Error(in_quotes(text_) + " is not a date with a time, such as 2024-05-01T12:00:00.123Z");
-  }
+  [[noreturn]] void refuse() const { throw Error(in_quotes(text_) + not_a_date); }
 
  private:
   std::string_view text_, rest_;

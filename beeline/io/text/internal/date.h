@@ -12,6 +12,10 @@ struct Date {
   bool has_zone = false;
 };
 
+/// The end of an error for a text that is no such date.
+inline constexpr const char* not_a_date =
+    " is not a date with a time, such as 2024-05-01T12:00:00.123Z";
+
 /// Parses a date of ISO 8601, `2024-05-01T12:00:00.123Z`: a blank may stand for the T, the seconds
 /// or their fraction of at most nine digits may be missing, and the zone is Z, an offset such as
 /// +02:00, +0200 or +02, or missing. Returns none for a text that does not begin as a date. Throws

@@ -2,23 +2,13 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/joint_from_json.h>
-#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/pose_json.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/model/joint.h>
 
 namespace beeline::internal {
 namespace {
-
-std::string name_from_json(const JsonDocument& document, const Json& json) {
-  const std::string& name = document.text(json);
-  try {
-    check_name(name, "is refused: the name");
-  } catch (const Error& error) {
-    document.refuse(json, error.what());
-  }
-  return name;
-}
 
 double number_or(const JsonDocument& document, const Json& object, const char* key,
                  double otherwise) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/model/internal/ranges.h>
 

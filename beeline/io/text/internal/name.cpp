@@ -3,22 +3,12 @@
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_fault.h>
 #include <beeline/model/arm.h>
 
 namespace beeline::internal {
-
-std::string shell_word(std::string_view text) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:+@%";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) {
-    return std::string(text);
-  }
-  std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return word + "'";
-}
 
 std::string printable(std::string_view text) {
   constexpr std::size_t max_shown = 80;
@@ -60,6 +50,10 @@ ElementFault name_fault(std::string_view name) {
 void check_name(std::string_view name, std::string_view what) {
   const ElementFault fault = name_fault(name);
   if (fault != ElementFault::none) throw Error(std::string(what) + " " + clause(fault, name));
+}
+
+std::string recommended(const std::string& option, const std::string& value) {
+  return option + "=" + in_quotes(value) + " (--" + option + " " + shell_word(value) + ")";
 }
 
 }  // namespace beeline::internal

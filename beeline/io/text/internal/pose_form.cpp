@@ -113,8 +113,15 @@ const std::string& known_pose_columns() {
   return text;
 }
 
+void check_triple(std::size_t count, const PoseFormat& format, const std::string& what) {
+  if (count != 3 || format.triple) return;
+  throw Error(what + "3 numbers, x,y,theta or x,y,z; give ", "triple",
+              "=\"planar\" or triple=\"position\"");
+}
+
 const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
                                    const std::string& what) {
+  check_triple(count, format, what);
   for (const PoseColumns& columns : all_pose_columns()) {
     if (columns.names.size() == count && reads_without_names(columns, format)) return columns;
   }
@@ -171,8 +178,14 @@ ColumnsInUnits known_columns(const Names& header) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     std::string& name = columns.names[i];
     const auto found = known.find(lower_case(name));
-    if (found != known.end()) name = found->second;
-    if (columns.units[i] != nullptr && contains(program_columns(), name)) name = header[i];
+    name = found != known.end() ? found->second : header[i];
+    const NameInUnit in_time = split_at_time_unit(header[i]);
+    if (in_time.unit != nullptr && lower_case(in_time.stem) == "dwell") {
+      name = "dwell";
+      columns.units[i] = in_time.unit;
+    }
+    const bool has_no_unit = contains({"motion", "relative", "q"}, name);
+    if (columns.units[i] != nullptr && has_no_unit) name = header[i];
     if (!seen.insert(name).second) {
       throw Error("column " + in_quotes(name) + " is given twice, in upper and lower case");
     }
@@ -180,11 +193,14 @@ ColumnsInUnits known_columns(const Names& header) {
   return columns;
 }
 
-std::vector<double> pose_factors(const ColumnsInUnits& columns, const PoseFormat& format,
-                                 const StatedUnits& stated) {
+std::vector<double> pose_factors(ColumnsInUnits columns, const PoseFormat& format,
+                                 const StatedUnits& stated, const std::string& path) {
   Names wanted;
-  for (const std::string& name : columns.names) wanted.push_back(unit_of_column(name, format));
-  return factors_to(wanted, columns, stated);
+  for (std::size_t i = 0; i < columns.names.size(); ++i) {
+    wanted.push_back(unit_of_column(columns.names[i], format));
+    if (contains(program_columns(), columns.names[i])) columns.units[i] = nullptr;
+  }
+  return factors_to(wanted, columns, stated, path);
 }
 
 bool names_pose(const Names& header) {
@@ -218,7 +234,9 @@ const std::vector<PoseColumns>& all_pose_columns() {
 }
 
 bool reads_without_names(const PoseColumns& columns, const PoseFormat& format) {
-  if (columns.names.size() == 3) return columns.planar == (format.triple == Triple::planar);
+  if (columns.names.size() == 3) {
+    return !format.triple || columns.planar == (*format.triple == Triple::planar);
+  }
   if (!columns.form) return true;
   if (format.pose_form) return *columns.form == *format.pose_form;
   return columns.names.size() != 6 || *columns.form == PoseForm::rpy;
@@ -235,13 +253,13 @@ WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& col
     written.pose = internal::pose_from_matrix(numbers);
   } else if (columns.form) {
     written.pose = make_pose({numbers[0], numbers[1], numbers[2]},
-                             internal::rotation_in(*columns.form, rest, format.unit));
+                             internal::rotation_in(*columns.form, rest, format.angle_unit));
     if (columns.form == PoseForm::rpy)
-      written.max_angle = to_radians(internal::largest(rest), format.unit);
+      written.max_angle = to_radians(internal::largest(rest), format.angle_unit);
     if (columns.form == PoseForm::rotvec)
       written.max_angle = Vector3(rest[0], rest[1], rest[2]).stableNorm();
   } else if (columns.planar) {
-    written.max_angle = columns.oriented ? to_radians(numbers[2], format.unit) : 0;
+    written.max_angle = columns.oriented ? to_radians(numbers[2], format.angle_unit) : 0;
     written.pose = to_space(Pose2{numbers[0], numbers[1], written.max_angle});
   } else {
     written.pose = make_pose({numbers[0], numbers[1], numbers[2]});
@@ -258,7 +276,7 @@ std::string unit_of_column(const std::string& name, const PoseFormat& format) {
   const auto has = [&name](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const bool degrees = format.unit == AngleUnit::degrees;
+  const bool degrees = format.angle_unit == AngleUnit::degrees;
   if (has(positions)) return format.millimetres ? "mm" : "m";
   if (has(angles)) return degrees ? "deg" : "rad";
   if (has(rotation_vectors)) return "rad";

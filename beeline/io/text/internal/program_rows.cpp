@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
@@ -36,7 +35,7 @@ struct ProgramColumns {
   std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
   const PoseColumns* form = nullptr;                ///< none: all rows have joint values
-  std::vector<double> factors = {};                 ///< of each number in a row: pose_factors()
+  std::vector<double> factors = {};  ///< of each number in a row: pose_factors(), factor_of()
 };
 
 ProgramColumns program_columns_of(const Columns& header) {
@@ -58,23 +57,53 @@ ProgramColumns program_columns_of(const Columns& header) {
   return columns;
 }
 
-/// Throws Error for units in comments that differ from the units of the format, or for lengths
-/// other than metres if there are speeds or blends, which are in metres.
-void check_stated(const internal::StatedUnits& stated, const PoseFormat& format,
-                  const ProgramColumns& columns) {
-  const std::tuple<const internal::Unit*, std::string, const char*> units[] = {
-      {stated.angle, unit_of_column("theta", format), "angles (unit, --degrees)"},
-      {stated.length, unit_of_column("x", format), "positions (millimetres, --millimetres)"}};
-  for (const auto& [unit, read, option] : units) {
-    if (unit == nullptr || internal::name_of(*unit) == read) continue;
-    throw Error("a comment gives " + internal::name_of(*unit) + ", but a program is read in " +
-                read + " here; an option gives the unit of " + option);
+/// Throws Error for joint values in a column q if a comment gives another unit than the options
+/// do: their texts are read by the arm.
+void check_joint_values(const internal::StatedUnits& stated, const PoseFormat& format) {
+  const internal::Unit* const angle = stated.angle.of(0);
+  const internal::Unit* const length = stated.length.of(0);
+  if (angle != nullptr && internal::name_of(*angle) != unit_of_column("theta", format)) {
+    throw Error("a comment gives angles in " + internal::name_of(*angle) +
+                ", but the joint values, q, are in " + unit_of_column("theta", format) +
+                " here; an option gives the unit of angles (unit, --degrees)");
   }
-  const bool has_metres = columns.named[3] || columns.named[4];
-  if (stated.length == nullptr || stated.length->si == 1 || !has_metres) return;
-  throw Error("a comment gives " + internal::name_of(*stated.length) +
-              ", but speeds and blends are in m/s and m; write the unit behind the names of the "
-              "other columns");
+  if (length != nullptr && length->si != 1) {
+    throw Error(
+        "a comment gives lengths in " + internal::name_of(*length) +
+        ", but the joint values, q, of prismatic joints are in m; write the unit behind the "
+        "names of the other columns");
+  }
+}
+
+/// Returns what the numbers in the column of speeds, blends or dwells are multiplied by: 1 unless
+/// its name or a comment gives a unit. A comment on positions alone does not.
+double factor_of(std::size_t column, const std::string& name, const internal::ColumnsInUnits& named,
+                 const internal::StatedUnits& stated, const std::string& path) {
+  const bool time = name == "dwell";
+  const int order = name == "speed" ? 1 : 0;
+  const auto quantity = time ? internal::Quantity::time : internal::Quantity::length;
+  const internal::Unit* unit = named.units[column];
+  if (unit != nullptr) {
+    const int power = named.powers[column];
+    if (unit->quantity != quantity || (power != order && power != 0)) {
+      throw Error("column " + internal::printable(named.given[column]) + " must be in " +
+                  (time         ? "s, ms, us or ns"
+                   : order == 1 ? "m/s or mm/s"
+                                : "m or mm"));
+    }
+    return unit->si;
+  }
+  internal::check_read(stated, quantity, order, path);
+  unit = time ? stated.time : stated.length.all;
+  if (order == 1 && stated.length.of_order[1] != nullptr) unit = stated.length.of_order[1];
+  const internal::Unit* const positions = stated.length.of_order[0];
+  if (!time && unit == nullptr && positions != nullptr && positions->si != 1) {
+    throw Error("a comment gives positions in " + internal::name_of(*positions) +
+                ", but no unit of " + name + "; write it behind the column's name, as " +
+                (order == 1 ? "speed [mm/s]" : "blend_mm"));
+  }
+  if (unit == nullptr) internal::check_clear(stated, quantity, path);
+  return unit != nullptr ? unit->si : 1;
 }
 
 /// Whether each name is a column of a pose or of a program.
@@ -87,10 +116,12 @@ bool are_known(const Columns& names) {
   }
 }
 
-std::optional<double> optional_number(internal::CsvRows& rows, const std::string& item,
-                                      const std::string& column) {
-  if (item.empty()) return std::nullopt;
-  return rows.number(item, column);
+/// The number in the i-th of program_columns(); none if there is none.
+std::optional<double> optional_number(internal::CsvRows& rows, const ProgramColumns& columns,
+                                      std::size_t i, const std::vector<std::string>& items) {
+  const std::optional<std::size_t> column = columns.named[i];
+  if (!column || items[*column].empty()) return std::nullopt;
+  return columns.factors[*column] * rows.number(items[*column], program_columns()[i]);
 }
 
 /// The number of leading columns of a form that give the position, if others give the orientation.
@@ -161,9 +192,9 @@ ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const 
                  .relative = text(1),
                  .pose = pose_in(rows, items, columns, header, format, text(0) != "via"),
                  .q = text(2),
-                 .speed = optional_number(rows, text(3), "speed"),
-                 .blend = optional_number(rows, text(4), "blend"),
-                 .dwell = optional_number(rows, text(5), "dwell")};
+                 .speed = optional_number(rows, columns, 3, items),
+                 .blend = optional_number(rows, columns, 4, items),
+                 .dwell = optional_number(rows, columns, 5, items)};
   check_row(row);
   return row;
 }
@@ -197,8 +228,14 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
     const internal::ColumnsInUnits named = internal::known_columns(rows.columns());
     const Columns& header = named.names;
     ProgramColumns columns = program_columns_of(header);
-    check_stated(rows.stated(), format, columns);
-    columns.factors = internal::pose_factors(named, format, {});
+    if (columns.named[2]) check_joint_values(rows.stated(), format);
+    columns.factors = internal::pose_factors(named, format, rows.stated(), path);
+    for (const std::size_t i : {3, 4, 5}) {
+      const std::optional<std::size_t> column = columns.named[i];
+      if (!column) continue;
+      columns.factors[*column] =
+          factor_of(*column, program_columns()[i], named, rows.stated(), path);
+    }
     while (rows.advance()) {
       program.rows.push_back(row_in(rows, columns, header, format));
       program.rows.back().line = rows.line();
@@ -206,6 +243,8 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
         throw Error("a program has at most " + std::to_string(max_program_rows) + " rows");
       }
     }
+  } catch (const FileError&) {
+    throw;
   } catch (const Error& error) {
     throw FileError(path, rows.line(), error.what());
   }

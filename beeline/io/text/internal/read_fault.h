@@ -10,4 +10,10 @@ namespace beeline::internal {
 /// numbers; it must have three, as in "0 0 1"`. Throws Error for a warning that is_fault() denies.
 std::string clause(const ReadWarning& fault);
 
+/// Returns the clause without the text that says what to do about the fault.
+std::string fact(const ReadWarning& fault);
+
+/// Returns the sentence() of any warning without the place in the file.
+std::string statement(const ReadWarning& warning, OptionStyle style);
+
 }  // namespace beeline::internal

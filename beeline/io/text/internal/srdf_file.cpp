@@ -48,6 +48,10 @@ Srdf::State read_state(const XmlElements& elements, const XMLElement& element) {
   return state;
 }
 
+NamedPair read_pair(const XmlElements& elements, const XMLElement& element) {
+  return {elements.needed_name(element, "link1"), elements.needed_name(element, "link2")};
+}
+
 }  // namespace
 
 Srdf srdf_from_text(std::string_view text, const std::string& path) {
@@ -80,6 +84,12 @@ Srdf srdf_from_text(std::string_view text, const std::string& path) {
       elements.refuse(at->GetLineNum(), "two states of one group have the name " + state.name);
     } else if (tag == "virtual_joint") {
       srdf.virtual_joints.push_back(elements.needed_name(*at, "name"));
+    } else if (tag == "disable_collisions") {
+      srdf.disabled_collisions.push_back(read_pair(elements, *at));
+    } else if (tag == "enable_collisions") {
+      srdf.enabled_collisions.push_back(read_pair(elements, *at));
+    } else if (tag == "disable_default_collisions") {
+      srdf.disabled_links.push_back(elements.needed_name(*at, "link"));
     }
   }
   return srdf;

@@ -8,7 +8,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 constexpr std::string_view lfs_pointer = "version https://git-lfs.github.com/spec/";
 static_assert(lfs_pointer.size() == lfs_pointer_size);
 

@@ -12,6 +12,9 @@ namespace beeline::internal {
 // mark. Bytes that are not UTF-8 are accepted in comments; where they matter the reader refuses
 // them with not_utf8().
 
+/// The byte order mark of UTF-8.
+inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
 /// What to do about a text with bytes that are not UTF-8.
 inline constexpr const char* utf8_remedy = "perhaps Latin-1; save the file as UTF-8";
 

@@ -57,7 +57,8 @@ void check_faults(const UrdfFile& file, const UrdfTree& tree, const Chain& chain
   if (const UrdfFault* fault = tree.first_fault_on(chain)) throw error_of(file, *fault);
   if (tip_is_given) return;
   for (const UrdfFault& fault : tree.faults()) {
-    if (fault.moves) throw error_of(file, fault, "; the option tip selects a chain beside it");
+    if (fault.moves)
+      throw error_of(file, fault, "; the option tip (--tip) selects a chain beside it");
   }
 }
 
@@ -98,8 +99,9 @@ std::vector<ChainJoint> cut_chain(const UrdfTree& tree, const ChainEnds& ends,
   const bool moves = std::any_of(chain.begin(), chain.end(), [&](const ChainJoint& place) {
     return has_one_dof(file.joints[place.index]);
   });
-  if (!moves && ends.tip.empty() && !tree.faults().empty())
-    throw error_of(file, tree.faults().front());
+  if (!moves && ends.tip.empty()) {
+    if (const UrdfFault* fault = tree.first_fault()) throw error_of(file, *fault);
+  }
   check_faults(file, tree, chain, !ends.tip.empty());
   if (warnings == nullptr) return chain;
   warnings->insert(warnings->end(), found.begin(), found.end());

@@ -33,9 +33,11 @@ std::vector<ReadWarning> warnings_of(const UrdfFile& file, const std::vector<Urd
   std::vector<ReadWarning> warnings;
   for (std::size_t i = 0; i < std::min(most, faults.size()); ++i) {
     ReadWarning warning = warning_of(file, faults[i]);
-    warning.lists_known =
-        std::none_of(warnings.begin(), warnings.end(),
-                     [&](const ReadWarning& before) { return before.kind == warning.kind; });
+    const auto same_names = [&](const ReadWarning& before) {
+      const bool of_element = warning.kind == ReadWarningKind::unknown_attribute;
+      return before.kind == warning.kind && (!of_element || before.element == warning.element);
+    };
+    warning.lists_known = std::none_of(warnings.begin(), warnings.end(), same_names);
     warnings.push_back(std::move(warning));
   }
   return warnings;

@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <tinyxml2.h>
 #include <unordered_set>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/internal/utf8.h>
 #include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_file.h>
+#include <beeline/io/text/internal/urdf_ignored.h>
 #include <beeline/io/text/internal/urdf_joint_faults.h>
+#include <beeline/io/text/internal/urdf_origin.h>
 #include <beeline/io/text/internal/xml.h>
 #include <beeline/io/text/internal/xml_elements.h>
 #include <beeline/pose/se3.h>
@@ -24,57 +29,15 @@ bool is_xacro(const XMLElement& element) {
   return std::string_view(element.Name()).starts_with("xacro:");
 }
 
-/// Refuses an element whose values stand elsewhere than in the attributes that are read, as in
-/// `<axis>0 0 1</axis>` or `<axis x="0" y="0" z="1"/>`. An empty one has the defaults.
-void check_attributes(const XmlElements& elements, const XMLElement& element,
-                      std::initializer_list<const char*> known) {
-  const bool written = std::any_of(known.begin(), known.end(), [&](const char* attribute) {
-    return element.Attribute(attribute) != nullptr;
-  });
-  const bool empty = element.FirstAttribute() == nullptr &&
-                     element.FirstChildElement() == nullptr && element.GetText() == nullptr;
-  if (!written && !empty) {
-    elements.refuse(element, *known.begin(), ElementFault::missing_attribute);
-  }
-}
-
-/// The orientation of an origin: rpy, or the quaternion of URDF 1.2. Both are refused.
-Rotation read_orientation(const XmlElements& elements, const XMLElement& origin,
-                          UrdfFile::Joint& joint) {
-  constexpr const char* quaternion = "quat_xyzw";
-  joint.rpy = elements.vector(origin, "rpy", Vector3::Zero());
-  const char* text = origin.Attribute(quaternion);
-  if (text == nullptr) return rotation(RollPitchYaw{joint.rpy.x(), joint.rpy.y(), joint.rpy.z()});
-  if (origin.Attribute("rpy") != nullptr) {
-    elements.refuse(origin, quaternion, ElementFault::two_orientations);
-  }
-  const std::vector<double> q = elements.numbers(origin, quaternion);
-  if (q.size() != 4) {
-    throw XmlError({.path = elements.path(),
-                    .line = origin.GetLineNum(),
-                    .element = described(origin),
-                    .element_fault = ElementFault::not_four_numbers,
-                    .attribute = quaternion,
-                    .count = q.size()});
-  }
-  try {
-    return rotation_from_quaternion(q[3], q[0], q[1], q[2]);
-  } catch (const Error&) {
-    elements.refuse(origin, quaternion, ElementFault::not_unit_length, text);
-  }
-}
-
-void read_origin(const XmlElements& elements, const XMLElement& element, UrdfFile::Joint& joint) {
-  const XMLElement* origin = element.FirstChildElement("origin");
-  if (origin == nullptr) return;
-  check_attributes(elements, *origin, {"xyz", "rpy", "quat_xyzw"});
-  const Vector3 position = elements.vector(*origin, "xyz", Vector3::Zero());
-  joint.origin = make_pose(position, read_orientation(elements, *origin, joint));
+/// The limit of a rate. Many files write 0 for an unknown limit, Isaac Sim and Gazebo -1.
+double read_rate(const XmlElements& elements, const XMLElement& limit, const char* attribute) {
+  const double rate = elements.limit_or(limit, attribute, 0);
+  return rate == 0 || rate == -1 || no_rate_limit(rate) ? Limits::none : rate;
 }
 
 /// A missing <limit> means no limit, although the format requires one; a missing lower or upper is
-/// 0, as the format defines. Many files write velocity="0" for an unknown velocity limit, Isaac Sim
-/// and Gazebo -1. Other numbers for no limit: see no_lower_limit().
+/// 0, as the format defines. Other numbers for no limit: see no_lower_limit(). Acceleration,
+/// deceleration and jerk are extensions; the smaller of the first two bounds both directions.
 Limits read_limits(const XmlElements& elements, const XMLElement& limit, bool continuous) {
   Limits limits;
   if (!continuous) {
@@ -83,8 +46,10 @@ Limits read_limits(const XmlElements& elements, const XMLElement& limit, bool co
     if (!no_lower_limit(lower)) limits.lower = lower;
     if (!no_upper_limit(upper)) limits.upper = upper;
   }
-  const double velocity = elements.limit_or(limit, "velocity", 0);
-  if (velocity != 0 && velocity != -1 && !no_rate_limit(velocity)) limits.velocity = velocity;
+  limits.velocity = read_rate(elements, limit, "velocity");
+  limits.acceleration = std::min(read_rate(elements, limit, "acceleration"),
+                                 std::abs(read_rate(elements, limit, "deceleration")));
+  limits.jerk = read_rate(elements, limit, "jerk");
   return limits;
 }
 
@@ -92,6 +57,14 @@ Mimic read_mimic(const XmlElements& elements, const XMLElement& mimic) {
   return {.leader = with_escaped_bytes(elements.needed_text(mimic, "joint")),
           .multiplier = elements.number_or(mimic, "multiplier", 1),
           .offset = elements.number_or(mimic, "offset", 0)};
+}
+
+/// The tag of an element of the joint that is nearly of this name; empty if there is none.
+std::string element_like(const XMLElement& joint, const std::string& name) {
+  for (const XMLElement* at = joint.FirstChildElement(); at; at = at->NextSiblingElement()) {
+    if (nearest_name(at->Name(), {name}) != nullptr) return described(*at);
+  }
+  return "";
 }
 
 /// The name in UTF-8 of the link that the joint connects.
@@ -102,14 +75,17 @@ std::string read_end(const XmlElements& elements, const XMLElement& joint, const
                     .line = joint.GetLineNum(),
                     .joint = with_escaped_bytes(elements.needed_text(joint, "name")),
                     .element = "<" + std::string(end) + ">",
-                    .element_fault = ElementFault::missing_end});
+                    .element_fault = ElementFault::missing_end,
+                    .value = element_like(joint, end)});
   }
   return with_escaped_bytes(elements.needed_text(*element, "link"));
 }
 
 /// Reads the joint's motion and origin.
 void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFile::Joint& joint) {
-  read_origin(elements, element, joint);
+  const UrdfOrigin origin = read_origin(elements, element);
+  joint.origin = origin.pose;
+  joint.rpy = origin.rpy;
   if (!has_one_dof(joint)) return;  // many files give a fixed joint an axis of zeros
   if (const XMLElement* axis = element.FirstChildElement("axis")) {
     check_attributes(elements, *axis, {"xyz"});
@@ -117,7 +93,9 @@ void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFil
     joint.axis_line = axis->GetLineNum();
   }
   if (const XMLElement* limit = element.FirstChildElement("limit")) {
-    check_attributes(elements, *limit, {"lower", "upper", "velocity", "effort"});
+    check_attributes(
+        elements, *limit,
+        {"lower", "upper", "velocity", "effort", "acceleration", "deceleration", "jerk"});
     joint.limits = read_limits(elements, *limit, joint.type == "continuous");
     joint.limit_line = limit->GetLineNum();
   }
@@ -137,7 +115,10 @@ class Reader {
   void read(const XMLElement& element) {
     if (is_xacro(element)) return add(xacro_fault(element));
     const std::string_view tag = element.Name();
-    if (tag != "link" && tag != "joint") return;
+    if (tag != "link" && tag != "joint") {
+      if (misspelt_part(element)) add(misspelt_fault(element));
+      return;
+    }
     try {
       tag == "link" ? add_link(element) : add_joint(element);
     } catch (const XmlError& error) {  // without its ends a joint has no place in the tree
@@ -152,6 +133,31 @@ class Reader {
     return {.warning = {.kind = ReadWarningKind::xacro_tag,
                         .line = element.GetLineNum(),
                         .element = described(element)}};
+  }
+
+  static UrdfFault misspelt_fault(const XMLElement& element) {
+    const char* type = element.Attribute("type");
+    return {.warning = {.kind = ReadWarningKind::unknown_element,
+                        .line = element.GetLineNum(),
+                        .element = described(element)},
+            .moves = type != nullptr && std::string_view(type) != "fixed"};
+  }
+
+  /// Adds what the joint has that is not read. The same of further joints is counted.
+  void add_ignored(const XMLElement& element, const UrdfFile::Joint& joint, std::size_t index) {
+    for (ReadWarning& warning : ignored_parts(element, has_one_dof(joint))) {
+      const bool own = warning.kind == ReadWarningKind::repeated_element;
+      const auto [known, first] =
+          own ? std::pair(ignored_.end(), true)
+              : ignored_.try_emplace({warning.element, warning.attribute}, file_.faults.size());
+      if (!first) {
+        ReadWarning& before = file_.faults[known->second].warning;
+        if (before.joint != joint.name) ++before.count;
+        continue;
+      }
+      warning.joint = joint.name;
+      add({.warning = std::move(warning), .index = index});
+    }
   }
 
   /// Beyond max_faults one that no chain can have, and that changes no answer, is only counted.
@@ -210,6 +216,7 @@ class Reader {
            .index = index});
     }
     read_remainder(element, joint, index);
+    add_ignored(element, joint, index);
     file_.joints.push_back(std::move(joint));
   }
 
@@ -234,6 +241,7 @@ class Reader {
   UrdfFile& file_;
   const XmlElements elements_;
   std::unordered_set<std::string> links_, joints_, repeated_;
+  std::map<std::pair<std::string, std::string>, std::size_t> ignored_;  ///< names to the fault
   bool moves_ = false;  ///< a fault that moves has been added
 };
 
@@ -289,7 +297,10 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   for (const XMLElement* at = robot->FirstChildElement(); at; at = at->NextSiblingElement()) {
     reader.read(*at);
   }
-  if (file.links.empty() && file.faults.empty()) refuse_misplaced_links(elements, *robot);
+  const bool unexplained =
+      std::all_of(file.faults.begin(), file.faults.end(),
+                  [](const UrdfFault& fault) { return is_ignored(fault.warning.kind); });
+  if (file.links.empty() && unexplained) refuse_misplaced_links(elements, *robot);
   find_joint_faults(file);
   return file;
 }

@@ -53,9 +53,10 @@ const std::vector<std::string>& urdf_joint_types();
 bool is_free(const UrdfFile::Joint& joint);
 
 /// Parses a URDF text. Records its faults: elements that xacro should have replaced, an attribute
-/// that is missing or not a number, a name that is missing, not UTF-8 or given twice, and the
-/// faults of find_joint_faults(). Does not check that the links form a tree. Names have
-/// with_escaped_bytes(). Throws FileError for text that is not XML or has no <robot>.
+/// that is missing or not a number, a name that is missing, not UTF-8 or given twice, what is not
+/// read, see ignored_parts(), and the faults of find_joint_faults(). Does not check that the links
+/// form a tree. Names have with_escaped_bytes(). Throws FileError for text that is not XML or has
+/// no <robot>.
 UrdfFile parse_urdf(std::string_view text, const std::string& path);
 
 }  // namespace beeline::internal

@@ -108,6 +108,22 @@ class ConstantValues {
   std::vector<bool> visited_;
 };
 
+/// Whether the joint follows a joint that moves, with multiplier 0.
+bool is_constant_follower(const UrdfFile& file, const Leaders& leaders, std::size_t j) {
+  const UrdfFile::Joint& joint = file.joints[j];
+  return has_one_dof(joint) && joint.mimic && joint.mimic->multiplier == 0 && leaders.known(j) &&
+         file.joints[leaders.leader(j)].type != "fixed";
+}
+
+/// A limit of a rate, by the name that URDF gives it.
+struct RateLimit {
+  const char* attribute;
+  double Limits::*limit;
+};
+constexpr RateLimit rate_limits[] = {{"velocity", &Limits::velocity},
+                                     {"acceleration", &Limits::acceleration},
+                                     {"jerk", &Limits::jerk}};
+
 /// Makes the joints that follow a fixed joint fixed themselves.
 void fix_constant_joints(UrdfFile& file, const Leaders& leaders) {
   ConstantValues values(file, leaders);
@@ -160,11 +176,17 @@ void find_joint_faults(UrdfFile& file) {
     if (limits.lower > limits.upper) {
       add(ReadWarningKind::limits_reversed, joint.limit_line, {limits.lower, limits.upper});
     }
-    if (limits.velocity < Limits::min_rate) {
-      add(ReadWarningKind::velocity_limit, joint.limit_line, {limits.velocity});
+    for (const RateLimit& rate : rate_limits) {
+      if (limits.*rate.limit >= Limits::min_rate) continue;
+      add(ReadWarningKind::rate_limit, joint.limit_line, {limits.*rate.limit});
+      file.faults.back().warning.attribute = rate.attribute;
     }
     if (joint.mimic && !leaders.known(j)) {
       add(ReadWarningKind::unknown_leader, joint.mimic_line, {}, joint.mimic->leader);
+    }
+    if (is_constant_follower(file, leaders, j)) {
+      add(ReadWarningKind::zero_multiplier, joint.mimic_line, {joint.mimic->offset},
+          joint.mimic->leader);
     }
     if (leaders.endless(j)) {
       add(ReadWarningKind::leader_cycle, joint.mimic_line, {}, joint.mimic->leader);

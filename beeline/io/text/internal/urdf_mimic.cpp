@@ -27,9 +27,9 @@ void keep_within(const UrdfFile::Joint& leader, const Mimic& mimic, Limits& limi
     limits.lower = lower;
     limits.upper = upper;
   }
-  if (leader.limits.velocity >= Limits::min_rate) {
-    limits.velocity =
-        std::min(limits.velocity, std::abs(mimic.multiplier) * leader.limits.velocity);
+  for (double Limits::*const rate : {&Limits::velocity, &Limits::acceleration, &Limits::jerk}) {
+    if (leader.limits.*rate < Limits::min_rate) continue;
+    limits.*rate = std::min(limits.*rate, std::abs(mimic.multiplier) * (leader.limits.*rate));
   }
 }
 

@@ -199,8 +199,8 @@ std::vector<ChainJoint> UrdfTree::chain(std::size_t base, std::size_t tip) const
 /// may be why links are not connected.
 bool UrdfTree::parts_tree(const UrdfFault& fault) const {
   const ReadWarningKind kind = fault.warning.kind;
-  const bool unplaced =
-      (kind == ReadWarningKind::malformed && !fault.index) || kind == ReadWarningKind::unknown_link;
+  const bool lost = kind == ReadWarningKind::malformed || kind == ReadWarningKind::unknown_element;
+  const bool unplaced = (lost && !fault.index) || kind == ReadWarningKind::unknown_link;
   return (unplaced && fault.moves) || kind == ReadWarningKind::two_parents;
 }
 
@@ -289,7 +289,7 @@ void UrdfTree::refuse(const std::string& message, int line) const {
 }
 
 void UrdfTree::refuse_first_fault_or(const std::string& message) const {
-  if (!faults_.empty()) throw error_of(file_, faults_.front());
+  if (const UrdfFault* fault = first_fault()) throw error_of(file_, *fault);
   refuse(message);
 }
 

@@ -52,6 +52,9 @@ class UrdfTree {
   /// connected.
   std::vector<ChainJoint> chain(std::size_t base, std::size_t tip) const;
 
+  /// Returns the first fault that is more than ignored text; null if there is none.
+  const UrdfFault* first_fault() const;
+
   /// Returns the first fault of a joint or a link of a chain of this tree; null if there is none.
   const UrdfFault* first_fault_on(const std::vector<ChainJoint>& chain) const;
 

@@ -33,7 +33,7 @@ std::string UrdfTree::before_gripper(const std::vector<End>& ends, std::size_t b
   const bool moves = std::any_of(joints.begin(), joints.end(), [&](const ChainJoint& joint) {
     return has_one_dof(file_.joints[joint.index]);
   });
-  return moves ? "; --tip " + shell_word(name_of(palm)) + " ends before the gripper" : "";
+  return moves ? "; " + recommended("tip", name_of(palm)) + " ends before the gripper" : "";
 }
 
 /// Returns the link above the uppermost of the finger joints over a link, ignoring fixed joints;

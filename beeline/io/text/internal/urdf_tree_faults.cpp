@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <string_view>
 #include <unordered_set>
 
+#include <beeline/io/text/internal/urdf_ignored.h>
 #include <beeline/io/text/internal/urdf_tree.h>
 
 // The faults of the links and joints of a chain, found in one pass over each.
@@ -34,6 +36,13 @@ struct ChainMembers {
 
 }  // namespace
 
+const UrdfFault* UrdfTree::first_fault() const {
+  const auto first = std::find_if(faults_.begin(), faults_.end(), [](const UrdfFault& fault) {
+    return fault.moves || !is_ignored(fault.warning.kind);
+  });
+  return first == faults_.end() ? nullptr : &*first;
+}
+
 const UrdfFault* UrdfTree::first_fault_on(const std::vector<ChainJoint>& chain) const {
   const ChainMembers members(file_, chain);
   std::vector<bool> cycles(file_.links.size(), false);  // by the link that closes it
@@ -50,7 +59,7 @@ const UrdfFault* UrdfTree::first_fault_on(const std::vector<ChainJoint>& chain) 
       case ReadWarningKind::xacro_tag:
       case ReadWarningKind::zero_axis:
       case ReadWarningKind::limits_reversed:
-      case ReadWarningKind::velocity_limit:
+      case ReadWarningKind::rate_limit:
       case ReadWarningKind::unknown_leader:
       case ReadWarningKind::leader_cycle:
         return members.has(fault);

@@ -52,7 +52,7 @@ std::size_t find_crowded_tag(std::string_view text) {
   return std::string_view::npos;
 }
 
-std::string reason(const tinyxml2::XMLDocument& document) {
+std::string reason(const tinyxml2::XMLDocument& document, std::string_view text) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "it is empty";
@@ -60,10 +60,15 @@ std::string reason(const tinyxml2::XMLDocument& document) {
       return "an element is not closed";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "an attribute is not name=\"value\", or is given twice";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      if (text.find("?>", std::min(text.rfind("<?"), text.size())) != std::string_view::npos) {
+        return "a declaration <?...?> stands below other text; remove the text above it, or the "
+               "second document";
+      }
+      [[fallthrough]];
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
     case tinyxml2::XML_ERROR_PARSING_CDATA:
     case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
-    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
       return "a comment or a declaration has no end";
     case tinyxml2::XML_ERROR_PARSING_TEXT:
       return "text is outside of an element";
@@ -99,7 +104,8 @@ void parse_xml(tinyxml2::XMLDocument& document, std::string_view bytes, const st
     throw FileError(path, static_cast<int>(line), "a tag has more than 100 attributes");
   }
   if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
-  throw FileError(path, document.ErrorLineNum(), "is not well-formed XML: " + reason(document));
+  throw FileError(path, document.ErrorLineNum(),
+                  "is not well-formed XML: " + reason(document, text));
 }
 
 }  // namespace beeline::internal

@@ -2,6 +2,7 @@
 #include <tinyxml2.h>
 
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
@@ -11,6 +12,18 @@
 namespace beeline::internal {
 
 using tinyxml2::XMLElement;
+
+namespace {
+
+/// The attribute of an element that is nearly of this name; empty if there is none.
+std::string attribute_like(const XMLElement& element, const char* name) {
+  for (const auto* at = element.FirstAttribute(); at != nullptr; at = at->Next()) {
+    if (nearest_name(at->Name(), {name}) != nullptr) return printable(at->Name());
+  }
+  return "";
+}
+
+}  // namespace
 
 XmlError::XmlError(const ReadWarning& fault)
     : FileError(fault.path, fault.line, clause(fault)), fault(fault) {}
@@ -23,12 +36,14 @@ void XmlElements::refuse(int line, const std::string& message) const {
 
 void XmlElements::refuse(const XMLElement& element, const char* attribute, ElementFault fault,
                          std::string_view value) const {
-  throw XmlError({.path = path_,
-                  .line = element.GetLineNum(),
-                  .element = described(element),
-                  .element_fault = fault,
-                  .attribute = attribute,
-                  .value = with_escaped_bytes(value)});
+  const bool missing = fault == ElementFault::missing_attribute;
+  throw XmlError(
+      {.path = path_,
+       .line = element.GetLineNum(),
+       .element = described(element),
+       .element_fault = fault,
+       .attribute = attribute,
+       .value = missing ? attribute_like(element, attribute) : with_escaped_bytes(value)});
 }
 
 std::string XmlElements::needed_text(const XMLElement& element, const char* attribute) const {

@@ -4,33 +4,17 @@
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/numbers.h>
 
+#include <tests/io/text/internal/csv_table.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline::internal {
 namespace {
 
-using Names = std::vector<std::string>;
-using Rows = std::vector<std::vector<double>>;
-
-struct Table {
-  Names columns;
-  Rows rows;
-  std::vector<int> lines;
-  bool has_header = true;
-};
-
-Table table_of(const std::string& text, const CsvForms& forms = {}) {
-  const std::string path = "a.csv";
-  CsvLines lines(text, path);
-  CsvRows rows(lines, path, forms);
-  Table table{rows.columns(), {}, {}, rows.has_header()};
-  for (std::vector<double> row; rows.next(row);) {
-    table.rows.push_back(row);
-    table.lines.push_back(rows.line());
-  }
-  return table;
-}
+using testing::Names;
+using testing::Rows;
+using testing::Table;
+using testing::table_of;
 
 TEST(CsvRows, RowsKeepTheirLines) {
   const Table table = table_of("# a comment\nx, y\n1,2\n\n  # another\n3 , -4e-1\n");

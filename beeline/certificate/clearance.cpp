@@ -1,0 +1,83 @@
+#include <cmath>
+#include <ostream>
+
+#include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/clearance_search.h>
+#include <beeline/certificate/internal/closest_approach.h>
+#include <beeline/internal/enum_names.h>
+
+namespace beeline {
+namespace {
+
+constexpr internal::EnumNames<ClearanceStatus> status_names("clearance status");
+
+void check_options(const ClearanceOptions& options) {
+  if (!(options.resolution >= 1e-6 && options.resolution <= 1)) {
+    throw Error("", "resolution",
+                " of " + number(options.resolution) + "; it must be from 1e-6 to 1");
+  }
+  if (!(options.beyond >= 0 && options.beyond <= max_shape_size)) {
+    throw Error("", "beyond",
+                " of " + number(options.beyond) + " m; it must be from 0 to " +
+                    number(max_shape_size) + " m");
+  }
+}
+
+Reason reason_of(const ClearanceProof& proof, Ending ending) {
+  if (proof.status == ClearanceStatus::clear) return {};
+  if (proof.status > ClearanceStatus::not_decided) {
+    return internal::ended_reason(ReasonCode::ended_before_check, ending);
+  }
+  const BodyDistance& pair = proof.pair;
+  Reason reason{ReasonCode::clearance_not_decided,
+                {{ReasonField::body, pair.names[0]},
+                 {ReasonField::other_body, pair.names[1]},
+                 {ReasonField::clearance, pair.clearance},
+                 {ReasonField::time, proof.time},
+                 {ReasonField::position, Vector3((pair.on_first + pair.on_second) / 2)}}};
+  if (proof.status == ClearanceStatus::not_decided) {
+    reason.set(ReasonField::distance, pair.upper);
+    return reason.set(ReasonField::begin, proof.begin).set(ReasonField::end, proof.end);
+  }
+  if (pair.lower > 0) {
+    reason.code = ReasonCode::bodies_too_close;
+    return reason.set(ReasonField::distance, pair.upper);
+  }
+  reason.code = ReasonCode::bodies_collide;
+  // The translation of the first body is away from the second.
+  return reason.set(ReasonField::depth, -pair.lower)
+      .set(ReasonField::normal, Vector3(-pair.normal));
+}
+
+}  // namespace
+
+std::string name(ClearanceStatus status) { return status_names.of(status); }
+
+std::ostream& operator<<(std::ostream& out, ClearanceStatus status) { return out << name(status); }
+
+std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
+  out << name(proof.status);
+  if (!proof) return out << ": " << proof.reason;
+  if (std::isinf(proof.least_distance)) return out << ", no pairs";
+  out << ", at least " << number(-rounded_up(-proof.least_distance, 6)) << " m apart";
+  if (proof.pair.names[0].empty()) return out;
+  return out << "; nearest " << proof.pair.names[0] << " and " << proof.pair.names[1] << " at "
+             << number(proof.time) << " s";
+}
+
+ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
+                               const ClearanceOptions& options) {
+  check_options(options);
+  internal::check_motion(model, trajectory);
+  const Trajectory rest = internal::held(trajectory);
+  internal::BudgetMeter budget(options.budget);
+  const internal::MotionTubes tubes(trajectory.size() == 1 ? rest : trajectory);
+  ClearanceProof proof = internal::ClearanceSearch(model.bodies(), tubes, options, budget).run();
+  if (options.closest && proof)
+    internal::find_closest_approach(model, tubes, options, budget, proof);
+  if (!proof) proof.least_distance = ClearanceProof().least_distance;
+  proof.reason = reason_of(proof, budget.ending());
+  return proof;
+}
+
+}  // namespace beeline

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <iosfwd>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <beeline/budget.h>
+#include <beeline/collision/collision_model.h>
+#include <beeline/error.h>
+#include <beeline/reason.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline {
+
+/// The answer of prove_clearance().
+enum class ClearanceStatus {
+  clear,        ///< proved: at all times each pair keeps its clearance
+  collides,     ///< proved: at `time` a pair is closer than its clearance
+  not_decided,  ///< from `begin` to `end` a pair is nearer to its clearance than the resolution
+  time_limit,   ///< the budget ended the search before an answer
+  cancelled,    ///< likewise
+  work_limit,   ///< likewise
+};
+std::string name(ClearanceStatus status);
+std::ostream& operator<<(std::ostream& out, ClearanceStatus status);  ///< name(status)
+
+struct ClearanceOptions {
+  /// Distance to the clearance below which a pair is not decided, as a fraction of the clearance,
+  /// 1e-6 to 1.
+  double resolution = 0.01;
+  /// Distance by which the clearances are raised, m, 0 or more: what is proved then.
+  double beyond = 0;
+  /// Whether a motion that is clear is examined for its closest approach: `pair` and `time` are
+  /// set, and `least_distance` is raised to within 2 % of their distance where that can be proved.
+  bool closest = false;
+  Budget budget = {};
+};
+
+/// The proof that a motion keeps its clearance, or the first place where it does not.
+struct ClearanceProof {
+  ClearanceStatus status = ClearanceStatus::clear;  ///< answer
+  Reason reason = {};  ///< bodies, time, place and distance; none if `status` is clear
+  /// Lower bound of the distances of all pairs at all times, m, rounded down, if `status` is clear;
+  /// infinite without pairs. -infinity, which bounds nothing, for any other status.
+  double least_distance = -std::numeric_limits<double>::infinity();
+  /// The pair that is too close, or that is not decided. If `status` is clear, the pair of the
+  /// closest approach that was found, with ClearanceOptions::closest; else without names.
+  BodyDistance pair = {};
+  double time = 0;        ///< time of `pair`, s
+  double begin = 0;       ///< everything before this time is proved, s
+  double end = 0;         ///< end of the first time that is not decided, s
+  std::size_t parts = 0;  ///< number of parts of the motion that were examined
+
+  /// Returns whether the motion is proved to keep its clearance.
+  explicit operator bool() const { return status == ClearanceStatus::clear; }
+};
+
+/// Prints `clear, at least 0.05 m apart`, or the status with its reason.
+std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof);
+
+/// Proves or refutes that each pair of the model keeps its clearance at all times of the motion
+/// that the trajectory's columns mean (see Interpolation), which are in the arm's order.
+///
+/// Let n be a unit vector that is fixed to a body B, and h_A(n) the maximum of n . x over the
+/// points of a body A. Then A and B are at least -h_B(-n) - h_A(n) apart, for any n. The motion is
+/// divided into parts. In each part the joints are within a tube about a straight joint motion, and
+/// h_A is bounded over the tube by its first-order motion and the remainder of Taylor's theorem
+/// (collision/internal/tube_gap.h, chain_motion.h). A part for which no n suffices is halved. An
+/// algorithm for the nearest points proposes n: a wrong one costs a division, and never a proof.
+/// All bounds include the rounding errors of their evaluation.
+///
+/// Throws Error when the trajectory does not fit the arm or has no samples, and for options out of
+/// their range.
+ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
+                               const ClearanceOptions& options = {});
+
+/// The least distance beyond the clearance, over time, of the pairs that count
+/// (CollisionModel::pair_count()).
+struct ClearanceOverTime {
+  std::vector<double> times = {};  ///< begin of the first part, then the end of each, s, (m + 1,)
+  /// Distance that each pair is proved to keep beyond its clearance at all times of a part, m,
+  /// (m,). It is below 0 if only less than the clearance is proved.
+  std::vector<double> proved = {};
+  std::vector<double> sample_times = {};  ///< times of `sampled`, s, (k,)
+  std::vector<double> sampled = {};  ///< least distance beyond the clearance, m, rounded up, (k,)
+  /// The clearance of all pairs, m; none if an obstacle has another one.
+  std::optional<double> clearance = std::nullopt;
+  /// How the computation ended: the parts are up to there.
+  Ending ending = Ending::complete;
+};
+
+/// Bounds the distances in each of some hundred parts of a motion as prove_clearance() does, and
+/// samples them five times in each. A sampled distance only proposes the bound to be proved: the
+/// largest of some, from half a percent below it. Without parts for a model without pairs. Throws
+/// Error where prove_clearance() does.
+ClearanceOverTime clearance_over_time(const CollisionModel& model, const Trajectory& trajectory,
+                                      const Budget& budget = {});
+
+}  // namespace beeline

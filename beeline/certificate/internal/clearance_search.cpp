@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <limits>
+
+#include <beeline/certificate/internal/clearance_search.h>
+
+namespace beeline::internal {
+namespace {
+
+using With = OpenPair::With;
+
+/// Bounds of the coordinates in the tubes of all parts of the motion. The tube of a part exceeds
+/// the tube of the whole by at most the width of that tube.
+Configuration lowest_values(const MotionTubes& tubes) {
+  const TubeValues& whole = tubes.values(tubes.all());
+  return whole.middle - 3 * (whole.half.cwiseAbs() + whole.slack);
+}
+Configuration highest_values(const MotionTubes& tubes) {
+  const TubeValues& whole = tubes.values(tubes.all());
+  return whole.middle + 3 * (whole.half.cwiseAbs() + whole.slack);
+}
+
+/// Whether the whole motion is where the model's pairs keep apart. The coefficients bound it, and
+/// their rounding is far less than the margin.
+bool keeps_apart(const CollisionBodies& bodies, const MotionTubes& tubes) {
+  if (bodies.apart_pairs.empty()) return true;
+  for (std::size_t k = 0; k + 1 < tubes.trajectory().size(); ++k) {
+    const BernsteinCoefficients& coefficients = tubes.coefficients(k);
+    if (!bodies.keeps_apart(coefficients.colwise().minCoeff().transpose().eval()) ||
+        !bodies.keeps_apart(coefficients.colwise().maxCoeff().transpose().eval())) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ClearanceSearch::ClearanceSearch(const CollisionBodies& bodies, const MotionTubes& tubes,
+                                 const ClearanceOptions& options, BudgetMeter& budget,
+                                 bool only_counted)
+    : bodies_(bodies),
+      tubes_(tubes),
+      options_(options),
+      budget_(budget),
+      only_counted_(only_counted),
+      tube_test_(bodies, lowest_values(tubes), highest_values(tubes), options.beyond),
+      tube_(bodies.arm.dof()) {
+  proof_.least_distance = std::numeric_limits<double>::infinity();
+}
+
+ClearanceProof ClearanceSearch::run(const MotionTubes::Range& range) {
+  add_all_pairs();
+  search(range, {0, open_.size()});
+  return finished();
+}
+
+ClearanceProof ClearanceSearch::run(const Part& part) {
+  add_all_pairs();
+  parts_.assign(1, part);
+  search_part(0, {0, open_.size()});
+  return finished();
+}
+
+ClearanceProof ClearanceSearch::finished() const {
+  ClearanceProof proof = proof_;
+  if (!budget_.complete() && proof.status != ClearanceStatus::collides) {
+    proof.status = status_of<ClearanceStatus>(budget_.ending());
+  }
+  return proof;
+}
+
+void ClearanceSearch::add_all_pairs() {
+  const auto add = [&](const std::vector<CollisionBodies::SelfPair>& pairs) {
+    for (const auto& pair : pairs) {
+      open_.push_back({.with = With::link, .body = pair.first, .other = pair.second});
+    }
+  };
+  add(bodies_.self_pairs);
+  if ((options_.beyond > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
+    add(bodies_.apart_pairs);  // they are proved to keep the clearance alone, within the limits
+  } else if (!bodies_.apart_pairs.empty()) {
+    proof_.least_distance = bodies_.clearance;
+  }
+  for (std::uint32_t i = 0; i < bodies_.link_bodies.size(); ++i) {
+    if (!CollisionBodies::meets_obstacles(bodies_.link_bodies[i])) continue;
+    if (!bodies_.tree.empty()) open_.push_back({.with = With::node, .body = i, .other = 0});
+    for (std::size_t k = bodies_.finite_obstacles; k < bodies_.obstacle_bodies.size(); ++k) {
+      if (bodies_.allowed(bodies_.link_bodies[i], bodies_.obstacle_bodies[k].obstacle)) continue;
+      open_.push_back({.with = With::obstacle, .body = i, .other = static_cast<std::uint32_t>(k)});
+    }
+  }
+}
+
+void ClearanceSearch::search(const MotionTubes::Range& range, Pairs pairs) {
+  const Pairs open = test(tubes_.values(range).tube(), pairs);
+  if (open.begin < open.end && !ended_) {
+    if (range.is_interval()) {
+      const std::vector<double>& times = tubes_.trajectory().times;
+      parts_.resize(std::max<std::size_t>(parts_.size(), 1));
+      parts_.front().coefficients = tubes_.coefficients(range.first);
+      parts_.front().from = times[range.first];
+      parts_.front().to = times[range.last];
+      search_halves(0, open);
+    } else {
+      search(range.first_half(), open);
+      if (!ended_) search(range.second_half(), open);
+    }
+  }
+  open_.resize(open.begin);
+}
+
+void ClearanceSearch::search_halves(std::size_t level, Pairs pairs) {
+  if (parts_.size() == level + 1) parts_.emplace_back();
+  Part& whole = parts_[level];
+  Part& half = parts_[level + 1];
+  const double middle = whole.from + (whole.to - whole.from) / 2;
+  halve(whole.coefficients, half.coefficients, whole.second_half);
+  half.from = whole.from;
+  half.to = middle;
+  search_part(level + 1, pairs);
+  if (ended_) return;
+  half.coefficients = whole.second_half;
+  half.from = middle;
+  half.to = whole.to;
+  search_part(level + 1, pairs);
+}
+
+void ClearanceSearch::search_part(std::size_t level, Pairs pairs) {
+  const Part& part = parts_[level];
+  enclose(part.coefficients, tube_);
+  const Pairs open = test(tube_.tube(), pairs);
+  if (open.begin < open.end && !ended_) {
+    const double middle = part.from + (part.to - part.from) / 2;
+    const bool divisible = middle > part.from && middle < part.to;
+    if (!divisible || is_small(open)) {
+      decide(part, open);
+    } else {
+      search_halves(level, open);
+    }
+  }
+  open_.resize(open.begin);
+}
+
+/// Returns the pairs that the tube does not prove.
+ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs) {
+  Pairs left{open_.size(), open_.size()};
+  if (pairs.begin == pairs.end) return left;
+  ++proof_.parts;
+  if (budget_.ended()) {
+    ended_ = true;
+    return left;
+  }
+  tube_test_.place(tube);
+  for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
+    queue_.assign(1, open_[i]);
+    while (!queue_.empty()) {
+      OpenPair pair = queue_.back();
+      queue_.pop_back();
+      const TubeTest::Bound bound = tube_test_.bound(pair);
+      if (bound.proves()) {
+        proof_.least_distance = std::min(proof_.least_distance, bound.distance);
+      } else if (tube_test_.is_coarse(pair)) {
+        const BoxTree::Node& node = bodies_.tree.node(pair.other);
+        if (node.right != 0) {
+          for (const std::uint32_t child : {pair.other + 1, node.right}) {
+            queue_.push_back({.with = With::node, .body = pair.body, .other = child});
+          }
+        } else if (!bodies_.allowed(bodies_.link_bodies[pair.body],
+                                    bodies_.obstacle_bodies[node.body].obstacle)) {
+          queue_.push_back({.with = With::obstacle, .body = pair.body, .other = node.body});
+        }
+      } else {
+        open_.push_back(pair);
+      }
+    }
+  }
+  left.end = open_.size();
+  return left;
+}
+
+bool ClearanceSearch::is_small(Pairs pairs) const {
+  return std::all_of(open_.begin() + static_cast<std::ptrdiff_t>(pairs.begin),
+                     open_.begin() + static_cast<std::ptrdiff_t>(pairs.end),
+                     [&](const OpenPair& pair) {
+                       if (pair.with == With::node) return false;
+                       return tube_test_.displacement(pair) <=
+                              std::max(options_.resolution * tube_test_.clearance(pair),
+                                       16 * tube_test_.rounding(pair));
+                     });
+}
+
+/// Decides a part that can hardly be divided, at the middle of its time.
+void ClearanceSearch::decide(const Part& part, Pairs pairs) {
+  BernsteinCoefficients first, second;
+  halve(part.coefficients, first, second);
+  TubeValues middle(part.coefficients.cols());
+  middle.middle = second.row(0);
+  tube_test_.place(middle.tube());
+  const double time = part.from + (part.to - part.from) / 2;
+  for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
+    const BodyDistance pair = tube_test_.distance(open_[i]);
+    const bool collides = pair.upper < pair.clearance + options_.beyond;
+    const bool is_first = proof_.status == ClearanceStatus::clear;
+    const bool is_deeper = proof_.status == ClearanceStatus::collides &&
+                           pair.lower - pair.clearance < proof_.pair.lower - proof_.pair.clearance;
+    if (collides && (proof_.status != ClearanceStatus::collides || is_deeper)) {
+      if (is_first) proof_.begin = part.from;
+      proof_.status = ClearanceStatus::collides;
+      proof_.pair = pair;
+      proof_.time = time;
+      ended_ = true;
+    } else if (is_first) {
+      proof_ = {.status = ClearanceStatus::not_decided,
+                .pair = pair,
+                .time = time,
+                .begin = part.from,
+                .end = part.to,
+                .parts = proof_.parts};
+    }
+  }
+  constexpr std::size_t most_undecided = 10'000;
+  if (++undecided_parts_ == most_undecided) ended_ = true;
+}
+
+void check_motion(const CollisionModel& model, const Trajectory& trajectory) {
+  check_trajectory(trajectory);
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  check_configuration(model.arm(), trajectory.positions.front());
+}
+
+Trajectory held(const Trajectory& trajectory) {
+  if (trajectory.size() != 1) return {};
+  const double time = trajectory.times.front();
+  const Configuration& q = trajectory.positions.front();
+  return {trajectory.joint_names, {time, time + 1}, {q, q}, {}, {}};
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/tube_test.h>
+#include <beeline/internal/budget_meter.h>
+
+namespace beeline::internal {
+
+/// The search of prove_clearance(): depth first, in the order of time. A part of the motion is
+/// tested for the pairs that the part around it did not prove, and halved for those that it does
+/// not prove itself.
+class ClearanceSearch {
+ public:
+  /// Pairs that keep their clearance everywhere within the limits may be nearer than
+  /// ClearanceOptions::beyond: they are searched then, unless `only_counted`.
+  ClearanceSearch(const CollisionBodies& bodies, const MotionTubes& tubes,
+                  const ClearanceOptions& options, BudgetMeter& budget, bool only_counted = false);
+
+  /// A part of an interval between two samples, from time `from` to `to`, and its second half.
+  struct Part {
+    BernsteinCoefficients coefficients, second_half;
+    double from = 0, to = 0;
+  };
+
+  /// Searches the whole motion, some intervals of it, or a part of one. Once only.
+  ClearanceProof run() { return run(tubes_.all()); }
+  ClearanceProof run(const MotionTubes::Range& range);
+  ClearanceProof run(const Part& part);
+
+ private:
+  /// Pairs in open_, from `begin` to `end`.
+  struct Pairs {
+    std::size_t begin = 0, end = 0;
+  };
+
+  ClearanceProof finished() const;
+  void add_all_pairs();
+  void search(const MotionTubes::Range& range, Pairs pairs);
+  void search_part(std::size_t level, Pairs pairs);
+  void search_halves(std::size_t level, Pairs pairs);
+  Pairs test(const JointTube& tube, Pairs pairs);
+  bool is_small(Pairs pairs) const;
+  void decide(const Part& part, Pairs pairs);
+
+  const CollisionBodies& bodies_;
+  const MotionTubes& tubes_;
+  const ClearanceOptions& options_;
+  BudgetMeter& budget_;
+  bool only_counted_;
+  TubeTest tube_test_;
+  std::vector<OpenPair> open_;   ///< a stack
+  std::vector<OpenPair> queue_;  ///< pairs to be tested over the present tube
+  std::deque<Part> parts_;       ///< the part that is searched, and those around it
+  TubeValues tube_;
+  ClearanceProof proof_;
+  bool ended_ = false;
+  std::size_t undecided_parts_ = 0;
+};
+
+/// Throws Error when the trajectory does not fit the model's arm or has no samples.
+void check_motion(const CollisionModel& model, const Trajectory& trajectory);
+
+/// The motion of a trajectory with one sample, a second at rest; empty for another one.
+Trajectory held(const Trajectory& trajectory);
+
+}  // namespace beeline::internal

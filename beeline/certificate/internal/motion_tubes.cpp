@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <limits>
+
+#include <beeline/certificate/internal/motion_tubes.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double roundoff = std::numeric_limits<double>::epsilon();
+constexpr Eigen::Index last = 5;  // degree of the coefficients
+
+/// The coefficients of degree five of a cubic polynomial.
+void set_elevated(double c0, double c1, double c2, double c3, Eigen::Ref<Eigen::VectorXd> b) {
+  b << c0, (2 * c0 + 3 * c1) / 5, (c0 + 6 * c1 + 3 * c2) / 10, (3 * c1 + 6 * c2 + c3) / 10,
+      (3 * c2 + 2 * c3) / 5, c3;
+}
+
+}  // namespace
+
+BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::size_t k) {
+  const Configuration& p0 = trajectory.positions[k];
+  const Configuration& p1 = trajectory.positions[k + 1];
+  const double h = trajectory.times[k + 1] - trajectory.times[k];
+  BernsteinCoefficients b(6, p0.size());
+  for (Eigen::Index i = 0; i < p0.size(); ++i) {
+    if (trajectory.velocities.empty()) {
+      for (Eigen::Index m = 0; m <= last; ++m) {
+        const double u = static_cast<double>(m) / last;
+        b(m, i) = (1 - u) * p0[i] + u * p1[i];
+      }
+      continue;
+    }
+    const double d0 = h * trajectory.velocities[k][i], d1 = h * trajectory.velocities[k + 1][i];
+    if (trajectory.accelerations.empty()) {
+      set_elevated(p0[i], p0[i] + d0 / 3, p1[i] - d1 / 3, p1[i], b.col(i));
+      continue;
+    }
+    const double dd0 = h * h * trajectory.accelerations[k][i];
+    const double dd1 = h * h * trajectory.accelerations[k + 1][i];
+    b.col(i) << p0[i], p0[i] + d0 / 5, p0[i] + 2 * d0 / 5 + dd0 / 20, p1[i] - 2 * d1 / 5 + dd1 / 20,
+        p1[i] - d1 / 5, p1[i];
+  }
+  return b;
+}
+
+void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
+           BernsteinCoefficients& second) {
+  first.resize(6, whole.cols());
+  second = whole;
+  for (Eigen::Index m = 0; m <= last; ++m) {
+    first.row(m) = second.row(0);
+    for (Eigen::Index i = 0; i < last - m; ++i) {
+      second.row(i) = 0.5 * (second.row(i) + second.row(i + 1));
+    }
+  }
+}
+
+void enclose(const BernsteinCoefficients& motion, TubeValues& tube) {
+  const auto begin = motion.row(0), end = motion.row(last);
+  Eigen::Index widest = 0;
+  const double widest_change = (end - begin).cwiseAbs().maxCoeff(&widest);
+  std::array<double, last + 1> pace{};
+  for (Eigen::Index m = 0; m <= last; ++m) {
+    const double share = widest_change > 0
+                             ? (motion(m, widest) - begin[widest]) / (end[widest] - begin[widest])
+                             : static_cast<double>(m) / last;
+    pace[static_cast<std::size_t>(m)] = std::clamp(share, 0.0, 1.0);
+  }
+  for (Eigen::Index i = 0; i < motion.cols(); ++i) {
+    double lowest = 0, highest = 0, size = 0;
+    for (Eigen::Index m = 0; m <= last; ++m) {
+      const double on_line = begin[i] + pace[static_cast<std::size_t>(m)] * (end[i] - begin[i]);
+      lowest = std::min(lowest, motion(m, i) - on_line);
+      highest = std::max(highest, motion(m, i) - on_line);
+      size = std::max(size, std::abs(motion(m, i)));
+    }
+    tube.middle[i] = (begin[i] + end[i] + lowest + highest) / 2;
+    tube.half[i] = (end[i] - begin[i]) / 2;
+    tube.slack[i] = (highest - lowest) / 2 + 32 * roundoff * size;
+  }
+}
+
+void enclose(const TubeValues& first, const TubeValues& second, const Configuration& begin,
+             const Configuration& middle, const Configuration& end, TubeValues& tube) {
+  const Configuration change = end - begin;
+  const double length = change.squaredNorm();
+  const double share =
+      length > 0 ? std::clamp((middle - begin).dot(change) / length, 0.0, 1.0) : 0.5;
+  const Configuration beside = middle - (begin + share * change);
+  // The lines of the halves are beside the whole line by 0 to `beside`; their tubes may be shifted.
+  const auto shift = [](const TubeValues& part, const Configuration& from,
+                        const Configuration& to) {
+    return Configuration(part.middle - (from + to) / 2);
+  };
+  const Configuration first_shift = shift(first, begin, middle);
+  const Configuration second_shift = shift(second, middle, end);
+  for (Eigen::Index i = 0; i < change.size(); ++i) {
+    const double lowest = std::min(0.0, beside[i]) + std::min(first_shift[i] - first.slack[i],
+                                                              second_shift[i] - second.slack[i]);
+    const double highest = std::max(0.0, beside[i]) + std::max(first_shift[i] + first.slack[i],
+                                                               second_shift[i] + second.slack[i]);
+    tube.middle[i] = (begin[i] + end[i] + lowest + highest) / 2;
+    tube.half[i] = change[i] / 2;
+    tube.slack[i] = (highest - lowest) / 2 +
+                    16 * roundoff * (std::abs(begin[i]) + std::abs(middle[i]) + std::abs(end[i]));
+  }
+}
+
+MotionTubes::MotionTubes(const Trajectory& trajectory) : trajectory_(&trajectory) {
+  for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
+    coefficients_.push_back(bernstein_coefficients(trajectory, k));
+  }
+  nodes_.assign(2 * coefficients_.size() - 1, TubeValues(trajectory.positions.front().size()));
+  fill(all());
+}
+
+void MotionTubes::fill(const Range& range) {
+  if (range.is_interval()) return enclose(coefficients_[range.first], nodes_[range.node]);
+  const Range first = range.first_half(), second = range.second_half();
+  fill(first);
+  fill(second);
+  const std::vector<Configuration>& q = trajectory_->positions;
+  enclose(nodes_[first.node], nodes_[second.node], q[range.first], q[range.middle()], q[range.last],
+          nodes_[range.node]);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <beeline/collision/internal/joint_tube.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// The Bernstein coefficients of the coordinates' motion over a part of an interval between two
+/// samples, (6, n): a coordinate's values are weighted means of its column (Farin, "Curves and
+/// Surfaces for CAGD", 2002, chapter 5).
+using BernsteinCoefficients = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Returns the coefficients of the motion from sample k to the next (see Interpolation).
+BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::size_t k);
+
+/// Divides the motion at the middle of its time (de Casteljau).
+void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
+           BernsteinCoefficients& second);
+
+/// The values of a tube: JointTube refers to them.
+struct TubeValues {
+  Eigen::VectorXd middle, half, slack;
+
+  explicit TubeValues(Eigen::Index n = 0)
+      : middle(Eigen::VectorXd::Zero(n)),
+        half(Eigen::VectorXd::Zero(n)),
+        slack(Eigen::VectorXd::Zero(n)) {}
+  JointTube tube() const { return {middle, half, slack}; }
+};
+
+/// Computes a tube that contains the motion: about the line between its ends, along which the
+/// coordinate that moves most sets the pace. The slack includes the rounding of the coefficients.
+void enclose(const BernsteinCoefficients& motion, TubeValues& tube);
+
+/// Computes a tube that contains two tubes, of the motion from `begin` to `middle` and from there
+/// to `end`.
+void enclose(const TubeValues& first, const TubeValues& second, const Configuration& begin,
+             const Configuration& middle, const Configuration& end, TubeValues& tube);
+
+/// Tubes around the parts of a trajectory into which halving its intervals divides it.
+class MotionTubes {
+ public:
+  /// The trajectory has two samples or more.
+  explicit MotionTubes(const Trajectory& trajectory);
+
+  /// A range of intervals, from sample `first` to sample `last`.
+  struct Range {
+    std::size_t node = 0;  ///< index of its tube
+    std::size_t first = 0, last = 0;
+
+    bool is_interval() const { return last == first + 1; }
+    std::size_t middle() const { return first + (last - first) / 2; }
+    Range first_half() const { return {node + 1, first, middle()}; }
+    /// The nodes are in the order of a depth-first search; m intervals have 2 m - 1 of them.
+    Range second_half() const { return {node + 2 * (middle() - first), middle(), last}; }
+  };
+  Range all() const { return {0, 0, trajectory_->size() - 1}; }
+
+  const TubeValues& values(const Range& range) const { return nodes_[range.node]; }
+  const BernsteinCoefficients& coefficients(std::size_t k) const { return coefficients_[k]; }
+  const Trajectory& trajectory() const { return *trajectory_; }
+
+ private:
+  void fill(const Range& range);
+
+  const Trajectory* trajectory_;
+  std::vector<BernsteinCoefficients> coefficients_;
+  std::vector<TubeValues> nodes_;
+};
+
+}  // namespace beeline::internal

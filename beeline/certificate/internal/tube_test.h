@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <beeline/certificate/internal/motion_tubes.h>
+#include <beeline/collision/internal/collision_bodies.h>
+
+namespace beeline::internal {
+
+/// A pair that is not proved yet: a body of the arm with another one of it, with an obstacle, or
+/// with all obstacles in a node of the tree.
+struct OpenPair {
+  enum class With : std::uint8_t { link, obstacle, node };
+  With with = With::node;
+  std::uint32_t body = 0;   ///< index in link_bodies
+  std::uint32_t other = 0;  ///< index in link_bodies, in obstacle_bodies or of the node
+  /// The direction that was tried last, in the axes of the frame that carries the other body; zero:
+  /// none.
+  Vector3 direction = Vector3::Zero();
+};
+
+/// Tests whether pairs of bodies keep their clearance over a joint tube.
+class TubeTest {
+ public:
+  /// Coordinates of joints that slide are between `lower` and `upper` in all tubes. `beyond` is
+  /// added to the clearances.
+  TubeTest(const CollisionBodies& bodies, const Configuration& lower, const Configuration& upper,
+           double beyond);
+
+  /// Begins the tests of a tube.
+  void place(const JointTube& tube);
+
+  /// The bound of the distance of a pair over the tube, from some direction: a proof if it is at
+  /// least `required`.
+  struct Bound {
+    double distance = 0, required = 0;
+    bool proves() const { return distance >= required; }
+  };
+  /// Keeps the best direction in the pair.
+  Bound bound(OpenPair& pair) const;
+
+  /// The distance that the bodies of a pair must keep, m; of a node the largest of its obstacles.
+  double clearance(const OpenPair& pair) const;
+
+  /// A bound of the motion of the pair relative to each other from the middle of the tube, m.
+  double displacement(const OpenPair& pair) const;
+
+  /// The part of the bounds of a pair that is for rounding, m.
+  double rounding(const OpenPair& pair) const;
+
+  /// Whether the pair is of a node of the tree whose children are to be tested apart: the node is
+  /// a leaf, or larger than the motion.
+  bool is_coarse(const OpenPair& pair) const;
+
+  /// Returns the pair at the middle of the tube.
+  BodyDistance distance(const OpenPair& pair) const;
+
+ private:
+  /// A body of the arm over the tube, in the world's axes.
+  struct Placed {
+    Vector3 centre = Vector3::Zero();  ///< of its sphere at the middle
+    double remainder = 0;              ///< ChainMotion::remainder() relative to the base
+    double displacement = 0;           ///< ChainMotion::displacement() likewise
+    double rounding = 0;               ///< ChainMotion::rounding()
+  };
+
+  Bound bound_to_node(OpenPair& pair) const;
+  Bound bound_to_body(OpenPair& pair) const;
+
+  const CollisionBodies& bodies_;
+  double beyond_;
+  ChainMotion motion_;
+  std::vector<JointReach> reach_;  ///< of each of link_bodies
+  std::vector<Placed> placed_;     ///< likewise
+};
+
+}  // namespace beeline::internal

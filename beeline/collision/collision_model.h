@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <beeline/budget.h>
+#include <beeline/collision/scene.h>
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+
+namespace beeline {
+namespace internal {
+struct CollisionBodies;
+}
+
+struct CollisionOptions {
+  double clearance = 1e-3;     ///< distance that is kept, m, above 0
+  bool self_collision = true;  ///< whether links must keep it from each other
+  /// Pairs of links and obstacles that may touch, besides the scene's own pairs.
+  std::vector<NamedPair> allowed_pairs = {};
+  /// Bound of the search for pairs of links that never come closer than the clearance, see
+  /// CollisionModel. A unit of work takes some microseconds. Default: 10,000 units.
+  Budget budget = {.max_work = 10'000};
+};
+
+/// Two bodies of a model, of which the first belongs to the arm, at a distance between two bounds.
+struct BodyDistance {
+  NamedPair names;  ///< names of the two bodies
+  /// At most the distance, m, rounded down. If negative, the bodies may touch, and a translation
+  /// along `normal` by this distance would separate them.
+  double lower = 0;
+  double upper = 0;                     ///< at least the distance, m, rounded up
+  double clearance = 0;                 ///< distance that must be kept, m
+  Vector3 on_first = Vector3::Zero();   ///< a point of the first body, in the world, m
+  Vector3 on_second = Vector3::Zero();  ///< a point of the second body, in the world, m
+  Vector3 normal = Vector3::UnitX();    ///< unit vector from the first body to the second
+  /// Change of the distance for each coordinate, m per rad or m (n,); without meaning where the
+  /// nearest points jump.
+  Eigen::VectorXd gradient = {};
+};
+
+/// An arm with the shapes of its links in a scene, prepared for questions about distances.
+/// Immutable.
+///
+/// All pairs of a link and an obstacle, and of two links, count, except bodies that never move
+/// relative to each other, links that share a joint, allowed pairs, and two links that are proved
+/// to keep their clearance at all configurations within the position limits. The latter count where
+/// a configuration or a motion exceeds the limits.
+class CollisionModel {
+ public:
+  /// Throws Error for a shape that is not valid (check_shape()), a half-space that a link carries,
+  /// a name that is empty or given twice, a link that the arm does not have, an allowed pair with
+  /// an unknown name, and a clearance that is not above 0.
+  CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links, const Scene& scene = {},
+                 const CollisionOptions& options = {});
+  CollisionModel(CollisionModel&&) noexcept;
+  CollisionModel& operator=(CollisionModel&&) noexcept;
+  ~CollisionModel();
+
+  const Arm& arm() const;
+  std::size_t pair_count() const;  ///< number of pairs of bodies that count
+  /// Returns the number of pairs of bodies of the arm that count only outside the position limits.
+  std::size_t apart_count() const;
+
+  const internal::CollisionBodies& bodies() const { return *bodies_; }
+
+ private:
+  std::unique_ptr<const internal::CollisionBodies> bodies_;
+};
+
+/// Returns the pair with the least distance beyond its clearance at a configuration. Throws Error
+/// when q does not fit the arm, and for a model without pairs.
+BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q);
+
+/// Returns all pairs that may be closer than their clearance, the deepest first.
+std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const ConfigurationRef& q);
+
+/// Returns the names of the obstacles that are farther from the arm than ten times its reach, as
+/// numbers in millimetres put them. Requires valid shapes.
+std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene);
+
+}  // namespace beeline

@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include <beeline/collision/collision_model.h>
+#include <beeline/collision/internal/convex_body.h>
+
+namespace beeline {
+
+std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene) {
+  constexpr double far = 10;  // times the reach
+  const Arm::Reach& reach = arm.reach();
+  const auto is_far = [&](const Shape& shape) {
+    const internal::ConvexBody body = internal::convex_body(shape);
+    return (body.centre - reach.centre).norm() - body.bound > far * reach.radius;
+  };
+  std::vector<std::string> names;
+  for (const Obstacle& obstacle : scene.obstacles) {
+    const bool all = std::all_of(obstacle.shapes.begin(), obstacle.shapes.end(), is_far);
+    if (all && !obstacle.shapes.empty()) names.push_back(obstacle.name);
+  }
+  return names;
+}
+
+}  // namespace beeline

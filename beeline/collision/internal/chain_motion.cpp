@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/collision/internal/chain_motion.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/internal/chain.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Bounds the error of an angle or a length of this size that is computed from a coordinate.
+double coordinate_rounding(double value) { return 4 * epsilon * std::abs(value); }
+
+/// The arm with link 0 at the world's origin: far away, sums of translations lose digits.
+Arm at_origin(const Arm& arm) {
+  return {arm.name(), arm.joints(), arm.tool(), make_pose(Vector3::Zero(), arm.base().linear())};
+}
+
+}  // namespace
+
+ChainMotion::ChainMotion(const Arm& arm)
+    : arm_(std::make_shared<const Arm>(at_origin(arm))),
+      world_origin_(arm.base().translation()),
+      frames_(arm.joints().size() + 1),
+      steps_(arm.joints().size() + 1),
+      link_frames_(arm.joints().size() + 1, Pose::Identity()),
+      chain_length_(arm.joints().size() + 1) {
+  const Configuration zero = Configuration::Zero(arm.dof());
+  set({zero, zero, zero});
+  const std::vector<Pose> links = link_poses(*arm_, zero);
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    Pose frame = Pose::Identity();
+    if (i > 0) frame = make_pose(frames_[i].origin, frames_[i].rotation);
+    link_frames_[i] = frame.inverse() * links[i];
+  }
+}
+
+void ChainMotion::set(const JointTube& tube) {
+  const Chain& chain = chain_of(*arm_);
+  Rotation rotation = chain.base.linear();
+  Vector3 origin = chain.base.translation();
+  Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
+  double length = origin.norm();
+  for (std::size_t i = 0; i < chain.links.size(); ++i) {
+    const Chain::Link& link = chain.links[i];
+    const double q = tube.middle[link.coordinate], half = tube.half[link.coordinate];
+    const double slack = tube.slack[link.coordinate];
+    const double theta = link.theta_offset + link.theta_per_q * q, d = link.d_per_q * q;
+    const double c = std::cos(theta), s = std::sin(theta);
+    origin += rotation * link.translation;
+    const Vector3 x = rotation.col(0);
+    const Vector3 y = link.cos_alpha * rotation.col(1) + link.sin_alpha * rotation.col(2);
+    const Vector3 z = link.cos_alpha * rotation.col(2) - link.sin_alpha * rotation.col(1);
+    rotation.col(0) = c * x + s * y;
+    rotation.col(1) = c * y - s * x;
+    rotation.col(2) = z;
+    if (d != 0) origin += d * z;
+    const double turn = link.theta_per_q * half, slide = link.d_per_q * half;
+    linear += turn * origin.cross(z) + slide * z;
+    angular += turn * z;
+    length += link.translation.norm() + std::abs(d);
+    frames_[i + 1] = {rotation, origin, linear, angular};
+    steps_[i + 1] = {
+        .turn = std::abs(turn),
+        .slide = std::abs(slide),
+        .turn_slack = std::abs(link.theta_per_q) * slack,
+        .slide_slack = std::abs(link.d_per_q) * slack,
+        .turn_rounding = coordinate_rounding(link.theta_per_q * q) + coordinate_rounding(theta),
+        .slide_rounding = coordinate_rounding(d)};
+    chain_length_[i + 1] = length;
+  }
+}
+
+JointReach ChainMotion::reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
+                              const Eigen::VectorXd& upper) const {
+  const Chain& chain = chain_of(*arm_);
+  JointReach reach{std::vector<double>(i + 1)};
+  double from_origin = farthest_distance(body, Vector3::Zero());
+  double from_axis = farthest_distance(body, Vector3::Zero(), Vector3::UnitZ());
+  constexpr double outwards = 1 + 1e-12;
+  for (std::size_t l = i; l > 0; --l) {
+    reach.of[l] = outwards * from_axis;
+    const Chain::Link& link = chain.links[l - 1];
+    // The origin of this frame in the frame before: the translation, and the joint's slide, whose
+    // direction is this frame's z axis.
+    const double slide = std::abs(link.d_per_q) * std::max(std::abs(lower[link.coordinate]),
+                                                           std::abs(upper[link.coordinate]));
+    from_axis = link.translation.head<2>().norm() + std::abs(link.sin_alpha) * slide + from_origin;
+    from_origin += link.translation.norm() + slide;
+  }
+  return reach;
+}
+
+double ChainMotion::remainder(const JointReach& reach, std::size_t i, std::size_t j) const {
+  double bound = 0, turned = 0;
+  for (std::size_t l = j + 1; l <= i; ++l) {
+    const JointStep& step = steps_[l];
+    const double along = step.turn * reach.of[l];
+    bound += step.turn * along / 2 + turned * (along + step.slide) + step.turn_slack * reach.of[l] +
+             step.slide_slack;
+    turned += step.turn;
+  }
+  constexpr double outwards = 1 + 1e-12;
+  return outwards * bound;
+}
+
+double ChainMotion::displacement(const JointReach& reach, std::size_t i, std::size_t j) const {
+  double bound = 0;
+  for (std::size_t l = j + 1; l <= i; ++l) {
+    const JointStep& step = steps_[l];
+    bound += (step.turn + step.turn_slack) * reach.of[l] + step.slide + step.slide_slack;
+  }
+  constexpr double outwards = 1 + 1e-12;
+  return outwards * bound;
+}
+
+double ChainMotion::rounding(std::size_t i, double distance) const {
+  // Each link multiplies by a rotation that is wrong by a few units of the last place.
+  double relative = 16 * epsilon * (static_cast<double>(i) + 2), moved = 1, bound = 0;
+  for (std::size_t l = 1; l <= i; ++l) {
+    moved += steps_[l].turn + steps_[l].slide;
+    relative += steps_[l].turn_rounding;
+    bound += steps_[l].slide_rounding;
+  }
+  return bound + relative * moved * (chain_length_[i] + distance);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <beeline/collision/internal/collision_bodies.h>
+
+namespace beeline {
+namespace {
+
+using internal::CarriedBody;
+using internal::ChainMotion;
+using internal::CollisionBodies;
+using internal::ConvexBody;
+
+/// A pair with the frames that carry its bodies.
+struct FoundPair {
+  BodyDistance distance;
+  std::size_t first = 0, second = 0;
+};
+
+/// Returns the distance with its gradient, of n . (second - first) with respect to q: both points
+/// move with their frames.
+BodyDistance with_gradient(const CollisionBodies& bodies, const ConfigurationRef& q,
+                           FoundPair pair) {
+  const Eigen::Index n = bodies.arm.dof();
+  const Configuration none = Configuration::Zero(n), at = q;
+  Eigen::VectorXd& gradient = pair.distance.gradient;
+  gradient.resize(n);
+  ChainMotion motion = bodies.motion;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    motion.set({at, Configuration::Unit(n, k), none});
+    const auto velocity = [&](std::size_t i, const Vector3& point) {
+      const ChainMotion::Frame& frame = motion.frame(i);
+      return Vector3(frame.linear + frame.angular.cross(point - motion.origin()));
+    };
+    gradient[k] = pair.distance.normal.dot(velocity(pair.second, pair.distance.on_second) -
+                                           velocity(pair.first, pair.distance.on_first));
+  }
+  return std::move(pair.distance);
+}
+
+/// The distances of an arm's bodies at one configuration.
+class Distances {
+ public:
+  Distances(const CollisionBodies& bodies, const ConfigurationRef& q)
+      : bodies_(bodies), motion_(bodies.motion) {
+    const Configuration none = Configuration::Zero(bodies.arm.dof());
+    motion_.set({q, none, none});
+    for (const auto& link : bodies.link_bodies) placed_.push_back(in_world(motion_, link.carried));
+    keeps_apart_ = bodies.keeps_apart(q);
+  }
+
+  /// Calls `found` for each pair whose distance may exceed its clearance by less than `within`,
+  /// which `found` may reduce.
+  void visit(double& within, const std::function<void(const FoundPair&)>& found) const {
+    for (const auto& pair : bodies_.self_pairs) visit_links(pair, within, found);
+    if (!keeps_apart_) {
+      for (const auto& pair : bodies_.apart_pairs) visit_links(pair, within, found);
+    }
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      const auto& link = bodies_.link_bodies[i];
+      if (!CollisionBodies::meets_obstacles(link)) continue;
+      if (!bodies_.tree.empty()) visit_tree(i, 0, within, found);
+      for (std::size_t k = bodies_.finite_obstacles; k < bodies_.obstacle_bodies.size(); ++k) {
+        visit_obstacle(i, bodies_.obstacle_bodies[k], within, found);
+      }
+    }
+  }
+
+ private:
+  using Found = std::function<void(const FoundPair&)>;
+
+  struct Pair {
+    std::size_t first;         // index of the link's body
+    const ConvexBody* second;  // in the world's axes
+    std::size_t frame;         // of the second
+    const std::string& name;
+    double clearance, rounding;
+  };
+
+  double rounding(const CollisionBodies::LinkBody& link) const {
+    return motion_.rounding(link.carried.frame,
+                            link.carried.body.centre.norm() + link.carried.body.bound);
+  }
+
+  void visit_pair(const Pair& pair, double within, const Found& found) const {
+    const ConvexBody& first = placed_[pair.first];
+    const Vector3 between = pair.second->centre - first.centre;
+    if (between.norm() - first.bound - pair.second->bound > pair.clearance + within) return;
+    const internal::Separation parts = separation(first, *pair.second, between);
+    const auto& link = bodies_.link_bodies[pair.first];
+    found({bodies_.distance(link, pair.name, parts, pair.clearance, pair.rounding),
+           link.carried.frame, pair.frame});
+  }
+
+  void visit_links(const CollisionBodies::SelfPair& pair, double within, const Found& found) const {
+    const auto& first = bodies_.link_bodies[pair.first];
+    const auto& second = bodies_.link_bodies[pair.second];
+    visit_pair({pair.first, &placed_[pair.second], second.carried.frame, bodies_.name_of(second),
+                bodies_.clearance, rounding(first) + rounding(second)},
+               within, found);
+  }
+
+  void visit_obstacle(std::size_t i, const CollisionBodies::ObstacleBody& obstacle, double within,
+                      const Found& found) const {
+    const auto& link = bodies_.link_bodies[i];
+    if (bodies_.allowed(link, obstacle.obstacle)) return;
+    visit_pair(
+        {i, &obstacle.body, 0, bodies_.name_of(obstacle), obstacle.clearance, rounding(link)},
+        within, found);
+  }
+
+  void visit_tree(std::size_t i, std::uint32_t index, const double& within,
+                  const Found& found) const {
+    const internal::BoxTree::Node& node = bodies_.tree.node(index);
+    const ConvexBody& first = placed_[i];
+    const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half;
+    const double apart = beside.cwiseMax(0).norm() - first.bound;
+    if (apart > node.clearance + within) return;
+    if (node.right == 0) {
+      return visit_obstacle(i, bodies_.obstacle_bodies[node.body], within, found);
+    }
+    visit_tree(i, index + 1, within, found);
+    visit_tree(i, node.right, within, found);
+  }
+
+  const CollisionBodies& bodies_;
+  ChainMotion motion_;
+  std::vector<ConvexBody> placed_;
+  bool keeps_apart_ = true;
+};
+
+}  // namespace
+
+BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q) {
+  check_configuration(model.arm(), q);
+  FoundPair nearest;
+  double within = std::numeric_limits<double>::infinity();
+  Distances(model.bodies(), q).visit(within, [&](const FoundPair& pair) {
+    const double excess = pair.distance.lower - pair.distance.clearance;
+    if (excess >= within) return;
+    within = excess;
+    nearest = pair;
+  });
+  if (!std::isfinite(within)) throw Error("no pair of bodies counts, so none is nearest");
+  return with_gradient(model.bodies(), q, std::move(nearest));
+}
+
+std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const ConfigurationRef& q) {
+  check_configuration(model.arm(), q);
+  std::vector<BodyDistance> pairs;
+  double within = 0;
+  Distances(model.bodies(), q).visit(within, [&](const FoundPair& pair) {
+    const bool is_close = pair.distance.lower < pair.distance.clearance;
+    if (is_close) pairs.push_back(with_gradient(model.bodies(), q, pair));
+  });
+  std::sort(pairs.begin(), pairs.end(), [](const BodyDistance& a, const BodyDistance& b) {
+    return a.lower - a.clearance < b.lower - b.clearance;
+  });
+  return pairs;
+}
+
+}  // namespace beeline

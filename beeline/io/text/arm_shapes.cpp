@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include <beeline/error.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/name_json.h>
+#include <beeline/io/text/internal/shape_json.h>
+#include <beeline/io/text/internal/urdf_shapes.h>
+#include <beeline/io/text/scene.h>
+
+namespace beeline {
+namespace {
+
+/// Sets the link that carries the body, and the default of its name.
+void set_link(const JsonDocument& document, const Json* joint, const Arm& arm, LinkShapes& body) {
+  body.name = "base";
+  if (joint == nullptr) return;
+  const std::string& name = document.text(*joint);
+  std::vector<std::string> known;
+  for (const Joint& of_arm : arm.joints()) {
+    known.push_back(of_arm.name);
+    if (of_arm.name != name) continue;
+    body.link = known.size();
+    body.name = of_arm.link.empty() ? name : of_arm.link;
+    return;
+  }
+  document.refuse(*joint,
+                  std::string("is not known: ") + unknown_name("joint", name, known).what());
+}
+
+LinkShapes body_from_json(const JsonDocument& document, const Json& json, const Arm& arm) {
+  document.check_keys(json, {"joint", "name", "shapes", "attached"});
+  LinkShapes body;
+  set_link(document, document.find(json, "joint"), arm, body);
+  if (const Json* name = document.find(json, "name")) {
+    body.name = internal::name_from_json(document, *name);
+  }
+  if (const Json* attached = document.find(json, "attached")) {
+    body.at_proximal_joint = body.at_distal_joint = !document.truth(*attached);
+  }
+  body.shapes = internal::shapes_from_json(document, json);
+  return body;
+}
+
+void refuse_hold(const ShapeOptions& options) {
+  if (options.hold.empty()) return;
+  throw Error::of("hold", "only a URDF file has joints beside the chain that can be held");
+}
+
+ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
+  const Arm arm = arm_from_json(text, path);
+  const JsonDocument document(text, path);
+  ArmShapes read;
+  const Json* const bodies = document.find(document.root(), "shapes");
+  if (bodies == nullptr) return read;
+  std::unordered_set<std::string> names;
+  for (const Json& json : document.items(*bodies)) {
+    read.links.push_back(body_from_json(document, json, arm));
+    const std::string& name = read.links.back().name;
+    if (!names.insert(name).second) {
+      document.refuse(json, "has the name " + internal::in_quotes(name) + " of another body");
+    }
+  }
+  return read;
+}
+
+}  // namespace
+
+ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
+                               const ChainEnds& ends, const ShapeOptions& options) {
+  const std::string ending = extension(path);
+  ArmShapes read;
+  if (ending == "urdf" || ending == "xml") {
+    read = internal::shapes_from_urdf(text, path, ends, options);
+  } else {
+    refuse_hold(options);
+    read = shapes_from_arm_json(text, path);
+  }
+  if (!options.srdf.empty())
+    read.allowed_pairs = exempted_pairs(read_srdf(options.srdf), read.links);
+  return read;
+}
+
+ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
+                          const ShapeOptions& options) {
+  const std::string ending = extension(text);
+  const bool is_file = ending == "urdf" || ending == "xml" || ending == "json";
+  if (is_file) return arm_shapes_from_text(read_file(text), text, ends, options);
+  read_arm(text, ends);  // refuses what is no arm
+  refuse_hold(options);
+  return {};
+}
+
+LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {
+  const JsonDocument document(read_file(path), path);
+  document.check_keys(document.root(), {"name", "shapes"});
+  LinkShapes tool{.name = "tool", .link = arm.joints().size(), .shapes = {}};
+  if (const Json* name = document.find(document.root(), "name")) {
+    tool.name = internal::name_from_json(document, *name);
+  }
+  tool.at_proximal_joint = tool.at_distal_joint = false;
+  tool.shapes = internal::shapes_from_json(document, document.root());
+  for (Shape& shape : tool.shapes) shape.pose = arm.tool() * shape.pose;
+  return tool;
+}
+
+}  // namespace beeline

@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/internal/mesh_file.h>
+#include <beeline/io/text/internal/numbers.h>
+#include <beeline/io/text/internal/text_encoding.h>
+#include <beeline/io/text/internal/text_fault.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr std::uint64_t max_mesh_size = std::uint64_t{1} << 30;
+
+std::vector<Vector3> read_in_format(ByteBlocks& bytes) {
+  refuse_lfs_pointer(bytes.peek(lfs_pointer_size), bytes.path());
+  if (bytes.size() > max_mesh_size) throw FileError(bytes.path(), 0, "is larger than 1 GiB");
+  const std::string ending = extension(bytes.path());
+  if (ending == "stl") return mesh_from_stl(bytes);
+  if (ending == "obj") return mesh_from_obj(bytes);
+  throw FileError(bytes.path(), 0,
+                  "is not a mesh of a known format; known endings: " + listed(mesh_endings()));
+}
+
+}  // namespace
+
+const std::vector<std::string>& mesh_endings() {
+  static const std::vector<std::string> endings{"stl", "obj"};
+  return endings;
+}
+
+std::vector<Vector3> read_mesh(const std::string& path) {
+  InputFile file(path);
+  ByteBlocks bytes(file);
+  return read_in_format(bytes);
+}
+
+std::vector<Vector3> mesh_from_text(std::string_view text, const std::string& path) {
+  ByteBlocks bytes(text, path);
+  return read_in_format(bytes);
+}
+
+std::string_view take_word(std::string_view& line) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+double take_number(std::string_view& line, const ByteBlocks& bytes) {
+  const std::string_view word = take_word(line);
+  double value = 0;
+  const ElementFault fault = read_number(word, value);
+  if (fault == ElementFault::none) return value;
+  throw FileError(bytes.path(), bytes.line(), clause(fault, word));
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <beeline/error.h>
+#include <beeline/io/text/internal/urdf_chain.h>
+#include <beeline/io/text/internal/urdf_collision.h>
+#include <beeline/io/text/internal/urdf_file.h>
+#include <beeline/io/text/internal/urdf_held_joints.h>
+#include <beeline/io/text/internal/urdf_shapes.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+/// A link of the file and the link of the arm that carries it.
+struct PlacedLink {
+  std::size_t frame = 0;         ///< link of the arm: 0 is the base
+  Pose pose = Pose::Identity();  ///< in the frame of that link
+  std::size_t joint = none;      ///< joint beside the chain by which it was reached
+  std::size_t before = none;     ///< link from which it was reached by that joint
+  bool at_proximal_joint = false, at_distal_joint = false;
+};
+
+/// Places the links of a file on the links of an arm. Links beside the chain are carried with their
+/// joints held at constant values.
+class LinkPlacement {
+ public:
+  LinkPlacement(const UrdfFile& file, const std::vector<ChainJoint>& chain,
+                const std::map<std::string, double>& hold)
+      : file_(file),
+        joints_(file, chain, hold),
+        on_chain_(file.joints.size()),
+        placed_(file.links.size()) {
+    for (std::size_t i = 0; i < file.links.size(); ++i) links_.emplace(file.links[i].name, i);
+    for (const ChainJoint& place : chain) on_chain_[place.index] = true;
+    place_chain(chain);
+    place_others();
+  }
+
+  /// The body of a link with its shapes; the joints that hold it are added to `held`.
+  LinkShapes body_of(std::size_t link, std::vector<Shape> shapes,
+                     std::map<std::string, double>& held) {
+    const UrdfFile::Link& of_file = file_.links[link];
+    if (!placed_[link]) {
+      throw FileError(
+          file_.path, of_file.line,
+          "link " + of_file.name + " has a collision shape, and no joint connects it to the arm");
+    }
+    for (std::size_t at = link; placed_[at]->joint != none; at = placed_[at]->before) {
+      if (!needed_.insert(placed_[at]->joint).second) break;
+      joints_.add_held(placed_[at]->joint, of_file.name, held);
+    }
+    const PlacedLink& placed = *placed_[link];
+    for (Shape& shape : shapes) shape.pose = placed.pose * shape.pose;
+    return {.name = of_file.name,
+            .link = placed.frame,
+            .shapes = std::move(shapes),
+            .at_proximal_joint = placed.at_proximal_joint,
+            .at_distal_joint = placed.at_distal_joint};
+  }
+
+ private:
+  std::size_t link_called(const std::string& name) const {
+    const auto found = links_.find(name);
+    return found == links_.end() ? none : found->second;
+  }
+
+  void place_chain(const std::vector<ChainJoint>& chain) {
+    PlacedLink at;
+    for (std::size_t i = 0; i <= chain.size(); ++i) {
+      const ChainJoint& place = chain[std::min(i, chain.size() - 1)];
+      const UrdfFile::Joint& joint = file_.joints[place.index];
+      const std::size_t link =
+          link_called((i < chain.size()) == place.reversed ? joint.child : joint.parent);
+      at.at_distal_joint = i < chain.size() && joint.type != "fixed";
+      placed_[link] = at;
+      reached_.push_back(link);
+      if (i == chain.size()) break;
+      at.at_proximal_joint = joint.type != "fixed";
+      if (at.at_proximal_joint) {
+        ++at.frame;
+        at.pose = Pose::Identity();
+      } else {
+        at.pose = at.pose * (place.reversed ? joint.origin.inverse() : joint.origin);
+      }
+    }
+  }
+
+  void place_others() {
+    std::vector<std::vector<std::size_t>> joints_at(file_.links.size());
+    for (std::size_t j = 0; j < file_.joints.size(); ++j) {
+      const std::size_t parent = link_called(file_.joints[j].parent);
+      const std::size_t child = link_called(file_.joints[j].child);
+      if (on_chain_[j] || parent == none || child == none) continue;
+      joints_at[parent].push_back(j);
+      if (child != parent) joints_at[child].push_back(j);
+    }
+    for (std::size_t i = 0; i < reached_.size(); ++i) {  // it grows
+      const std::size_t link = reached_[i];
+      for (const std::size_t j : joints_at[link]) {
+        if (j != placed_[link]->joint) place_beside(link, j);
+      }
+    }
+  }
+
+  void place_beside(std::size_t link, std::size_t j) {
+    const UrdfFile::Joint& joint = file_.joints[j];
+    const bool down = link_called(joint.parent) == link;
+    const std::size_t other = link_called(down ? joint.child : joint.parent);
+    if (placed_[other]) {
+      throw FileError(
+          file_.path, joint.line,
+          "joint " + joint.name + " closes a loop of links; shapes are read of a tree of links");
+    }
+    const PlacedLink& from = *placed_[link];
+    const Pose pose = joints_.pose(j);
+    placed_[other] = PlacedLink{.frame = from.frame,
+                                .pose = from.pose * (down ? pose : pose.inverse()),
+                                .joint = j,
+                                .before = link};
+    reached_.push_back(other);
+  }
+
+  const UrdfFile& file_;
+  const HeldJoints joints_;
+  std::vector<bool> on_chain_;
+  std::unordered_map<std::string, std::size_t> links_;
+  std::unordered_set<std::size_t> needed_;  ///< the joints beside the chain that carry shapes
+  std::vector<std::optional<PlacedLink>> placed_;
+  std::vector<std::size_t> reached_;
+};
+
+}  // namespace
+
+ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
+                           const ShapeOptions& options) {
+  arm_from_urdf(text, path, ends);  // refuses what is no arm
+  const UrdfFile file = parse_urdf(text, path);
+  LinkPlacement placement(file, cut_chain(file, ends), options.hold);
+  auto shapes = collision_shapes(text, path, options.package);
+  ArmShapes read;
+  for (std::size_t i = 0; i < file.links.size(); ++i) {
+    const auto found = shapes.find(file.links[i].name);
+    if (found == shapes.end()) continue;
+    read.links.push_back(placement.body_of(i, std::move(found->second), read.held));
+  }
+  return read;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,96 @@
+#include <unordered_set>
+
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/json_write.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/name_json.h>
+#include <beeline/io/text/internal/shape_json.h>
+#include <beeline/io/text/numbers.h>
+#include <beeline/io/text/scene.h>
+
+namespace beeline {
+namespace {
+
+Obstacle obstacle_from_json(const JsonDocument& document, const Json& json) {
+  document.check_keys(json, {"name", "clearance", "shapes"});
+  Obstacle obstacle;
+  obstacle.name = internal::name_from_json(document, document.need(json, "name"));
+  if (const Json* clearance = document.find(json, "clearance")) {
+    obstacle.clearance = document.number(*clearance);
+    if (!(*obstacle.clearance > 0 && *obstacle.clearance <= max_shape_size)) {
+      document.refuse(*clearance, "must be above 0 m");
+    }
+  }
+  obstacle.shapes = internal::shapes_from_json(document, json);
+  return obstacle;
+}
+
+NamedPair pair_from_json(const JsonDocument& document, const Json& json) {
+  const Json::Items& names = document.items(json);
+  if (names.size() != 2) document.refuse(json, "must be two names");
+  return {internal::name_from_json(document, names[0]),
+          internal::name_from_json(document, names[1])};
+}
+
+}  // namespace
+
+Scene scene_from_json(std::string_view text, const std::string& path) {
+  const JsonDocument document(text, path);
+  const Json& root = document.root();
+  document.check_keys(root, {"obstacles", "allowed_pairs"});
+  Scene scene;
+  std::unordered_set<std::string> names;
+  for (const Json& item : document.items(document.need(root, "obstacles"))) {
+    scene.obstacles.push_back(obstacle_from_json(document, item));
+    const std::string& name = scene.obstacles.back().name;
+    if (!names.insert(name).second) {
+      document.refuse(item, "has the name " + internal::in_quotes(name) + " of another obstacle");
+    }
+  }
+  if (const Json* pairs = document.find(root, "allowed_pairs")) {
+    for (const Json& pair : document.items(*pairs)) {
+      scene.allowed_pairs.push_back(pair_from_json(document, pair));
+    }
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const ShapeOptions& options) {
+  const std::string ending = extension(path);
+  if (ending == "urdf" || ending == "xml") return scene_from_urdf(read_file(path), path, options);
+  if (!options.hold.empty()) {
+    throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
+  }
+  return scene_from_json(read_file(path), path);
+}
+
+std::string scene_to_json(const Scene& scene) {
+  std::string text = "{\n  \"obstacles\": [";
+  bool first = true;
+  for (const Obstacle& obstacle : scene.obstacles) {
+    internal::check_name(obstacle.name, "the name of an obstacle");
+    text += first ? "\n    {\"name\": " : ",\n    {\"name\": ";
+    first = false;
+    text += internal::json_string(obstacle.name);
+    if (obstacle.clearance) text += ", \"clearance\": " + exact(*obstacle.clearance);
+    text += ", \"shapes\": [";
+    for (std::size_t i = 0; i < obstacle.shapes.size(); ++i) {
+      text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(obstacle.shapes[i]);
+    }
+    text += "]}";
+  }
+  text += first ? "]" : "\n  ]";
+  if (!scene.allowed_pairs.empty()) {
+    text += ",\n  \"allowed_pairs\": [";
+    first = true;
+    for (const NamedPair& pair : scene.allowed_pairs) {
+      text += std::string(first ? "" : ", ") + "[" + internal::json_string(pair[0]) + ", " +
+              internal::json_string(pair[1]) + "]";
+      first = false;
+    }
+    text += "]";
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace beeline

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/collision/scene.h>
+#include <beeline/error.h>
+#include <beeline/io/text/arm.h>
+#include <beeline/io/text/urdf.h>
+#include <beeline/model/arm.h>
+
+namespace beeline {
+
+/// Options of the functions that read shapes.
+struct ShapeOptions {
+  /// Values, rad or m, of joints of a URDF file that do not belong to the arm, by name.
+  std::map<std::string, double> hold = {};
+  /// Folders of packages of ROS, by name, for meshes `package://NAME/...`.
+  std::map<std::string, std::string> package = {};
+  /// Path of an SRDF file, whose exempted pairs of links may touch; empty: none. Of arms only.
+  std::string srdf = {};
+};
+
+/// Reads a scene. A JSON file is in metres and radians:
+///     {"obstacles": [{"name": "table",
+///                     "clearance": 0.01,                         optional
+///                     "shapes": [{"box": {"size": [1, 2, 0.05]},
+///                                 "pose": {"xyz": [0.5, 0, 0], "rpy": [0, 0, 0]},    optional
+///                                 "padding": 0.002}]}],          optional
+///      "allowed_pairs": [["table", "link0"]]}                    optional
+/// A shape has one of
+///     "sphere": {"radius"}, "capsule": {"radius", "length"}, "box": {"size": [x, y, z]},
+///     "cylinder": {"radius", "length"}, "half_space": {}, "convex_hull": {"vertices": [[x, y, z]]}
+/// and a pose as in arm files. A hull may have "hull_of", the path of its mesh.
+///
+/// In a URDF file of a cell each link with `<collision>` elements is an obstacle of this name, and
+/// its root link is the world. Joints are held at `options.hold` or, without a value, at 0 or the
+/// limit next to 0; mimic joints follow. Shapes and meshes are read as in read_arm_shapes().
+///
+/// Throws FileError for anything else, with the line and the value, such as
+/// `obstacles[2].shapes[0].box.size`; in a URDF file for a link that is not connected to the root,
+/// a joint that cannot be read, and a file without `<collision>`; Error for a name in
+/// `options.hold` that is not a joint of the file, a value outside its limits, and `options.srdf`.
+Scene read_scene(const std::string& path, const ShapeOptions& options = {});
+/// The same from a text; `path` names it in messages.
+Scene scene_from_json(std::string_view text, const std::string& path);
+/// The same from the text of a URDF file; meshes are found from its `path`.
+Scene scene_from_urdf(std::string_view text, const std::string& path,
+                      const ShapeOptions& options = {});
+
+/// Returns the scene as JSON, which reads back exactly. Throws Error for a name that is empty, not
+/// UTF-8, longer than 1000 bytes, or has control characters.
+std::string scene_to_json(const Scene& scene);
+
+/// The shapes of an arm's links, as the file of the arm describes them.
+struct ArmShapes {
+  std::vector<LinkShapes> links = {};  ///< the bodies that have shapes
+  /// The joints beside the chain that carry shapes, with the values at which they are held, rad or
+  /// m. Floating and planar joints are at 0.
+  std::map<std::string, double> held = {};
+  /// The pairs of these bodies that the SRDF file exempts: they may touch.
+  std::vector<NamedPair> allowed_pairs = {};
+};
+
+/// Reads the shapes of the links of the arm that `text` names, see read_arm(). Built-in arms and
+/// joint strings have none. An arm file has them as
+///     "shapes": [{"joint": "shoulder", "name": "upper arm", "shapes": [SHAPE, ...],
+///                 "attached": true}, ...]
+/// where SHAPE is as in read_scene(), posed in the frame of the link that the joint moves, without
+/// `joint` in the frame of the base (link 0). The default of `name` is the name of the link, of its
+/// joint, or "base". An attached body is fixed to the link, not at its joints: it must keep its
+/// clearance from the neighbouring links.
+///
+/// The shapes of a URDF file are the `<collision>` elements of all its links: boxes, cylinders,
+/// spheres, capsules and meshes. A link beside the chain is carried by the link of the chain to
+/// which it is connected. Joints in between are held at the values of `options.hold` (rad or m) or,
+/// without one, at 0 or the limit next to 0; mimic joints follow. Bodies are at a joint of the arm
+/// only if it connects them.
+///
+/// A mesh, an STL (binary or ASCII) or OBJ file, is taken as its convex hull, Shape::hull_of, which
+/// contains it; `scale` is honoured. If the hull has many vertices, some are dropped, and the body
+/// is grown (Shape::padding) by the largest distance of a dropped one, proved, at most 0.1 mm or
+/// 0.1 % of its size unless that takes more than 2,000 vertices. The mesh is looked for
+///   - package://NAME/PATH: in the folder that `options.package` gives for NAME or, if it has none,
+///     in folders of the environment variables ROS_PACKAGE_PATH that are called NAME or contain
+///     NAME, in share/NAME of the folders of AMENT_PREFIX_PATH, and in the folders above the file
+///     that are called NAME or contain NAME; model://NAME/PATH likewise
+///   - file://PATH, and PATH relative to the folder of the file.
+///
+/// Throws FileError for a mesh that is not found, not read or malformed, any other shape that is
+/// not read, a link with shapes that is not connected to the arm or is moved by a joint of the arm
+/// beside the chain, a loop of links, and, in an arm file, an unknown joint and a repeated name;
+/// Error for a name in `options.hold` that is not a joint beside the chain, or a value outside its
+/// limits.
+ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
+                          const ShapeOptions& options = {});
+/// The same from the text of a file; the ending of `path` gives its format.
+ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
+                               const ChainEnds& ends = {}, const ShapeOptions& options = {});
+
+/// Reads the shapes of a tool, which link n of the arm carries:
+///     {"name": "gripper", "shapes": [SHAPE, ...]}
+/// posed in the arm's tool frame. The default name is "tool". Throws FileError.
+LinkShapes read_tool_shapes(const std::string& path, const Arm& arm);
+
+/// Returns the pairs of two of these links that an SRDF file exempts, each once: the pairs of
+/// `<disable_collisions>` and, for a link of `<disable_default_collisions>`, its pairs with all
+/// others except the pairs of `<enable_collisions>`. Names that are not among `links` are ignored:
+/// the file describes all links of a robot.
+std::vector<NamedPair> exempted_pairs(const Srdf& srdf, const std::vector<LinkShapes>& links);
+
+}  // namespace beeline

@@ -1,0 +1,37 @@
+#include <beeline/reason/reason_text.h>
+
+namespace beeline::internal {
+namespace {
+
+using enum ReasonField;
+
+/// "(0.1, 0, 0.3) m".
+std::string place_of(const ReasonText& reason) { return point_text(reason.point(position)) + " m"; }
+
+std::string at_time(const ReasonText& reason) { return "at " + reason.number(time, " s "); }
+
+}  // namespace
+
+std::string clearance_sentence(const ReasonText& reason) {
+  switch (reason.code()) {
+    case ReasonCode::bodies_collide:
+      return at_time(reason) + reason.text(body) + " and " + reason.text(other_body) +
+             " collide at " + place_of(reason) + ": a translation of " + reason.text(body) +
+             " by " + reason.number(depth, " m") + " along " + point_text(reason.point(normal)) +
+             " would separate them";
+    case ReasonCode::bodies_too_close:
+      return at_time(reason) + reason.text(body) + " is " + reason.number(distance, " m") +
+             " from " + reason.text(other_body) + " at " + place_of(reason) +
+             ", closer than the clearance of " + reason.number(clearance, " m");
+    case ReasonCode::clearance_not_decided:
+      return "between " + reason.number(begin, " s") + " and " + reason.number(end, " s ") +
+             reason.text(body) + " is about " + reason.number(distance, " m") + " from " +
+             reason.text(other_body) + ", too near to the clearance of " +
+             reason.number(clearance, " m") +
+             " to decide; a smaller clearance or a finer resolution decides";
+    default:
+      return "";
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,321 @@
+#include "scene_argument.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include <beeline/error.h>
+#include <beeline/io/text/numbers.h>
+#include <beeline/io/text/scene.h>
+
+#include "command/streams.h"
+
+namespace beeline::command {
+namespace {
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The pair of "A,B". A name may have a comma: the pair is divided at the first one that leaves two
+/// known names.
+NamedPair allowed_pair(const std::string& text, const std::vector<std::string>& known) {
+  const std::size_t first = text.find(',');
+  if (first == std::string::npos) throw Error("must be two names, A,B, not " + text);
+  for (std::size_t at = first; at != std::string::npos; at = text.find(',', at + 1)) {
+    NamedPair pair{text.substr(0, at), text.substr(at + 1)};
+    if (is_among(known, pair[0]) && is_among(known, pair[1])) return pair;
+  }
+  const std::string before = text.substr(0, first);
+  throw unknown_name("link or obstacle", is_among(known, before) ? text.substr(first + 1) : before,
+                     known);
+}
+
+/// The values of "JOINT=VALUE".
+std::map<std::string, double> held_values(const std::vector<std::string>& texts) {
+  std::map<std::string, double> held;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw Error("--hold must be JOINT=VALUE, not " + text);
+    }
+    const std::string joint = text.substr(0, equals);
+    if (!held.emplace(joint, parse_number(text.substr(equals + 1), "--hold " + joint)).second) {
+      throw Error("--hold gives joint " + joint + " two values");
+    }
+  }
+  return held;
+}
+
+/// The folders of "NAME=FOLDER".
+std::map<std::string, std::string> package_folders(const std::vector<std::string>& texts) {
+  std::map<std::string, std::string> folders;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      throw Error("--package must be NAME=FOLDER, not " + text);
+    }
+    const std::string name = text.substr(0, equals);
+    if (!folders.emplace(name, text.substr(equals + 1)).second) {
+      throw Error("--package gives package " + name + " two folders");
+    }
+  }
+  return folders;
+}
+
+/// A scene and its file.
+struct SceneFile {
+  std::string path;
+  Scene scene;
+};
+
+/// Reads the scenes of files. Joints of these files take their values from options.hold, which
+/// keeps the names that no scene has.
+std::vector<SceneFile> read_scene_files(const std::vector<std::string>& paths,
+                                        ShapeOptions& options) {
+  std::vector<SceneFile> files;
+  std::map<std::string, double> remaining = options.hold;
+  for (const std::string& path : paths) {
+    ShapeOptions of_file{.package = options.package};
+    Scene scene = read_scene(path, of_file);
+    for (const auto& [joint, value] : options.hold) {
+      if (scene.held.contains(joint)) of_file.hold.emplace(joint, value);
+    }
+    if (!of_file.hold.empty()) {
+      scene = for_option("--hold", [&] { return read_scene(path, of_file); });
+    }
+    for (const auto& [joint, value] : of_file.hold) remaining.erase(joint);
+    files.push_back({path, std::move(scene)});
+  }
+  options.hold = std::move(remaining);
+  return files;
+}
+
+/// Joins scenes in one. `known` has the names of the links, to which the obstacles' are added.
+/// Throws FileError for a name that is given twice, and for an allowed pair of others.
+Scene joined(std::vector<SceneFile> files, std::vector<std::string>& known) {
+  Scene all;
+  std::unordered_set<std::string> taken(known.begin(), known.end());
+  std::vector<std::pair<std::string, NamedPair>> pairs;  // with their files
+  for (auto& [path, scene] : files) {
+    for (Obstacle& obstacle : scene.obstacles) {
+      if (!taken.insert(obstacle.name).second) {
+        throw FileError(path, 0,
+                        "has an obstacle \"" + obstacle.name +
+                            "\"; a link or an obstacle of another scene has this name");
+      }
+      known.push_back(obstacle.name);
+      all.obstacles.push_back(std::move(obstacle));
+    }
+    for (const NamedPair& pair : scene.allowed_pairs) pairs.emplace_back(path, pair);
+  }
+  for (const auto& [path, pair] : pairs) {
+    for (const std::string& name : pair) {
+      if (taken.contains(name)) continue;
+      throw FileError(
+          path, 0,
+          std::string("allowed_pairs: ") + unknown_name("link or obstacle", name, known).what());
+    }
+    all.allowed_pairs.push_back(pair);
+  }
+  return all;
+}
+
+/// The values of the joints of scenes, by file. Throws Error for a joint of --hold that is in the
+/// arm too.
+std::map<std::string, std::map<std::string, double>> held_in(
+    const std::vector<SceneFile>& files, const std::map<std::string, double>& hold,
+    const std::map<std::string, double>& held_by_arm) {
+  std::map<std::string, std::map<std::string, double>> held;
+  for (const auto& [path, scene] : files) {
+    if (!scene.held.empty()) held[path] = scene.held;
+    for (const auto& [joint, value] : scene.held) {
+      if (!hold.contains(joint) || !held_by_arm.contains(joint)) continue;
+      throw Error("--hold: both the arm and " + path + " have a joint " + joint +
+                  "; rename one of them");
+    }
+  }
+  return held;
+}
+
+void add_mesh_hulls(const std::string& body, const std::vector<Shape>& shapes,
+                    std::vector<MeshHull>& hulls) {
+  for (const Shape& shape : shapes) {
+    if (shape.hull_of.empty()) continue;
+    hulls.push_back({.body = body,
+                     .mesh = shape.hull_of,
+                     .vertices = std::get<ConvexHull>(shape.body).vertices.size(),
+                     .padding = shape.padding});
+  }
+}
+
+Error no_shapes(const std::string& option, const std::string& arm) {
+  return Error(option + ": " + arm +
+               " has no shapes of its links, so no collision could be found; shapes are read from "
+               "the <collision> elements of a .urdf file, or from \"shapes\" in an arm file, which "
+               "`beeline show ARM --out FILE.json` writes without them");
+}
+
+/// The links that move and have no shapes.
+std::vector<std::string> links_without(const Arm& arm, const std::vector<LinkShapes>& shapes) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= arm.joints().size(); ++i) {
+    const bool has_shapes = std::any_of(shapes.begin(), shapes.end(), [&](const LinkShapes& body) {
+      return body.link == i && !body.shapes.empty();
+    });
+    const Joint& joint = arm.joints()[i - 1];
+    if (!has_shapes) names.push_back(joint.link.empty() ? "after " + joint.name : joint.link);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<Option> SceneArgument::options() {
+  return {
+      Option("--scene FILE",
+             "Obstacles that the arm must keep the clearance from, also between the samples: JSON, "
+             "see docs/scene.schema.json, or the URDF file of a cell, whose links with <collision> "
+             "are obstacles. Several times for several files.",
+             &scenes),
+      Option("--self",
+             "The links must keep the clearance from each other, also without --scene. Links that "
+             "share a joint may touch.",
+             &self, {.excludes = "--no-self"}),
+      Option("--no-self", "The links need not keep it from each other.", &no_self,
+             {.needs = "--scene"}),
+      Option("--clearance METRES",
+             "The distance to be kept, except from obstacles with their own. Default: " +
+                 number(CollisionOptions().clearance) + ".",
+             &clearance,
+             {.range = {.lowest = 0, .highest = max_shape_size, .excludes_lowest = true}}),
+      Option("--allow A,B",
+             "Two links or obstacles that may touch, in addition to \"allowed_pairs\" of the "
+             "scenes. Several times for several pairs.",
+             &allow),
+      Option("--tool-shape FILE",
+             "Shapes of the tool: JSON {\"name\": NAME, \"shapes\": [SHAPE, ...]} as in scenes, "
+             "posed in the arm's own tool frame as --tcp.",
+             &tool_shape),
+      Option("--hold JOINT=VALUE",
+             "The value, rad or m, of a joint that carries shapes and is beside the chain of the "
+             "arm's URDF file, such as a finger of a gripper, or in a scene. Default: 0, or the "
+             "limit next to it. Several times for several joints.",
+             &hold),
+      Option("--package NAME=FOLDER",
+             "The folder of a package of ROS, for meshes package://NAME/... of URDF files. Without "
+             "it they are looked for in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the folders above "
+             "the file. Meshes, STL or OBJ, are taken as their convex hulls. Several times for "
+             "several packages.",
+             &package),
+      Option("--resolution FRACTION",
+             "Distances that differ from the clearance by less than this fraction of it are not "
+             "decided. Default: " +
+                 number(ClearanceOptions().resolution) + ".",
+             &resolution, {.range = {1e-6, 1}})};
+}
+
+std::vector<std::string> SceneArgument::inputs() const {
+  std::vector<std::string> files = scenes;
+  files.push_back(tool_shape);
+  return files;
+}
+
+ArmShapes SceneArgument::shapes_of(const ArmArgument& arm_argument, const Arm& arm,
+                                   const ShapeOptions& options) const {
+  ArmShapes shapes = arm_argument.shapes(options);
+  if (!tool_shape.empty()) shapes.links.push_back(arm_argument.tool_shapes(tool_shape));
+  const bool any = std::any_of(shapes.links.begin(), shapes.links.end(),
+                               [](const LinkShapes& body) { return !body.shapes.empty(); });
+  if (!any) throw no_shapes(scenes.empty() ? "--self" : "--scene", arm.name());
+  return shapes;
+}
+
+void SceneArgument::refuse_without_scene() const {
+  const std::pair<const char*, bool> options[] = {{"--clearance", clearance.has_value()},
+                                                  {"--allow", !allow.empty()},
+                                                  {"--hold", !hold.empty()},
+                                                  {"--package", !package.empty()},
+                                                  {"--tool-shape", !tool_shape.empty()},
+                                                  {"--resolution", resolution.has_value()}};
+  for (const auto& [option, typed] : options) {
+    if (typed) throw Error(std::string(option) + " needs --scene or --self");
+  }
+}
+
+std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
+                                                const Arm& arm) const {
+  if (!given()) {
+    refuse_without_scene();
+    return std::nullopt;
+  }
+  ShapeOptions reading{.hold = held_values(hold), .package = package_folders(package)};
+  const std::map<std::string, double> hold_of_all = reading.hold;
+  std::vector<SceneFile> files = read_scene_files(scenes, reading);
+  const ArmShapes shapes = shapes_of(arm_argument, arm, reading);
+  auto scenes_held = held_in(files, hold_of_all, shapes.held);
+  std::vector<std::string> links;
+  for (const LinkShapes& body : shapes.links) links.push_back(body.name);
+  std::vector<std::string> known = links;
+  const Scene scene = joined(std::move(files), known);
+  CollisionOptions options{.self_collision = !no_self};
+  if (clearance) options.clearance = *clearance;
+  for (const std::string& pair : allow) {
+    options.allowed_pairs.push_back(
+        for_option("--allow", [&] { return allowed_pair(pair, known); }));
+  }
+  std::vector<NamedPair> allowed = scene.allowed_pairs;
+  allowed.insert(allowed.end(), options.allowed_pairs.begin(), options.allowed_pairs.end());
+  options.allowed_pairs.insert(options.allowed_pairs.end(), shapes.allowed_pairs.begin(),
+                               shapes.allowed_pairs.end());
+  CheckedScene checked{
+      .model = CollisionModel(arm, shapes.links, scene, options),
+      .links = links,
+      .obstacles = {known.begin() + static_cast<std::ptrdiff_t>(links.size()), known.end()},
+      .obstacles_have_clearances =
+          std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                      [](const Obstacle& obstacle) { return obstacle.clearance.has_value(); }),
+      .allowed_pairs = std::move(allowed),
+      .srdf = arm_argument.srdf,
+      .srdf_pairs = shapes.allowed_pairs,
+      .held = shapes.held,
+      .scenes_held = std::move(scenes_held),
+      .links_without_shapes = links_without(arm, shapes.links)};
+  for (const LinkShapes& body : shapes.links) {
+    add_mesh_hulls(body.name, body.shapes, checked.mesh_hulls);
+  }
+  for (const Obstacle& obstacle : scene.obstacles) {
+    add_mesh_hulls(obstacle.name, obstacle.shapes, checked.mesh_hulls);
+  }
+  const std::vector<std::string> far = far_obstacles(arm, scene);
+  if (!far.empty()) {
+    warn("obstacles farther away than ten times the arm's reach, rather in millimetres: " +
+         listed(far));
+  }
+  if (!checked.links_without_shapes.empty()) {
+    warn("links without shapes are not checked: " + listed(checked.links_without_shapes));
+  }
+  return checked;
+}
+
+ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
+                                     const Budget& budget) const {
+  ClearanceOptions options{.closest = true, .budget = budget};
+  if (resolution) options.resolution = *resolution;
+  ClearanceReport report{.scene = &scene,
+                         .clearance = clearance.value_or(CollisionOptions().clearance),
+                         .proof = prove_clearance(scene.model, motion, options)};
+  if (report.proof.status != ClearanceStatus::collides) return report;
+  constexpr std::size_t most_listed = 100;
+  report.too_close.push_back(report.proof.pair.names);
+  for (const BodyDistance& pair :
+       pairs_too_close(scene.model, sample(motion, report.proof.time).position)) {
+    const auto& names = pair.names;
+    const bool known = std::find(report.too_close.begin(), report.too_close.end(), names) !=
+                       report.too_close.end();
+    if (!known) report.too_close.push_back(names);
+    if (report.too_close.size() == most_listed) break;
+  }
+  return report;
+}
+
+}  // namespace beeline::command

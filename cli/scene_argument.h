@@ -1,0 +1,84 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <beeline/certificate/clearance.h>
+#include <beeline/io/text/json.h>
+#include <beeline/planning/branch.h>
+
+#include "arm_argument.h"
+
+namespace beeline::command {
+
+/// A shape that is the convex hull of a mesh.
+struct MeshHull {
+  std::string body = {};     ///< name of the link or obstacle
+  std::string mesh = {};     ///< path of the mesh
+  std::size_t vertices = 0;  ///< of the hull
+  double padding = 0;        ///< distance by which the hull is grown, m
+};
+
+/// An arm with its shapes among obstacles, as the options of SceneArgument give it, with what a
+/// report says of it.
+struct CheckedScene {
+  CollisionModel model;
+  std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
+  bool obstacles_have_clearances = false;     ///< whether an obstacle has a clearance of its own
+  std::vector<NamedPair> allowed_pairs = {};  ///< by --allow and the scenes
+  std::string srdf = {};                      ///< the file of --srdf; empty: none
+  std::vector<NamedPair> srdf_pairs = {};     ///< which that file exempts
+  std::map<std::string, double> held = {};    ///< see ArmShapes::held
+  /// See Scene::held, by the path of the scene.
+  std::map<std::string, std::map<std::string, double>> scenes_held = {};
+  std::vector<MeshHull> mesh_hulls = {};
+  std::vector<std::string> links_without_shapes = {};  ///< which are not checked
+};
+
+/// Whether a motion keeps its clearance.
+struct ClearanceReport {
+  const CheckedScene* scene = nullptr;
+  double clearance = 0;  ///< that is kept without another one of an obstacle
+  ClearanceProof proof = {};
+  std::vector<NamedPair> too_close = {};  ///< at the time of a collision, at most 100
+
+  /// Returns the status of a motion that is refused.
+  MotionStatus refusal() const;
+  /// Returns the sentence of the reason, with the option that exempts the pairs.
+  std::string reason_text() const;
+  std::string text() const;
+  Json document() const;
+};
+
+/// --scene, --self, --no-self, --clearance, --allow, --hold, --package, --tool-shape and
+/// --resolution: a motion is proved to keep its clearance.
+struct SceneArgument {
+  std::vector<std::string> scenes = {}, allow = {}, hold = {}, package = {};
+  std::string tool_shape = {};
+  bool self = false, no_self = false;
+  std::optional<double> clearance, resolution;
+
+  std::vector<Option> options();
+  bool given() const { return self || !scenes.empty(); }
+  /// The files that are read, for refuse_overwriting().
+  std::vector<std::string> inputs() const;
+
+  /// Reads the scenes and the shapes of the arm; returns nothing without --scene and --self. Warns
+  /// of links without shapes. Throws Error for an option without them, for an arm without shapes,
+  /// and for names that are not known.
+  std::optional<CheckedScene> read(const ArmArgument& arm_argument, const Arm& arm) const;
+
+  /// Proves or refutes that the motion keeps its clearance.
+  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
+                        const Budget& budget) const;
+
+ private:
+  /// Throws Error for an option that needs --scene or --self.
+  void refuse_without_scene() const;
+  ArmShapes shapes_of(const ArmArgument& arm_argument, const Arm& arm,
+                      const ShapeOptions& options) const;
+};
+
+}  // namespace beeline::command

@@ -1,0 +1,291 @@
+#include "bindings.h"
+#include "collision_fields.h"
+#include "input_warning.h"
+#include "interruption.h"
+
+namespace beeline::python {
+namespace {
+
+void bind_half_space(nb::module_& m) {
+  nb::class_<HalfSpace> bound(m, "HalfSpace",
+                              docstring(header_text("HalfSpace", ""), "HalfSpace", ""));
+  Signature made("__init__", "None", "Makes one.");
+  made.takes("self");
+  define(
+      bound, [](HalfSpace* self) { new (self) HalfSpace(); }, made);
+  bound.def("__repr__", [](const HalfSpace&) { return "HalfSpace()"; })
+      .def(
+          "__getstate__", [](const HalfSpace&) { return nb::tuple(); },
+          nb::sig("def __getstate__(self) -> tuple[object, ...]"))
+      .def(
+          "__setstate__", [](HalfSpace& self, const nb::tuple&) { new (&self) HalfSpace(); },
+          nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  bind_equality(bound, [](const HalfSpace&, const HalfSpace&) { return true; });
+}
+
+ShapeOptions shape_options(nb::handle hold, nb::handle package) {
+  return {.hold = Value<std::map<std::string, double>>::from(hold, "hold"),
+          .package = Value<std::map<std::string, std::string>>::from(package, "package")};
+}
+
+constexpr const char* package_text =
+    "The folder of each package of ROS, by name, in which meshes `package://NAME/...` are looked "
+    "for; of others in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the folders above the file.";
+
+void bind_scene(nb::module_& m) {
+  Signature scene(
+      "read_scene", "Scene",
+      "Reads a scene from a JSON file, see docs/scene.schema.json, or from the URDF file of a "
+      "cell, in which each link with `<collision>` elements is an obstacle and the root link is "
+      "the world. Raises FileError for an invalid file, whose line it names.");
+  scene.takes("path", path_like, "The file.")
+      .keywords()
+      .takes("hold", argument_type<std::map<std::string, double>>(),
+             "Values, rad or m, of joints of a URDF file. The others are held at 0, or at the "
+             "limit next to it.",
+             "{}")
+      .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}");
+  define(
+      m,
+      [](nb::handle path, nb::handle hold, nb::handle package) {
+        return read_scene(path_from(path, "path"), shape_options(hold, package));
+      },
+      scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
+      nb::arg("package") = nb::dict());
+
+  Signature text("scene_to_json", "str", comment("scene_to_json"));
+  text.takes("scene", "Scene", "The scene.");
+  define(
+      m, [](const Scene& given) { return Value<std::string>::to(scene_to_json(given)); }, text,
+      nb::arg("scene"));
+}
+
+void bind_shape_files(nb::module_& m) {
+  Signature shapes(
+      "read_arm_shapes", "ArmShapes",
+      "Reads the shapes of the links of the arm that `source` names: the `<collision>` "
+      "elements of a URDF file, or the list `shapes` of an arm file. Built-in arms and "
+      "joint strings have none. Meshes, STL or OBJ, are taken as their convex hulls "
+      "(Shape.hull_of). Raises FileError for a shape or a mesh that is not read, and for "
+      "a link with shapes that cannot be placed on a link of the arm.");
+  shapes.takes("source", path_like, "Name, joint string or path, as of Arm.load().")
+      .keywords()
+      .takes("base", "str | None", "Name of the link that the chain begins at.", "None")
+      .takes("tip", "str | None", "Name of the link that it ends at.", "None")
+      .takes("hold", argument_type<std::map<std::string, double>>(),
+             "Values, rad or m, of joints beside the chain that carry shapes.", "{}")
+      .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}")
+      .takes("srdf", "str | os.PathLike[str] | None",
+             "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result.", "None");
+  define(
+      m,
+      [](nb::handle source, nb::handle base, nb::handle tip, nb::handle hold, nb::handle package,
+         nb::handle srdf) {
+        const auto end = [](nb::handle name, const char* what) {
+          return Value<std::optional<std::string>>::from(name, what).value_or("");
+        };
+        ShapeOptions options = shape_options(hold, package);
+        if (!srdf.is_none()) options.srdf = path_from(srdf, "srdf");
+        return read_arm_shapes(path_from(source, "source"), {end(base, "base"), end(tip, "tip")},
+                               options);
+      },
+      shapes, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
+      nb::arg("tip") = nb::none(), nb::arg("hold") = nb::dict(), nb::arg("package") = nb::dict(),
+      nb::arg("srdf") = nb::none());
+
+  Signature tool(
+      "read_tool_shapes", "LinkShapes",
+      "Reads the shapes of a tool from a JSON file, posed in the arm's tool frame. Raises "
+      "FileError for an invalid file.");
+  tool.takes("path", path_like, "The file.").takes("arm", "Arm", "The arm that carries the tool.");
+  define(
+      m,
+      [](nb::handle path, const Arm& arm) {
+        return read_tool_shapes(path_from(path, "path"), arm);
+      },
+      tool, nb::arg("path"), nb::arg("arm"));
+}
+
+void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
+  const std::vector<std::string> far = far_obstacles(arm, scene);
+  if (far.empty()) return;
+  warn_of_input("obstacles farther away than ten times the arm's reach, rather in millimetres: " +
+                listed(far));
+}
+
+void bind_model(nb::module_& m) {
+  nb::class_<CollisionModel> model(
+      m, "CollisionModel", docstring(header_text("CollisionModel", ""), "CollisionModel", ""));
+  Signature made(
+      "__init__", "None",
+      "Prepares an arm with the shapes of its links in a scene. Raises Error for a shape, "
+      "a name or a clearance that is not valid.");
+  made.takes("self")
+      .takes("arm", "Arm", "The arm.")
+      .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.")
+      .takes("scene", "Scene | None", "The obstacles.", "None")
+      .options<CollisionOptions>();
+  define(
+      model,
+      [](CollisionModel* self, const Arm& arm, nb::handle links, nb::handle scene,
+         const nb::kwargs& keywords) {
+        auto asked = options<CollisionOptions>(keywords);
+        const auto shapes = Value<std::vector<LinkShapes>>::from(links, "links");
+        const auto around = Value<std::optional<Scene>>::from(scene, "scene").value_or(Scene());
+        CollisionModel prepared =
+            unlocked(asked.budget, [&] { return CollisionModel(arm, shapes, around, asked); });
+        warn_of_far_obstacles(arm, around);
+        new (self) CollisionModel(std::move(prepared));
+      },
+      made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
+  model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
+      .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
+                   "Number of pairs of bodies that count.")
+      .def_prop_ro("apart_count", &CollisionModel::apart_count, getter("apart_count", "int"),
+                   "Number of pairs of links that count only outside the position limits.");
+}
+
+void bind_distances(nb::module_& m) {
+  Signature nearest("nearest_pair", "BodyDistance",
+                    "Returns the pair with the least distance beyond its clearance at a "
+                    "configuration. Raises Error for a model without pairs.");
+  nearest.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("q", array_like, "Configuration (n,).");
+  define(
+      m,
+      [](const CollisionModel& model, nb::handle q) {
+        return nearest_pair(model, Value<Configuration>::from(q, "q"));
+      },
+      nearest, nb::arg("model"), nb::arg("q"));
+
+  Signature close("pairs_too_close", "list[BodyDistance]", comment("pairs_too_close"));
+  close.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("q", array_like, "Configuration (n,).");
+  define(
+      m,
+      [](const CollisionModel& model, nb::handle q) {
+        return Value<std::vector<BodyDistance>>::to(
+            pairs_too_close(model, Value<Configuration>::from(q, "q")));
+      },
+      close, nb::arg("model"), nb::arg("q"));
+
+  Signature proof(
+      "prove_clearance", "ClearanceProof",
+      "Proves or refutes that each pair of the model keeps its clearance at all times of "
+      "the motion that the trajectory's columns mean, also between the samples.");
+  proof.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("trajectory", "Trajectory", "Of the arm.")
+      .options<ClearanceOptions>();
+  define(
+      m,
+      [](const CollisionModel& model, const Trajectory& trajectory, const nb::kwargs& keywords) {
+        auto asked = options<ClearanceOptions>(keywords);
+        return unlocked(asked.budget, [&] { return prove_clearance(model, trajectory, asked); });
+      },
+      proof, nb::arg("model"), nb::arg("trajectory"), nb::arg("keywords"));
+
+  Signature over_time("clearance_over_time", "ClearanceOverTime", comment("clearance_over_time"));
+  over_time.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("trajectory", "Trajectory", "Of the arm.")
+      .options<BudgetOptions>();
+  define(
+      m,
+      [](const CollisionModel& model, const Trajectory& trajectory, const nb::kwargs& keywords) {
+        Budget budget = options<BudgetOptions>(keywords).budget;
+        return unlocked(budget, [&] { return clearance_over_time(model, trajectory, budget); });
+      },
+      over_time, nb::arg("model"), nb::arg("trajectory"), nb::arg("keywords"));
+}
+
+}  // namespace
+
+nb::object Value<ShapeBody>::to(const ShapeBody& value) {
+  return std::visit([](const auto& body) { return nb::object(nb::cast(body)); }, value);
+}
+
+ShapeBody Value<ShapeBody>::from(nb::handle value, const char* name) {
+  if (nb::isinstance<Sphere>(value)) return nb::cast<Sphere>(value);
+  if (nb::isinstance<Capsule>(value)) return nb::cast<Capsule>(value);
+  if (nb::isinstance<Box>(value)) return nb::cast<Box>(value);
+  if (nb::isinstance<Cylinder>(value)) return nb::cast<Cylinder>(value);
+  if (nb::isinstance<HalfSpace>(value)) return nb::cast<HalfSpace>(value);
+  if (nb::isinstance<ConvexHull>(value)) return nb::cast<ConvexHull>(value);
+  raise_type(name, type(), value);
+}
+
+bool Value<ShapeBody>::same(const ShapeBody& a, const ShapeBody& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&b](const auto& body) {
+        using T = std::decay_t<decltype(body)>;
+        return Value<T>::same(body, std::get<T>(b));
+      },
+      a);
+}
+
+nb::object Value<std::vector<Vector3>>::to(const std::vector<Vector3>& value) {
+  NewArray array({static_cast<Index>(value.size()), 3});
+  double* next = array.data();
+  for (const Vector3& point : value) {
+    for (const double coordinate : point) *next++ = coordinate;
+  }
+  return array.release_read_only();
+}
+
+std::vector<Vector3> Value<std::vector<Vector3>>::from(nb::handle value, const char* name) {
+  std::vector<Vector3> points;
+  for (const Configuration& row : Value<std::vector<Configuration>>::from(value, name)) {
+    if (row.size() != 3) throw Error(std::string(name) + ": expected rows of 3 coordinates");
+    points.emplace_back(row);
+  }
+  return points;
+}
+
+nb::object Value<std::map<std::string, double>>::to(const std::map<std::string, double>& value) {
+  nb::dict joints;
+  for (const auto& [joint, number] : value) joints[Value<std::string>::to(joint)] = number;
+  return joints;
+}
+
+std::map<std::string, double> Value<std::map<std::string, double>>::from(nb::handle value,
+                                                                         const char* name) {
+  if (!nb::isinstance<nb::dict>(value)) raise_type(name, "a dict", value);
+  std::map<std::string, double> joints;
+  for (const auto& [joint, number] : nb::borrow<nb::dict>(value)) {
+    joints[Value<std::string>::from(joint, name)] = Value<double>::from(number, name);
+  }
+  return joints;
+}
+
+std::map<std::string, std::string> Value<std::map<std::string, std::string>>::from(
+    nb::handle value, const char* name) {
+  if (!nb::isinstance<nb::dict>(value)) raise_type(name, "a dict", value);
+  std::map<std::string, std::string> folders;
+  for (const auto& [key, folder] : nb::borrow<nb::dict>(value)) {
+    folders[Value<std::string>::from(key, name)] = path_from(folder, name);
+  }
+  return folders;
+}
+
+void bind_collisions(nb::module_& m) {
+  bind_record<Sphere>(m);
+  bind_record<Capsule>(m);
+  bind_record<Box>(m);
+  bind_record<Cylinder>(m);
+  bind_half_space(m);
+  bind_record<ConvexHull>(m);
+  bind_record<Shape>(m);
+  bind_record<Obstacle>(m);
+  bind_record<Scene>(m);
+  bind_record<LinkShapes>(m);
+  bind_record<ArmShapes>(m);
+  bind_record<BodyDistance>(m);
+  bind_record<ClearanceProof>(m);
+  bind_record<ClearanceOverTime>(m);
+  bind_scene(m);
+  bind_shape_files(m);
+  bind_model(m);
+  bind_distances(m);
+}
+
+}  // namespace beeline::python

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <map>
+
+#include <beeline/certificate/clearance.h>
+#include <beeline/io/text/scene.h>
+
+#include "reason.h"
+#include "record.h"
+#include "trajectory_fields.h"
+
+namespace beeline::python {
+
+/// The kinds of shapes.
+using ShapeBody = decltype(Shape::body);
+
+template <>
+struct Value<ShapeBody> {
+  static std::string type() { return "Sphere | Capsule | Box | Cylinder | HalfSpace | ConvexHull"; }
+  static nb::object to(const ShapeBody& value);
+  static ShapeBody from(nb::handle value, const char* name);
+  static bool same(const ShapeBody& a, const ShapeBody& b);
+};
+
+/// Rows of an array.
+template <>
+struct Value<std::vector<Vector3>> {
+  static constexpr bool large = true;
+  static std::string type() { return array_type; }
+  static nb::object to(const std::vector<Vector3>& value);
+  static std::vector<Vector3> from(nb::handle value, const char* name);
+  static bool same(const std::vector<Vector3>& a, const std::vector<Vector3>& b) { return a == b; }
+};
+
+/// Joint values by name.
+template <>
+struct Value<std::map<std::string, double>> {
+  static constexpr bool large = true;
+  static std::string type() { return "dict[str, float]"; }
+  static std::string argument_type() { return "collections.abc.Mapping[str, float]"; }
+  static nb::object to(const std::map<std::string, double>& value);
+  static std::map<std::string, double> from(nb::handle value, const char* name);
+  static bool same(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
+    return a == b;
+  }
+};
+
+/// Folders by name. Any path is accepted.
+template <>
+struct Value<std::map<std::string, std::string>> {
+  static std::string type() { return "dict[str, str]"; }
+  static std::string argument_type() {
+    return "collections.abc.Mapping[str, str | os.PathLike[str]]";
+  }
+  static std::map<std::string, std::string> from(nb::handle value, const char* name);
+};
+
+/// It has no members.
+template <>
+struct Value<HalfSpace> {
+  static bool same(const HalfSpace&, const HalfSpace&) { return true; }
+};
+
+/// The shapes that check_shape() refuses are no objects.
+template <class Body>
+void check_body(const Body& body) {
+  check_shape({.body = body});
+}
+
+template <>
+struct Fields<Sphere> : Members<&Sphere::radius> {
+  static constexpr std::size_t required = 1;
+
+  static void check(const Sphere& sphere) { check_body(sphere); }
+};
+
+template <>
+struct Fields<Capsule> : Members<&Capsule::radius, &Capsule::length> {
+  static constexpr std::size_t required = 2;
+
+  static void check(const Capsule& capsule) { check_body(capsule); }
+};
+
+template <>
+struct Fields<Box> : Members<&Box::size> {
+  static constexpr std::size_t required = 1;
+
+  static void check(const Box& box) { check_body(box); }
+};
+
+template <>
+struct Fields<Cylinder> : Members<&Cylinder::radius, &Cylinder::length> {
+  static constexpr std::size_t required = 2;
+
+  static void check(const Cylinder& cylinder) { check_body(cylinder); }
+};
+
+template <>
+struct Fields<ConvexHull> : Members<&ConvexHull::vertices> {
+  static constexpr std::size_t required = 1;
+
+  static void check(const ConvexHull& hull) { check_body(hull); }
+};
+
+template <>
+struct Fields<Shape> : Members<&Shape::body, &Shape::pose, &Shape::padding, &Shape::hull_of> {
+  static constexpr std::size_t required = 1;
+
+  static void check(const Shape& shape) { check_shape(shape); }
+};
+
+template <>
+struct Fields<Obstacle> : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle::clearance> {
+  static constexpr std::size_t required = 2;
+};
+
+template <>
+struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held> {
+  static constexpr bool constructible = true;
+  static constexpr bool positional = true;
+};
+
+template <>
+struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkShapes::shapes,
+                                    &LinkShapes::at_proximal_joint, &LinkShapes::at_distal_joint> {
+  static constexpr std::size_t required = 3;
+};
+
+template <>
+struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs> {
+};
+
+template <>
+struct Fields<BodyDistance>
+    : Members<&BodyDistance::names, &BodyDistance::lower, &BodyDistance::upper,
+              &BodyDistance::clearance, &BodyDistance::on_first, &BodyDistance::on_second,
+              &BodyDistance::normal, &BodyDistance::gradient> {};
+
+template <>
+inline constexpr bool reports<CollisionOptions> = false;
+template <>
+struct Fields<CollisionOptions>
+    : Members<&CollisionOptions::clearance, &CollisionOptions::self_collision,
+              &CollisionOptions::allowed_pairs, &CollisionOptions::budget> {};
+
+template <>
+inline constexpr bool reports<ClearanceOptions> = false;
+template <>
+struct Fields<ClearanceOptions> : Members<&ClearanceOptions::resolution, &ClearanceOptions::beyond,
+                                          &ClearanceOptions::closest, &ClearanceOptions::budget> {};
+
+template <>
+struct Fields<ClearanceProof>
+    : Members<&ClearanceProof::status, &ClearanceProof::reason, &ClearanceProof::least_distance,
+              &ClearanceProof::pair, &ClearanceProof::time, &ClearanceProof::begin,
+              &ClearanceProof::end, &ClearanceProof::parts> {};
+
+template <>
+struct Fields<ClearanceOverTime>
+    : Members<&ClearanceOverTime::times, &ClearanceOverTime::proved,
+              &ClearanceOverTime::sample_times, &ClearanceOverTime::sampled,
+              &ClearanceOverTime::clearance, &ClearanceOverTime::ending> {};
+
+}  // namespace beeline::python

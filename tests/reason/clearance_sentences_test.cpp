@@ -1,0 +1,27 @@
+#include <tests/reason/said.h>
+
+namespace beeline::testing {
+
+std::vector<Said> said_of_clearances() {
+  using enum ReasonField;
+  const Fields bodies{{body, "hand"},
+                      {other_body, "table"},
+                      {clearance, 0.001},
+                      {time, 0.5},
+                      {position, Eigen::Vector3d(0.1, 0, 0.3)}};
+  return {
+      {{ReasonCode::bodies_collide,
+        with(bodies, {{depth, 0.012}, {normal, Eigen::Vector3d(0, 0, 1)}})},
+       "at 0.5 s hand and table collide at (0.1, 0, 0.3) m: a translation of hand by 0.012 m "
+       "along (0, 0, 1) would separate them"},
+      {{ReasonCode::bodies_too_close, with(bodies, {{distance, 0.0004}})},
+       "at 0.5 s hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of "
+       "0.001 m"},
+      {{ReasonCode::clearance_not_decided,
+        with(bodies, {{distance, 0.00101}, {begin, 0.49}, {end, 0.51}})},
+       "between 0.49 s and 0.51 s hand is about 0.00101 m from table, too near to the clearance of "
+       "0.001 m to decide; a smaller clearance or a finer resolution decides"},
+  };
+}
+
+}  // namespace beeline::testing

@@ -1,0 +1,15 @@
+const widest = 24; // pixels
+
+/** Fades the edges of an element behind which its content goes on; a class `fading` draws that. */
+export function fading<E extends HTMLElement>(box: E): E {
+  const show = (): void => {
+    const wide = (hidden: number): string => `${Math.min(widest, Math.max(0, hidden))}px`;
+    box.style.setProperty("--left", wide(box.scrollLeft));
+    box.style.setProperty("--right", wide(box.scrollWidth - box.clientWidth - box.scrollLeft));
+  };
+  box.classList.add("fading");
+  box.addEventListener("scroll", show);
+  new ResizeObserver(show).observe(box);
+  new MutationObserver(show).observe(box, { childList: true });
+  return box;
+}

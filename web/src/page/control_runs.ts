@@ -1,0 +1,209 @@
+import { cartesianRows, outside } from "../core/cartesian.js";
+import { answer } from "../core/command.js";
+import { clamped } from "../core/nearest.js";
+import { poseError, posesFile, sevenOf, toolPose, toolPosition } from "../core/pose.js";
+import { divergence, settledAfter, stepResponse, type StepResponse } from "../core/step_response.js";
+import { Cancelled, type Gains } from "../core/types.js";
+import { element, shown as text } from "../elements/element.js";
+import type { Trail } from "../scene/picture.js";
+import { Rest } from "./rest.js";
+import type { Services, Shown } from "./section.js";
+
+/** What is controlled: the joints, eq. 1.3, or the tool, eq. 1.6. */
+export type ControlKind = "joint" | "cartesian";
+const titles: Record<ControlKind, string> = { joint: "Joint space", cartesian: "Cartesian space" };
+
+/** What `beeline move` and `beeline line --method inverse-jacobian` print. */
+interface Outcome {
+  status: string;
+  steps?: number;
+  reason: string;
+  /** The kind of the reason and what it is about; the error in m or rad. */
+  code: string | null;
+  fields: { error?: number; oscillates?: boolean; joint?: string; step?: number };
+  overshoot?: number;
+}
+
+/** From where to where, and how. */
+export interface ControlTask {
+  from: number[];
+  goal: number[];
+  gains: Required<Gains>;
+}
+
+const responseSteps = 400;
+const maxSteps = 2000; // of a controller that crawls
+const arrived = 1e-3; // of the first error: what is drawn ends here
+const tolerance = 1e-6; // of the command's simulations, m and rad
+
+/** Both controllers on the way to a goal: their trails and step response at once, in the core; the outcome in the words
+ * of the command, once the gains rest. */
+export class ControlRuns {
+  readonly root = element("ul", { class: "runs", "aria-live": "polite" });
+  response: StepResponse | null = null;
+  private readonly lines: Map<ControlKind, HTMLElement>;
+  private readonly rest = new Rest();
+  private rows = new Map<ControlKind, number[][]>();
+  private turn = 0;
+  /** The task whose outcome the lines say. */
+  private confirmed = "";
+
+  constructor(
+    private readonly services: Services,
+    private readonly kinds: ControlKind[],
+  ) {
+    this.lines = new Map(kinds.map((kind) => [kind, element("span", {}, titles[kind])]));
+    for (const [kind, line] of this.lines)
+      this.root.append(element("li", {}, element("span", { class: `swatch ${kind}`, "aria-hidden": "true" }), line));
+  }
+
+  /** The joint values of a controller, a row a step, within the limits. */
+  rowsOf(kind: ControlKind): number[][] {
+    return this.rows.get(kind) ?? [];
+  }
+
+  /** Forgets what is asked of the command. */
+  stop(): void {
+    ++this.turn;
+    this.rest.cancel();
+  }
+
+  /** Computes both ways and returns their trails. Throws where the core refuses the gains. */
+  update(shown: Shown, task: ControlTask): Trail[] {
+    this.stop();
+    const { turn } = this;
+    this.rows.clear();
+    this.response = stepResponse(shown.arm, task.gains, task.from, task.goal, responseSteps);
+    for (const kind of this.kinds) {
+      const rows = kind === "joint" ? jointRows(this.response, shown) : toolRows(this.response, shown, task);
+      this.rows.set(kind, rows);
+    }
+    const key = JSON.stringify([shown.description.name, task]);
+    if (key !== this.confirmed) {
+      for (const [kind, rows] of this.rows) this.say(kind, this.early(kind, rows, shown, task));
+      this.rest.then(
+        () => void this.confirm(turn, shown, task).then(() => turn === this.turn && (this.confirmed = key)),
+      );
+    }
+    return [...this.rows].map(([tone, rows]) => ({
+      tone,
+      points: rows.map((q) => toolPosition(shown.arm, q)),
+      dots: true,
+    }));
+  }
+
+  private say(kind: ControlKind, words: string): void {
+    const line = this.lines.get(kind);
+    if (line && line.textContent !== words) line.textContent = words;
+  }
+
+  /** What is known before the command has answered: one criterion for both. */
+  private early(kind: ControlKind, rows: number[][], shown: Shown, task: ControlTask): string {
+    const { diverged = null, settled = null } = this.response ?? {};
+    const left = kind === "joint" ? leaving(this.response, shown) : null;
+    const grows =
+      diverged !== null && kind === "joint"
+        ? `beyond ${divergence} times the first error after ${diverged} steps`
+        : null;
+    if (left !== null || grows !== null)
+      return `${titles[kind]}: ${[left, grows].filter((one) => one !== null).join("; ")}`;
+    const after = kind === "joint" ? settled : settledTool(rows, shown, task);
+    if (after !== null) return `${titles[kind]}: within 2 % of the way after ${after} steps`;
+    return diverged === null || task.gains.kp < 2
+      ? `${titles[kind]}:`
+      : `${titles[kind]}: ${rows.length - 1} steps are drawn`;
+  }
+
+  private async confirm(turn: number, shown: Shown, task: ControlTask): Promise<void> {
+    for (const kind of this.kinds) {
+      if (turn !== this.turn) return;
+      const early = this.early(kind, this.rowsOf(kind), shown, task);
+      try {
+        const outcome = await this.outcome(kind, shown, task);
+        if (turn === this.turn) this.say(kind, inWords(kind, early, outcome, this.response));
+      } catch (error) {
+        if (turn === this.turn && !(error instanceof Cancelled))
+          this.say(kind, `${titles[kind]}: ${(error as Error).message}`);
+      }
+    }
+  }
+
+  private async outcome(kind: ControlKind, { arm }: Shown, { from, goal, gains }: ControlTask): Promise<Outcome> {
+    const common = [`--gain=${gains.kp}`, `--max-steps=${maxSteps}`, "--json"];
+    const start = `--from=${from.join(",")}`;
+    const files = { "goal.csv": posesFile([sevenOf(toolPose(arm, goal))]) };
+    const args =
+      kind === "joint"
+        ? ["move", "arm.json", start, `--to=${goal.join(",")}`, `--ki=${gains.ki}`, `--kd=${gains.kd}`]
+        : ["line", "arm.json", start, "--through=goal.csv", "--method=inverse-jacobian"];
+    return answer<Outcome>(await this.services.command([...args, ...common], kind === "joint" ? {} : files));
+  }
+}
+
+function inWords(kind: ControlKind, early: string, outcome: Outcome, response: StepResponse | null): string {
+  const { status, steps = 0, overshoot = 0 } = outcome;
+  const over = overshoot > 1e-3 ? `, overshoot ${text(100 * overshoot, 1)} %` : "";
+  if (status === "reached") return `${early}, ${status} after ${steps} steps${over}.`;
+  if (response?.diverged != null && kind === "joint") return `${early}.`; // the chart says why
+  return `${early}${early.endsWith(":") ? " " : "; "}${whyOf(kind, outcome)}.`;
+}
+
+/** Why a controller does not arrive. */
+function whyOf(kind: ControlKind, { status, steps = 0, reason, code, fields }: Outcome): string {
+  const { error = NaN, oscillates = false, joint = "", step = 0 } = fields;
+  const left = `an error of ${text(error, 3)} ${kind === "joint" ? "rad or m" : "m or rad"} is left`;
+  switch (code) {
+    case "step_outside_limits":
+      return `${joint} would leave its limits at step ${step}`;
+    case "stagnates":
+    case "diverges":
+    case "not_converged":
+      return oscillates || code === "diverges"
+        ? `it swings about the goal and does not arrive: ${left}`
+        : `it does not arrive within ${steps} steps: ${left}`;
+    default:
+      return reason === "" ? `${status} after ${steps} steps` : reason;
+  }
+}
+
+/** Which joint would leave its limits, and when; null: none does. */
+function leaving(response: StepResponse | null, { description }: Shown): string | null {
+  const step = response?.rows.findIndex((row) => outside(row, description.joints)) ?? -1;
+  if (step < 0) return null;
+  const row = response?.rows[step] ?? [];
+  const k = description.joints.findIndex((joint, i) => outside([row[i] ?? 0], [joint]));
+  return `${description.joints[k]?.name ?? ""} leaves its limits after ${step} ${step === 1 ? "step" : "steps"}`;
+}
+
+/** The rows of the joints, within their limits, until they have arrived or the errors have grown too far. */
+function jointRows({ rows, errors, diverged }: StepResponse, { description }: Shown): number[][] {
+  const first = Math.max(...errors.map((values) => Math.abs(values[0] ?? 0)));
+  const error = (t: number): number => Math.max(...errors.map((values) => Math.abs(values[t] ?? 0)));
+  const end = rows.findLastIndex((_, t) => error(t) > arrived * first) + 2;
+  return rows.slice(0, diverged === null ? end : diverged + 1).map((row) => clamped(row, description.joints));
+}
+
+/** The rows of Cartesian control until the tool has arrived; where the gain is too large, as many steps as of the joints
+ * from where it first moves away from the goal. */
+function toolRows({ diverged }: StepResponse, { arm, description }: Shown, task: ControlTask): number[][] {
+  const { from, goal, gains } = task;
+  const pose = Array.from(toolPose(arm, goal));
+  const options = { gain: gains.kp, tolerance: Math.max(tolerance, 1e-4), maxSteps: responseSteps };
+  const rows = [from, ...cartesianRows(arm, description.joints, from, [pose], options)];
+  if (gains.kp < 2 || diverged === null) return rows;
+  const errors = rows.map((q) => Math.hypot(...poseError(toolPose(arm, q), pose)));
+  const turn = errors.findIndex((error, t) => (errors[t + 1] ?? 0) > error);
+  return turn < 0 ? rows : rows.slice(0, turn + diverged + 1);
+}
+
+/** The steps after which position and orientation of the tool stay within 2 % of what they were off at the start. */
+function settledTool(rows: number[][], { arm }: Shown, { goal }: ControlTask): number | null {
+  const pose = toolPose(arm, goal);
+  const errors = rows.map((q) => poseError(toolPose(arm, q), pose));
+  const size = (from: number, row: number[]): number => Math.hypot(...row.slice(from, from + 3));
+  const relative = [0, 3].flatMap((from) => {
+    const first = size(from, errors[0] ?? []);
+    return first > 1e-9 ? [errors.map((row) => size(from, row) / first)] : [];
+  });
+  return settledAfter(relative, rows.length - 1);
+}

@@ -1,0 +1,146 @@
+import { answer } from "../core/command.js";
+import { clamped, hasFullTask, nearestTo } from "../core/nearest.js";
+import { poseError, sevenOf, toolPose } from "../core/pose.js";
+import { shown as text } from "../elements/element.js";
+import { unitOf } from "../elements/units.js";
+import type { InverseAnswer } from "../panels/solutions.js";
+import type { Hand } from "../scene/picture.js";
+import { Rest } from "./rest.js";
+import type { SectionPanel, Services, Shown } from "./section.js";
+
+/** What the hand does in the picture: the tool is dragged, and slides along the border where it cannot go; links turn
+ * their joints within the limits. Beside the tool stands the reason. */
+export class Holding implements Hand {
+  private shown: Shown | null = null;
+  private isPressed = false;
+  private asked = 0;
+  private readonly rest = new Rest();
+
+  constructor(
+    private readonly services: Services,
+    private readonly section: () => SectionPanel | undefined,
+  ) {}
+
+  take(shown: Shown): void {
+    this.shown = shown;
+    this.forget();
+  }
+
+  tool(pose: number[]): void {
+    const { q } = this.services.store.get();
+    if (!this.shown || !q) return;
+    const { arm, description, picture } = this.shown;
+    if (!this.isPressed) this.section()?.interrupt?.(); // by keys
+    const [found] = arm.inverse(pose, q);
+    if (found) {
+      this.forget();
+      this.services.store.set({ q: Array.from(found) });
+      return;
+    }
+    const near = nearestTo(arm, description.joints, pose, q, picture.size);
+    this.services.store.set({ q: near });
+    const off = poseError(toolPose(arm, near), pose);
+    const isThere = Math.hypot(...off.slice(0, 3)) < 1e-3 * picture.size;
+    if (!hasFullTask(arm) && isThere) return this.forget();
+    void this.explain(pose, q, Math.hypot(...off.slice(0, 3)));
+  }
+
+  joint(k: number, value: number): void {
+    const { q, degrees } = this.services.store.get();
+    const joint = this.shown?.description.joints[k];
+    if (!joint || !q) return;
+    const moved = clamped(q.with(k, value), this.shown?.description.joints ?? []);
+    const at = moved[k] ?? 0;
+    this.services.store.set({ q: q.with(k, at) });
+    const unit = unitOf(joint.type, degrees);
+    const limit = `${text(at * unit.factor, unit.name === "°" ? 1 : 3)}${unit.name === "°" ? "" : "\u00a0"}${unit.name}`;
+    if (at === value) this.forget();
+    else this.shown?.picture.say(`${joint.name} is at its limit, ${limit}.`);
+  }
+
+  /** The tool is asked to go to a pose that was typed. Where it is not reached, the arm stays; `refused` gets the
+   * reason. */
+  typed(pose: number[], refused: (reason: string) => void): void {
+    const { q } = this.services.store.get();
+    if (!this.shown || !q) return;
+    this.section()?.interrupt?.();
+    let found: Float64Array | undefined;
+    try {
+      [found] = this.shown.arm.inverse(pose, q);
+    } catch (error) {
+      return refused((error as Error).message); // for numbers beyond the range of any arm
+    }
+    if (!found) return void this.explain(pose, q, null, refused);
+    this.forget();
+    this.services.store.set({ q: Array.from(found) });
+  }
+
+  waypoint(index: number, pose: number[], released: boolean): void {
+    this.section()?.waypoint?.(index, pose, released);
+  }
+
+  tile(point: number[]): void {
+    this.section()?.tile?.(point);
+  }
+
+  pressed(): void {
+    this.isPressed = true;
+    this.section()?.interrupt?.();
+  }
+
+  released(): void {
+    this.isPressed = false;
+    this.forget();
+  }
+
+  get holds(): boolean {
+    return this.isPressed;
+  }
+
+  /** The arm has moved on: an old reason does not stand beside it. */
+  forget(): void {
+    ++this.asked;
+    this.rest.cancel();
+    this.shown?.picture.say("");
+  }
+
+  /** Asks the command why a pose is not reached, once the hand rests. `away`: how far from it the tool stands, m, while a
+   * hand drags it; null: the pose was typed, and the arm has stayed where it was. */
+  private async explain(
+    pose: number[],
+    q: number[],
+    away: number | null,
+    refused: (reason: string) => void = () => undefined,
+  ): Promise<void> {
+    const asked = ++this.asked;
+    const { shown } = this;
+    shown?.picture.say("The tool cannot go there.");
+    await new Promise<void>((resolve) => this.rest.then(resolve));
+    if (asked !== this.asked) return;
+    const found = await this.reasonFor(pose, q).catch((error: unknown) => error as Error);
+    if (asked !== this.asked || shown !== this.shown || !shown) return;
+    if (found instanceof Error) return refused(found.message);
+    if (found.reason === "") return;
+    refused(found.reason);
+    if (away === null || this.isPressed) shown.picture.say(this.inWords(found, away));
+  }
+
+  /** A short sentence beside the tool, where the panel has all digits. */
+  private inWords({ code, fields, reason }: InverseAnswer, away: number | null): string {
+    const { distance = 0, nearest = [] } = fields;
+    const digits = (value: number): string => text(value, 3);
+    const isFar = code === "position_unreachable" || code === "beyond_reach";
+    if (away !== null) {
+      const why = isFar ? "Out of reach." : `${reason}.`;
+      return away < 1e-3 * (this.shown?.picture.size ?? 1) ? why : `${why} The tool stays ${digits(away)} m away.`;
+    }
+    const point = nearest.slice(0, this.shown?.arm.planar === true ? 2 : 3).map(digits);
+    if (!isFar || point.length === 0) return `${reason}.`;
+    return `Out of reach by ${digits(distance)} m: the nearest point is (${point.join(", ")}) m.`;
+  }
+
+  private async reasonFor(pose: number[], q: number[]): Promise<InverseAnswer> {
+    const args = ["ik", "arm.json", `--pose=${sevenOf(pose).join(",")}`, `--seed=${q.join(",")}`, "--json"];
+    return answer<InverseAnswer>(await this.services.command(args));
+  }
+}

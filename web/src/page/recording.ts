@@ -1,0 +1,181 @@
+import { answer } from "../core/command.js";
+import { tooLarge } from "../core/limits.js";
+import { element } from "../elements/element.js";
+import { exceedsLimits, planReport, type LineAnswer } from "../panels/motion_report.js";
+import { Recorder, type Recorded } from "../panels/recorder.js";
+import type { Trail } from "../scene/picture.js";
+import { MotionPlayer } from "./motion_player.js";
+import { reducedMotion } from "./rest.js";
+import type { Services, Shown } from "./section.js";
+import { Work } from "./work.js";
+
+type PosesFile = { name: string; text: string };
+
+/** A motion by hand, by a program or from a file, played as controllers play it and checked against the joint limits;
+ * against the line only when that is asked for. */
+export class Recording {
+  readonly root: HTMLElement;
+  trails: Trail[] = [];
+  /** Stands beside the picture in all sections. */
+  readonly light: HTMLElement;
+  private readonly report = element("div", { role: "status" });
+  private readonly compare: HTMLButtonElement;
+  private readonly player: MotionPlayer;
+  private readonly recorder: Recorder;
+  private readonly work: Work;
+  private shown: Shown | null = null;
+  private text: { name: string; content: string } | null = null;
+
+  /** `line`: the waypoints of the line; null: there is none. `begins` is called before a motion is shown, `drawn` when
+   * its trails are others. */
+  constructor(
+    private readonly services: Services,
+    private readonly line: () => PosesFile | null,
+    private readonly begins: () => void,
+    private readonly drawn: () => void,
+  ) {
+    const { store } = services;
+    this.player = new MotionPlayer(services, () => void this.retime());
+    this.work = new Work(services, (reason) => this.report.replaceChildren(element("p", { class: "refusal" }, reason)));
+    this.recorder = new Recorder(
+      () => store.get().q,
+      (samples) => this.openRecorded(samples),
+    );
+    this.light = this.recorder.light;
+    store.subscribe(({ q }, changed) => {
+      if (changed.has("q") && q) this.recorder.take(q);
+    });
+    const load = element("input", { type: "file", accept: ".csv,.json", "aria-label": "A trajectory, CSV or JSON" });
+    load.addEventListener("change", () => {
+      const file = load.files?.[0];
+      if (file) void this.read(file);
+      load.value = ""; // the same file can be opened again after an edit
+    });
+    this.compare = element("button", { type: "button", hidden: true }, "Check against the line");
+    this.compare.addEventListener("click", () => void this.check(this.line()));
+    this.root = element(
+      "section",
+      { class: "recording", "aria-label": "Recording" },
+      element("h3", {}, "Recording"),
+      element(
+        "p",
+        { class: "quiet" },
+        "While it records, sliders, the hand or a program move the arm. A recording, or a file, is checked against the " +
+          "limits of the joints.",
+      ),
+      element("p", { class: "pair" }, this.recorder.button, load),
+      this.work.root,
+      this.report,
+      element("p", { class: "pair" }, this.compare),
+      this.player.root,
+    );
+  }
+
+  take(shown: Shown): void {
+    this.shown = shown;
+    this.recorder.drop();
+    this.player.take(shown);
+    this.clear();
+  }
+
+  /** Shows and checks a trajectory that somebody opened. */
+  open(file: string, content: string): void {
+    this.clear();
+    this.begins();
+    this.text = { name: file.toLowerCase().endsWith(".json") ? "motion.json" : "motion.csv", content };
+    void this.check(null);
+  }
+
+  get places(): boolean {
+    return this.player.places;
+  }
+
+  pause(): void {
+    this.player.pause();
+  }
+
+  showCurves(): void {
+    this.player.showCurves();
+  }
+
+  private clear(): void {
+    this.work.stop();
+    this.player.clear();
+    this.text = null;
+    this.compare.hidden = true;
+    this.trails = [];
+    this.report.replaceChildren();
+  }
+
+  private async read(file: File): Promise<void> {
+    const refusal = tooLarge(file);
+    if (refusal !== null) {
+      this.clear();
+      return this.report.replaceChildren(element("p", { class: "refusal" }, refusal));
+    }
+    try {
+      this.open(file.name, await file.text());
+    } catch (error) {
+      this.report.replaceChildren(element("p", { class: "refusal" }, `${file.name}: ${(error as Error).message}`));
+    }
+  }
+
+  private openRecorded(samples: Recorded[]): void {
+    const names = this.shown?.description.joints.map(({ name }) => name) ?? [];
+    const rows = samples.map(({ time, q }) => [time, ...q].join(","));
+    this.services.store.set({ section: "line" });
+    this.open("motion.csv", [["t", ...names].join(","), ...rows, ""].join("\n"));
+  }
+
+  /** Checks the motion against the limits, or against a line too. */
+  private async check(poses: PosesFile | null): Promise<void> {
+    const { text } = this;
+    if (!text) return;
+    await this.work.run(async (progress, current) => {
+      await new Promise((resolve) => setTimeout(resolve)); // the progress is drawn before a long file is read
+      if (!current()) return;
+      if (poses === null) this.show(text.name, text.content);
+      const verb = poses
+        ? ["check", "arm.json", text.name, `--through=${poses.name}`]
+        : ["replay", "arm.json", text.name];
+      const files = { [text.name]: text.content, ...(poses && { [poses.name]: poses.text }) };
+      const result = await this.services.command([...verb, "--json"], files, progress);
+      if (current()) this.judge(answer<LineAnswer>(result));
+    });
+  }
+
+  private judge(found: LineAnswer): void {
+    this.report.replaceChildren(planReport(found, this.shown?.description.joints ?? []));
+    this.compare.hidden = this.line() === null;
+    if (exceedsLimits(found)) this.draw("refused");
+  }
+
+  private draw(tone: Trail["tone"]): void {
+    this.trails = this.player.trail(tone);
+    this.drawn();
+  }
+
+  private show(name: string, text: string): void {
+    this.player.show(name, text);
+    this.draw("planned");
+    if (!reducedMotion()) this.player.play();
+  }
+
+  /** Gives the motion new times, the shortest within the joint limits. */
+  private async retime(): Promise<void> {
+    const text = this.player.text();
+    if (text === null) return;
+    this.player.pause();
+    await this.work.run(async (progress, current) => {
+      const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
+      const result = await this.services.command(args, { "motion.csv": text }, progress);
+      if (!current()) return;
+      const csv = result.files["retimed.csv"];
+      if (csv !== undefined) {
+        this.text = { name: "motion.csv", content: csv };
+        this.show("motion.csv", csv);
+      }
+      this.judge(answer<LineAnswer>(result));
+    });
+  }
+}

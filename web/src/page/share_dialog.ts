@@ -1,0 +1,105 @@
+import { addressOf, longestAddress } from "../address/address.js";
+import { dialog } from "../elements/dialog.js";
+import { element } from "../elements/element.js";
+import { saveFile } from "../share/save_file.js";
+import { pageAsDocument } from "../share/save_page.js";
+import type { Services, Shown } from "./section.js";
+
+const tooLong = "This is too long for a link. Use “One file”.";
+
+/** Ways to pass on what is shown: a link, a picture, a drawing, the page as one file, a frame for other pages. */
+export class ShareDialog {
+  readonly root: HTMLDialogElement;
+  private readonly link = element("input", { id: "share-link", readonly: true });
+  private readonly frame = element("textarea", { id: "share-frame", readonly: true, rows: 3 });
+  private readonly says = element("p", { role: "status", class: "quiet" });
+
+  constructor(
+    private readonly services: Services,
+    private readonly shown: () => Shown | null,
+  ) {
+    const copy = (from: HTMLInputElement | HTMLTextAreaElement, what: string): HTMLElement =>
+      element("button", { type: "button", onclick: () => void this.copy(from, what) }, `Copy ${what}`);
+    const save = (word: string, what: string, make: () => Promise<void>): HTMLElement =>
+      element(
+        "p",
+        { class: "saver" },
+        element("button", { type: "button", onclick: () => void this.save(word, make) }, word),
+        element("span", { class: "quiet" }, what),
+      );
+    this.root = dialog(
+      "Share",
+      "small",
+      element("p", {}, element("label", { for: "share-link" }, "A link to the arm as it stands"), this.link),
+      element("p", { class: "pair" }, copy(this.link, "link")),
+      save("Picture", "A PNG of what is seen", () => this.savePicture()),
+      save("Drawing", "An SVG as beeline draw makes it", () => this.saveDrawing()),
+      save("One file", "The page with arm and core, which opens from a disk without a network", () => this.savePage()),
+      element("p", {}, element("label", { for: "share-frame" }, "A frame for another page"), this.frame),
+      element("p", { class: "pair" }, copy(this.frame, "frame")),
+      this.says,
+    );
+  }
+
+  async open(): Promise<void> {
+    this.says.textContent = "";
+    const hash = await addressOf(this.services.store.get());
+    const address = location.href.replace(/#.*|$/, () => `#${hash}`);
+    const fits = hash.length <= longestAddress;
+    this.link.value = fits ? address : tooLong;
+    const name = this.shown()?.description.name ?? "";
+    const title = `Beeline: ${name}`.replace(/[&"<>]/g, "");
+    const source = address.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+    this.frame.value = fits
+      ? `<iframe src="${source}" title="${title}" width="100%" height="640" style="border: 0"></iframe>`
+      : tooLong;
+    this.root.showModal();
+  }
+
+  private async copy(from: HTMLInputElement | HTMLTextAreaElement, what: string): Promise<void> {
+    from.select();
+    try {
+      await navigator.clipboard.writeText(from.value);
+      this.says.textContent = `The ${what} is copied.`;
+    } catch {
+      this.says.textContent = `The ${what} is selected: copy it with Ctrl C.`;
+    }
+  }
+
+  private async save(word: string, make: () => Promise<void>): Promise<void> {
+    this.says.textContent = "";
+    try {
+      await make();
+    } catch (error) {
+      this.says.textContent = `${word} is not saved: ${(error as Error).message}`;
+    }
+  }
+
+  private async savePicture(): Promise<void> {
+    const blob = await this.shown()?.picture.image();
+    if (!blob) throw new Error("there is no picture");
+    saveFile("arm.png", blob);
+  }
+
+  /** What `beeline draw` draws of the arm as it stands. */
+  private async saveDrawing(): Promise<void> {
+    const { q, showFrames, showColumns } = this.services.store.get();
+    const viewer = this.shown()?.picture.viewer();
+    const options = [
+      ...(showFrames ? ["--frames"] : []),
+      ...(showColumns ? ["--jacobian"] : []),
+      ...(viewer ? [`--azimuth=${viewer.azimuth}`, `--elevation=${viewer.elevation}`] : []),
+    ];
+    const args = ["draw", "arm.json", `--q=${(q ?? []).join(",")}`, "--out=arm.svg", ...options];
+    const { refusal, files } = await this.services.command(args);
+    const drawing = files["arm.svg"];
+    if (drawing === undefined) throw new Error(refusal);
+    saveFile("arm.svg", new Blob([drawing], { type: "image/svg+xml" }));
+  }
+
+  /** One file that holds the page, the core and the arm. */
+  private async savePage(): Promise<void> {
+    const text = await pageAsDocument(await addressOf(this.services.store.get()));
+    saveFile("beeline.html", new Blob([text], { type: "text/html" }));
+  }
+}

@@ -1,0 +1,74 @@
+import type { Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { pages } from "./browser.js";
+
+const { opened } = pages();
+
+/** Keeps the rendered picture, and counts its pixels that are others than in the picture that was kept before: the pixels of the
+ * joints' bands, which have the strongest colours, and other ones. */
+function compared(page: Page): Promise<{ joints: number; covered: number; others: number }> {
+  return page.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+    const canvas = document.querySelector("#stage canvas");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    const before = window.kept ?? data;
+    window.kept = data;
+    const count = { joints: 0, covered: 0, others: 0 };
+    for (let i = 0; i < data.length; i += 4) {
+      const [a, b] = [before.slice(i, i + 3), data.slice(i, i + 3)];
+      const isSame = a.every((value, k) => Math.abs(value - b[k]) <= 2);
+      const isJoint = Math.max(...a) - Math.min(...a) > 120;
+      count.joints += Number(isJoint);
+      if (!isSame) ++count[isJoint ? "covered" : "others"];
+    }
+    done(count);
+  })))`);
+}
+
+const listed = (page: Page) => page.getByLabel("Inverse kinematics").locator("li button");
+
+test.each(["panda", "ur5"])("ghosts of solutions do not cover the arm %s", async (arm) => {
+  const page = await opened(`#arm=${arm}`, { width: 900, height: 600 });
+  await listed(page).nth(1).waitFor();
+  await compared(page);
+  await page.locator("#tools").getByRole("button", { name: "Solutions" }).click();
+  await page.waitForTimeout(400); // of a redundant arm they are found when it rests
+  const { joints, covered, others } = await compared(page);
+  expect(joints).toBeGreaterThan(200);
+  expect(covered).toBeLessThan(0.05 * joints); // at its edges pixels are mixed
+  expect(others).toBeGreaterThan(1000);
+});
+
+test("a few solutions are drawn, those that differ most; another one when it is pointed at", async () => {
+  const page = await opened("#arm=RRRR:1,1,1,1&q=0.3,0.6,0.5,0.4&solutions=1");
+  await listed(page).nth(8).waitFor();
+  const ghosts = page.locator(".ghost.solution");
+  await expect.poll(() => ghosts.count()).toBeLessThanOrEqual(6);
+  expect(await ghosts.count()).toBeGreaterThanOrEqual(3);
+  const visible = page.locator(".ghost.solution:visible");
+  const shapes = new Set<string>();
+  for (let i = 1; i <= 8; ++i) {
+    await listed(page).nth(i).hover();
+    await expect.poll(() => visible.count()).toBe(1);
+    shapes.add((await visible.locator(".core").nth(1).getAttribute("d")) ?? "");
+  }
+  expect(shapes.size).toBe(8);
+});
+
+test("solutions that are switched on are seen whole, and with the button Whole arm", async () => {
+  const q = [94, 163.7, -213].map((degrees) => (degrees * Math.PI) / 180);
+  const page = await opened(`#arm=rrr&q=${q.join(",")}`);
+  await page.locator("#tools").getByRole("button", { name: "Solutions" }).click();
+  const inside = async (): Promise<boolean> => {
+    const stage = await page.locator("#stage").boundingBox();
+    const ghost = await page.locator(".ghost.solution").boundingBox();
+    if (!stage || !ghost) return false;
+    return ghost.y >= stage.y && ghost.y + ghost.height <= stage.y + stage.height;
+  };
+  await expect.poll(inside).toBe(true);
+  await page.locator("#tools").getByRole("button", { name: "Whole arm" }).click();
+  await expect.poll(inside).toBe(true);
+});

@@ -1,0 +1,92 @@
+import type { Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { axe, jointValues, pages, toolAt, touch } from "./browser.js";
+
+const { there } = pages();
+
+async function phone(hash: string, size = { width: 390, height: 844 }): Promise<Page> {
+  const context = await there().browser.newContext({ viewport: size, hasTouch: true, isMobile: true });
+  const page = await context.newPage();
+  await page.goto(there().address + hash);
+  await page.waitForSelector("#first", { state: "detached" });
+  return page;
+}
+
+test.each(["pose", "control", "line", "workspace", "lessons"])(
+  "on a phone the picture and the sliders of the section %s are on the screen together",
+  async (section) => {
+    const page = await phone(`#arm=rrr&section=${section}&lesson=rrr`);
+    const slider = page.getByLabel("joint3, degrees, slider");
+    await slider.scrollIntoViewIfNeeded();
+    const [stage, row] = [await page.locator("#stage").boundingBox(), await slider.boundingBox()];
+    expect(stage?.y).toBeGreaterThanOrEqual(0);
+    expect(stage?.height).toBeGreaterThan(250);
+    expect((stage?.y ?? 0) + (stage?.height ?? 0)).toBeLessThanOrEqual(row?.y ?? 0);
+    expect((row?.y ?? 0) + (row?.height ?? 0)).toBeLessThanOrEqual(844);
+    expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(390);
+    expect(await page.evaluate("document.documentElement.scrollHeight")).toBeLessThanOrEqual(844);
+    expect(await axe(page)).toEqual([]);
+    await page.context().close();
+  },
+);
+
+test("touch drags the tool and a link; two fingers magnify; the panel scrolls, the picture does not", async () => {
+  const page = await phone("#arm=rrr&q=0.4,0.9,0.6");
+  const from = await toolAt(page);
+  const before = await jointValues(page);
+  const to = { x: from.x - 40, y: from.y + 20 };
+  await touch(page, [from, to]);
+  const dragged = await jointValues(page);
+  expect(dragged).not.toEqual(before);
+  const now = await toolAt(page);
+  expect(Math.hypot(now.x - to.x, now.y - to.y)).toBeLessThan(6);
+  const link = await page.locator('[data-grab="joint 0"]').boundingBox();
+  const middle = { x: (link?.x ?? 0) + (link?.width ?? 0) / 2, y: (link?.y ?? 0) + (link?.height ?? 0) / 2 };
+  await touch(page, [middle, { x: middle.x - 10, y: middle.y - 40 }]);
+  const turned = await jointValues(page);
+  expect(turned[0]).not.toBe(dragged[0]);
+  expect(turned.slice(1)).toEqual(dragged.slice(1));
+  const width = async (): Promise<number> => {
+    const ticks = await page
+      .locator(".axes text[data-axis=x]")
+      .evaluateAll((all) =>
+        all.map((text) => [Number((text.textContent ?? "").replace("−", "-")), Number(text.getAttribute("x"))]),
+      );
+    return ((ticks.at(-1)?.[1] ?? 0) - (ticks[0]?.[1] ?? 0)) / ((ticks.at(-1)?.[0] ?? 0) - (ticks[0]?.[0] ?? 0));
+  };
+  const scale = await width();
+  const stage = await page.locator("#stage").boundingBox();
+  const [x, y] = [(stage?.x ?? 0) + 120, (stage?.y ?? 0) + 60];
+  await touch(
+    page,
+    [
+      { x, y },
+      { x: x - 40, y },
+    ],
+    [
+      { x: x + 60, y },
+      { x: x + 120, y },
+    ],
+  );
+  await toolAt(page);
+  expect(await width()).toBeGreaterThan(1.5 * scale);
+  expect(await jointValues(page)).toEqual(turned);
+  const scrolled = (): Promise<number> => page.evaluate("document.querySelector('#side').scrollTop");
+  expect(await scrolled()).toBe(0);
+  const panel = await page.locator("#side").boundingBox();
+  const foot = (panel?.y ?? 0) + (panel?.height ?? 0) - 40;
+  await touch(page, [
+    { x: 40, y: foot },
+    { x: 40, y: foot - 200 },
+  ]);
+  await expect.poll(scrolled).toBeGreaterThan(50);
+  await page.context().close();
+});
+
+test("on a phone on its side the panel stands beside the picture", async () => {
+  const page = await phone("#arm=panda", { width: 844, height: 390 });
+  const [stage, side] = [await page.locator("#stage").boundingBox(), await page.locator("#side").boundingBox()];
+  expect(side?.x).toBeGreaterThanOrEqual((stage?.x ?? 0) + (stage?.width ?? 0));
+  expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(844);
+  await page.context().close();
+});
