@@ -205,9 +205,15 @@ export class Page {
       this.document.getElementById("joint-0")?.focus();
     });
     this.document.body.append(this.chooser.dialog, share.root, settings, help);
+    // Digits replace a number that is reached by key or by click: a click places its cursor after the focus has come.
+    let reached: EventTarget | null = null;
     this.document.addEventListener("focusin", ({ target }) => {
-      if (!(target instanceof HTMLInputElement) || target.type !== "number") return;
-      requestAnimationFrame(() => target.select()); // after the click has placed its cursor: digits replace the number
+      reached = target;
+      if (target instanceof HTMLInputElement && target.type === "number") target.select();
+    });
+    this.document.addEventListener("click", ({ target }) => {
+      if (target instanceof HTMLInputElement && target.type === "number" && target === reached) target.select();
+      reached = null;
     });
     this.showHistory();
     this.showSections();
