@@ -76,7 +76,10 @@ find_absent() {
 
 root=()
 if [[ $(id -u) != 0 ]]; then root=(sudo); fi
-apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet)
+# One at a time: apt waits for others that install, not for others that read the lists.
+exec 9>"${TMPDIR:-/tmp}/beeline-packages-$(id -u).lock"
+flock 9
+apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet -o DPkg::Lock::Timeout=600)
 find_absent
 # With the lists of today, packages that they lack are not looked for again.
 if ((${#absent[@]} < ${#missing[@]})) || ! find /var/lib/apt/lists -maxdepth 1 -mtime -1 -name '*Packages*' | grep -q .; then
