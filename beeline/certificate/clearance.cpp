@@ -68,10 +68,9 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const ClearanceOptions& options) {
   check_options(options);
-  internal::check_motion(model, trajectory);
-  const Trajectory rest = internal::held(trajectory);
+  const Trajectory adapted = internal::adapted_motion(model, trajectory);
   internal::BudgetMeter budget(options.budget);
-  const internal::MotionTubes tubes(trajectory.size() == 1 ? rest : trajectory);
+  const internal::MotionTubes tubes(adapted.size() > 0 ? adapted : trajectory);
   ClearanceProof proof = internal::ClearanceSearch(model.bodies(), tubes, options, budget).run();
   if (options.closest && proof)
     internal::find_closest_approach(model, tubes, options, budget, proof);

@@ -61,7 +61,7 @@ struct ClearanceProof {
 std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof);
 
 /// Proves or refutes that each pair of the model keeps its clearance at all times of the motion
-/// that the trajectory's columns mean (see Interpolation), which are in the arm's order.
+/// that the trajectory, matched_to() the model's arm, means by its columns (see Interpolation).
 ///
 /// Let n be a unit vector that is fixed to a body B, and h_A(n) the maximum of n . x over the
 /// points of a body A. Then A and B are at least -h_B(-n) - h_A(n) apart, for any n. The motion is
@@ -71,7 +71,7 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof);
 /// algorithm for the nearest points proposes n: a wrong one costs a division, and never a proof.
 /// All bounds include the rounding errors of their evaluation.
 ///
-/// Throws Error when the trajectory does not fit the arm or has no samples, and for options out of
+/// Throws Error where matched_to() does, for a trajectory without samples, and for options out of
 /// their range.
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const ClearanceOptions& options = {});

@@ -50,7 +50,8 @@ class OverTime {
       divide({.coefficients = tubes_.coefficients(range.first),
               .second_half = {},
               .from = times[range.first],
-              .to = times[range.last]});
+              .to = times[range.last],
+              .rounding = tubes_.rounding(range.first)});
     } else {
       divide(range.first_half());
       divide(range.second_half());
@@ -58,14 +59,13 @@ class OverTime {
   }
 
   void divide(const ClearanceSearch::Part& part) {
-    const double middle = part.from + (part.to - part.from) / 2;
-    if (part.to - part.from <= longest_ || middle <= part.from || middle >= part.to) {
+    if (part.to - part.from <= longest_ || !part.is_divisible()) {
       return add(part, part.from, part.to);
     }
-    ClearanceSearch::Part first{
-        .coefficients = {}, .second_half = {}, .from = part.from, .to = middle};
-    ClearanceSearch::Part second{
-        .coefficients = {}, .second_half = {}, .from = middle, .to = part.to};
+    ClearanceSearch::Part first = part, second = part;
+    first.to = second.from = part.middle();
+    internal::add_halving_rounding(part.coefficients, first.rounding);
+    second.rounding = first.rounding;
     internal::halve(part.coefficients, first.coefficients, second.coefficients);
     divide(first);
     divide(second);
@@ -126,11 +126,10 @@ class OverTime {
 
 ClearanceOverTime clearance_over_time(const CollisionModel& model, const Trajectory& trajectory,
                                       const Budget& budget) {
-  internal::check_motion(model, trajectory);
+  const Trajectory adapted = internal::adapted_motion(model, trajectory);
   if (model.pair_count() == 0) return {};
-  const Trajectory rest = internal::held(trajectory);
   internal::BudgetMeter meter(budget);
-  const MotionTubes tubes(trajectory.size() == 1 ? rest : trajectory);
+  const MotionTubes tubes(adapted.size() > 0 ? adapted : trajectory);
   return OverTime(model, tubes, meter).run();
 }
 

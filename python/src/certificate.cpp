@@ -45,11 +45,11 @@ void bind_verify(nb::module_& m) {
          nb::arg("keywords"));
 
   Signature fault("first_joint_fault", "JointFault | None",
-                  "Returns the first fault in time of a trajectory's joints, whose columns are in "
-                  "the arm's order: limits, flip, velocity, acceleration, jerk or moving; None if "
-                  "there is none, or where the budget ends the search before it.");
+                  "Returns the first fault in time of a trajectory's joints: limits, flip, "
+                  "velocity, acceleration, jerk or moving; None if there is none, or where the "
+                  "budget ends the search before it.");
   fault.takes("arm", "Arm", "The arm.")
-      .takes("trajectory", "Trajectory", "Of the arm.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("moving", argument_type<MovingEnds>(), "The ends at which the joints may move.",
              "(False, False)")
       .options<BudgetOptions>();
@@ -60,7 +60,9 @@ void bind_verify(nb::module_& m) {
         const auto ends = Value<MovingEnds>::from(moving, "moving");
         Budget budget = options<BudgetOptions>(keywords).budget;
         return Value<std::optional<JointFault>>::to(
-            unlocked(budget, [&] { return first_joint_fault(arm, trajectory, ends, budget); }));
+            unlocked(budget, [&] {
+              return first_joint_fault(arm, matched_to(arm, trajectory), ends, budget);
+            }));
       },
       fault, nb::arg("arm"), nb::arg("trajectory"),
       nb::arg("moving") = nb::make_tuple(false, false), nb::arg("keywords"));
@@ -69,7 +71,7 @@ void bind_verify(nb::module_& m) {
 void bind_path_deviation(nb::module_& m) {
   Signature bound("path_deviation", "PathDeviation", comment("path_deviation"));
   bound.takes("arm", "Arm", "The arm.")
-      .takes("trajectory", "Trajectory", "Of the arm.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("path_parameters", array_like, "Path parameter of each sample, (N,).")
       .takes("path", "ToolPath", "Path.")
       .takes("task", "str", "Rows that matter.", "'spatial'")
@@ -83,7 +85,7 @@ void bind_path_deviation(nb::module_& m) {
         const Task rows = Value<Task>::from(task, "task");
         Budget budget = options<BudgetOptions>(keywords).budget;
         return unlocked(budget, [&] {
-          return path_deviation(arm, trajectory, parameters, path, rows, budget);
+          return path_deviation(arm, matched_to(arm, trajectory), parameters, path, rows, budget);
         });
       },
       bound, nb::arg("arm"), nb::arg("trajectory"), nb::arg("path_parameters"), nb::arg("path"),

@@ -174,7 +174,7 @@ void bind_distances(nb::module_& m) {
       "Proves or refutes that each pair of the model keeps its clearance at all times of "
       "the motion that the trajectory's columns mean, also between the samples.");
   proof.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Of the arm.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<ClearanceOptions>();
   define(
       m,
@@ -186,7 +186,7 @@ void bind_distances(nb::module_& m) {
 
   Signature over_time("clearance_over_time", "ClearanceOverTime", comment("clearance_over_time"));
   over_time.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Of the arm.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<BudgetOptions>();
   define(
       m,

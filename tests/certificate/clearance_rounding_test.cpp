@@ -51,5 +51,37 @@ TEST(ClearanceRounding, IsOutwardsAtAllOffsetsAndSizes) {
   EXPECT_GT(proved, testing::cases(2'000) / 10);
 }
 
+/// A joint slides from -size to its peak near 0 and back: the parts about the peak are small, and
+/// the rounding of their coefficients is as large as the rounding of the whole.
+TEST(ClearanceRounding, IncludesTheWholeMotionAboutAPeak) {
+  if (!testing::has_wide) GTEST_SKIP() << "long double has no more digits than double";
+  Random random;
+  Joint joint;
+  joint.name = "slide";
+  joint.screw = translation_screw(Vector3::UnitX());
+  const Arm arm("slide", {joint}, Pose::Identity(), Pose::Identity());
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const double size = std::pow(10, random.uniform(0, 6)), clearance = 1e-11;
+    const auto about = [&](double value) { return value * (1 + random.uniform(-1e-9, 1e-9)); };
+    const double p0 = -size, p1 = about(-size), v0 = about(4 * size), v1 = about(-4 * size);
+    const Trajectory motion{arm.joint_names(),
+                            {0, 1},
+                            {Configuration::Constant(1, p0), Configuration::Constant(1, p1)},
+                            {Configuration::Constant(1, v0), Configuration::Constant(1, v1)},
+                            {}};
+    const Wide c2 = 3 * (Wide(p1) - p0) - 2 * Wide(v0) - v1;
+    const Wide c3 = 2 * (Wide(p0) - p1) + Wide(v0) + v1;
+    Wide u = 0.5;
+    for (int k = 0; k < 8; ++k) u -= ((3 * c3 * u + 2 * c2) * u + v0) / (6 * c3 * u + 2 * c2);
+    const Wide peak = ((c3 * u + c2) * u + v0) * u + p0;
+    Shape point{Sphere{0}};
+    point.pose.translation().x() = static_cast<double>(peak + clearance * random.uniform(0, 1));
+    if (Wide(point.pose.translation().x()) - peak >= clearance) continue;
+    const CollisionModel model(arm, {{"tip", 1, {{Sphere{0}}}}}, {.obstacles = {{"point", {point}}}},
+                               {.clearance = clearance});
+    EXPECT_FALSE(prove_clearance(model, motion)) << number(size) << " m, case " << i;
+  }
+}
+
 }  // namespace
 }  // namespace beeline

@@ -255,6 +255,63 @@ TEST(Clearance, EndsWhereRoundingDecides) {
   EXPECT_LT(proof.parts, 100'000);
 }
 
+/// A part of a jump that time cannot divide is decided for each obstacle, not for a node of the
+/// tree: many small balls in clusters, all far from the arm except the last.
+TEST(Clearance, DecidesJumpsForEachObstacle) {
+  const Arm arm = built_in("rrr");
+  const std::vector<LinkShapes> links{{"tip", 3, {{Sphere{0.05}}}}};
+  for (const bool in_the_way : {false, true}) {
+    Scene scene;
+    for (int i = 0; i < 256; ++i) {
+      const double angle = i / 64 * 1.5;
+      Shape ball{Sphere{0.001}};
+      ball.pose = make_pose({5 * std::cos(angle), 5 * std::sin(angle), 0.01 * (i % 64)});
+      scene.obstacles.push_back({"ball" + std::to_string(i), {ball}});
+    }
+    const Configuration begin = Configuration::Zero(3), end = Configuration::Constant(3, 0.3);
+    if (in_the_way) {
+      Shape ball{Sphere{0.05}};
+      ball.pose = link_poses(arm, begin + (end - begin) / 4)[3];  // the middle of a half
+      scene.obstacles.push_back({"in the way", {ball}});
+    }
+    const CollisionModel model(arm, links, scene);
+    for (const double time : {0.0, 1e9}) {
+      const Trajectory jump{arm.joint_names(),
+                            {time, std::nextafter(time, 2e9)},
+                            {begin, end},
+                            {},
+                            {}};
+      const ClearanceProof proof = prove_clearance(model, jump);
+      if (in_the_way) {
+        EXPECT_EQ(proof.status, ClearanceStatus::collides);
+        EXPECT_EQ(proof.pair.names[1], "in the way");
+      } else if (!proof) {
+        EXPECT_EQ(proof.status, ClearanceStatus::not_decided);
+        EXPECT_GT(proof.pair.upper, 1.5) << "the balls are 2 m beyond the reach";
+      }
+    }
+  }
+}
+
+TEST(Clearance, MatchesJointsByName) {
+  const Arm arm = built_in("rrr");
+  Shape ball{Sphere{0.1}};
+  const Configuration end{{1, 0, 0}};
+  ball.pose = link_poses(arm, end / 2)[3];
+  const CollisionModel model(arm, {{"tip", 3, {{Sphere{0.1}}}}}, {.obstacles = {{"ball", {ball}}}});
+  const Trajectory motion{arm.joint_names(), {0, 1}, {Configuration::Zero(3), end}, {}, {}};
+  Trajectory other = motion;
+  std::swap(other.joint_names[0], other.joint_names[2]);
+  std::swap(other.positions.back()[0], other.positions.back()[2]);
+  EXPECT_EQ(prove_clearance(model, motion).status, ClearanceStatus::collides);
+  const ClearanceProof proof = prove_clearance(model, other);
+  EXPECT_EQ(proof.status, ClearanceStatus::collides);
+  EXPECT_EQ(proof.time, prove_clearance(model, motion).time);
+  other.joint_names = {"x", "y", "z"};
+  EXPECT_REFUSED(prove_clearance(model, other), "x");
+  EXPECT_REFUSED(clearance_over_time(model, other), "x");
+}
+
 TEST(Clearance, EndsWithItsBudget) {
   Random random;
   const Arm arm = built_in("panda");

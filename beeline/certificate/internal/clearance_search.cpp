@@ -100,6 +100,7 @@ void ClearanceSearch::search(const MotionTubes::Range& range, Pairs pairs) {
       parts_.front().coefficients = tubes_.coefficients(range.first);
       parts_.front().from = times[range.first];
       parts_.front().to = times[range.last];
+      parts_.front().rounding = tubes_.rounding(range.first);
       search_halves(0, open);
     } else {
       search(range.first_half(), open);
@@ -113,7 +114,9 @@ void ClearanceSearch::search_halves(std::size_t level, Pairs pairs) {
   if (parts_.size() == level + 1) parts_.emplace_back();
   Part& whole = parts_[level];
   Part& half = parts_[level + 1];
-  const double middle = whole.from + (whole.to - whole.from) / 2;
+  const double middle = whole.middle();
+  half.rounding = whole.rounding;
+  add_halving_rounding(whole.coefficients, half.rounding);
   halve(whole.coefficients, half.coefficients, whole.second_half);
   half.from = whole.from;
   half.to = middle;
@@ -127,12 +130,11 @@ void ClearanceSearch::search_halves(std::size_t level, Pairs pairs) {
 
 void ClearanceSearch::search_part(std::size_t level, Pairs pairs) {
   const Part& part = parts_[level];
-  enclose(part.coefficients, tube_);
-  const Pairs open = test(tube_.tube(), pairs);
+  const bool is_last = !part.is_divisible();
+  enclose(part.coefficients, part.rounding, tube_);
+  const Pairs open = test(tube_.tube(), pairs, is_last ? Nodes::all : Nodes::as_needed);
   if (open.begin < open.end && !ended_) {
-    const double middle = part.from + (part.to - part.from) / 2;
-    const bool divisible = middle > part.from && middle < part.to;
-    if (!divisible || is_small(open)) {
+    if (is_last || is_small(open)) {
       decide(part, open);
     } else {
       search_halves(level, open);
@@ -142,7 +144,7 @@ void ClearanceSearch::search_part(std::size_t level, Pairs pairs) {
 }
 
 /// Returns the pairs that the tube does not prove.
-ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs) {
+ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs, Nodes nodes) {
   Pairs left{open_.size(), open_.size()};
   if (pairs.begin == pairs.end) return left;
   ++proof_.parts;
@@ -159,7 +161,7 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs)
       const TubeTest::Bound bound = tube_test_.bound(pair);
       if (bound.proves()) {
         proof_.least_distance = std::min(proof_.least_distance, bound.distance);
-      } else if (tube_test_.is_coarse(pair)) {
+      } else if (pair.with == With::node && (nodes == Nodes::all || tube_test_.is_coarse(pair))) {
         const BoxTree::Node& node = bodies_.tree.node(pair.other);
         if (node.right != 0) {
           for (const std::uint32_t child : {pair.other + 1, node.right}) {
@@ -189,14 +191,14 @@ bool ClearanceSearch::is_small(Pairs pairs) const {
                      });
 }
 
-/// Decides a part that can hardly be divided, at the middle of its time.
+/// Decides a part that can hardly be divided, at the middle of its time. The pairs are of bodies.
 void ClearanceSearch::decide(const Part& part, Pairs pairs) {
   BernsteinCoefficients first, second;
   halve(part.coefficients, first, second);
   TubeValues middle(part.coefficients.cols());
   middle.middle = second.row(0);
   tube_test_.place(middle.tube());
-  const double time = part.from + (part.to - part.from) / 2;
+  const double time = part.middle();
   for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
     const BodyDistance pair = tube_test_.distance(open_[i]);
     const bool collides = pair.upper < pair.clearance + options_.beyond;
@@ -222,17 +224,15 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
   if (++undecided_parts_ == most_undecided) ended_ = true;
 }
 
-void check_motion(const CollisionModel& model, const Trajectory& trajectory) {
+Trajectory adapted_motion(const CollisionModel& model, const Trajectory& trajectory) {
   check_trajectory(trajectory);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
-  check_configuration(model.arm(), trajectory.positions.front());
-}
-
-Trajectory held(const Trajectory& trajectory) {
-  if (trajectory.size() != 1) return {};
-  const double time = trajectory.times.front();
-  const Configuration& q = trajectory.positions.front();
-  return {trajectory.joint_names, {time, time + 1}, {q, q}, {}, {}};
+  const bool matches = trajectory.joint_names == model.arm().joint_names();
+  if (matches && trajectory.size() > 1) return {};
+  Trajectory motion = matches ? trajectory : matched_to(model.arm(), trajectory);
+  if (motion.size() > 1) return motion;
+  const Configuration& q = motion.positions.front();
+  return {motion.joint_names, {motion.times.front(), motion.times.front() + 1}, {q, q}, {}, {}};
 }
 
 }  // namespace beeline::internal

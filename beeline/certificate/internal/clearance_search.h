@@ -23,6 +23,10 @@ class ClearanceSearch {
   struct Part {
     BernsteinCoefficients coefficients, second_half;
     double from = 0, to = 0;
+    Eigen::VectorXd rounding = {};  ///< of the coefficients: coefficient_rounding()
+
+    double middle() const { return from + (to - from) / 2; }
+    bool is_divisible() const { return middle() > from && middle() < to; }
   };
 
   /// Searches the whole motion, some intervals of it, or a part of one. Once only.
@@ -36,12 +40,15 @@ class ClearanceSearch {
     std::size_t begin = 0, end = 0;
   };
 
+  /// Nodes of the tree are opened where that helps, or all down to obstacles.
+  enum class Nodes { as_needed, all };
+
   ClearanceProof finished() const;
   void add_all_pairs();
   void search(const MotionTubes::Range& range, Pairs pairs);
   void search_part(std::size_t level, Pairs pairs);
   void search_halves(std::size_t level, Pairs pairs);
-  Pairs test(const JointTube& tube, Pairs pairs);
+  Pairs test(const JointTube& tube, Pairs pairs, Nodes nodes = Nodes::as_needed);
   bool is_small(Pairs pairs) const;
   void decide(const Part& part, Pairs pairs);
 
@@ -60,10 +67,9 @@ class ClearanceSearch {
   std::size_t undecided_parts_ = 0;
 };
 
-/// Throws Error when the trajectory does not fit the model's arm or has no samples.
-void check_motion(const CollisionModel& model, const Trajectory& trajectory);
-
-/// The motion of a trajectory with one sample, a second at rest; empty for another one.
-Trajectory held(const Trajectory& trajectory);
+/// Returns the motion that is examined: matched_to() the model's arm, and a second at rest where
+/// the trajectory has one sample. Empty where that is the trajectory as it is. Throws Error for a
+/// trajectory without samples, and as check_trajectory() and matched_to() do.
+Trajectory adapted_motion(const CollisionModel& model, const Trajectory& trajectory);
 
 }  // namespace beeline::internal

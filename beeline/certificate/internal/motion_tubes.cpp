@@ -43,6 +43,15 @@ BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::
   return b;
 }
 
+Eigen::VectorXd coefficient_rounding(const BernsteinCoefficients& coefficients) {
+  return 32 * roundoff * coefficients.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+void add_halving_rounding(const BernsteinCoefficients& whole, Eigen::VectorXd& rounding) {
+  // Each of five sums, one of the other, rounds by half a unit of the last place.
+  rounding += 5 * roundoff * whole.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
 void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
            BernsteinCoefficients& second) {
   first.resize(6, whole.cols());
@@ -55,7 +64,8 @@ void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
   }
 }
 
-void enclose(const BernsteinCoefficients& motion, TubeValues& tube) {
+void enclose(const BernsteinCoefficients& motion, const Eigen::VectorXd& rounding,
+             TubeValues& tube) {
   const auto begin = motion.row(0), end = motion.row(last);
   Eigen::Index widest = 0;
   const double widest_change = (end - begin).cwiseAbs().maxCoeff(&widest);
@@ -67,16 +77,15 @@ void enclose(const BernsteinCoefficients& motion, TubeValues& tube) {
     pace[static_cast<std::size_t>(m)] = std::clamp(share, 0.0, 1.0);
   }
   for (Eigen::Index i = 0; i < motion.cols(); ++i) {
-    double lowest = 0, highest = 0, size = 0;
+    double lowest = 0, highest = 0;
     for (Eigen::Index m = 0; m <= last; ++m) {
       const double on_line = begin[i] + pace[static_cast<std::size_t>(m)] * (end[i] - begin[i]);
       lowest = std::min(lowest, motion(m, i) - on_line);
       highest = std::max(highest, motion(m, i) - on_line);
-      size = std::max(size, std::abs(motion(m, i)));
     }
     tube.middle[i] = (begin[i] + end[i] + lowest + highest) / 2;
     tube.half[i] = (end[i] - begin[i]) / 2;
-    tube.slack[i] = (highest - lowest) / 2 + 32 * roundoff * size;
+    tube.slack[i] = (highest - lowest) / 2 + rounding[i];
   }
 }
 
@@ -109,13 +118,16 @@ void enclose(const TubeValues& first, const TubeValues& second, const Configurat
 MotionTubes::MotionTubes(const Trajectory& trajectory) : trajectory_(&trajectory) {
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
     coefficients_.push_back(bernstein_coefficients(trajectory, k));
+    rounding_.push_back(coefficient_rounding(coefficients_.back()));
   }
   nodes_.assign(2 * coefficients_.size() - 1, TubeValues(trajectory.positions.front().size()));
   fill(all());
 }
 
 void MotionTubes::fill(const Range& range) {
-  if (range.is_interval()) return enclose(coefficients_[range.first], nodes_[range.node]);
+  if (range.is_interval()) {
+    return enclose(coefficients_[range.first], rounding_[range.first], nodes_[range.node]);
+  }
   const Range first = range.first_half(), second = range.second_half();
   fill(first);
   fill(second);

@@ -16,6 +16,13 @@ using BernsteinCoefficients = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// Returns the coefficients of the motion from sample k to the next (see Interpolation).
 BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::size_t k);
 
+/// A bound of the rounding of these coefficients, and of the values that enclose() computes of
+/// them, for each coordinate.
+Eigen::VectorXd coefficient_rounding(const BernsteinCoefficients& coefficients);
+
+/// Adds to such a bound what halve() adds to the rounding.
+void add_halving_rounding(const BernsteinCoefficients& whole, Eigen::VectorXd& rounding);
+
 /// Divides the motion at the middle of its time (de Casteljau).
 void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
            BernsteinCoefficients& second);
@@ -33,7 +40,8 @@ struct TubeValues {
 
 /// Computes a tube that contains the motion: about the line between its ends, along which the
 /// coordinate that moves most sets the pace. The slack includes the rounding of the coefficients.
-void enclose(const BernsteinCoefficients& motion, TubeValues& tube);
+void enclose(const BernsteinCoefficients& motion, const Eigen::VectorXd& rounding,
+             TubeValues& tube);
 
 /// Computes a tube that contains two tubes, of the motion from `begin` to `middle` and from there
 /// to `end`.
@@ -61,6 +69,7 @@ class MotionTubes {
 
   const TubeValues& values(const Range& range) const { return nodes_[range.node]; }
   const BernsteinCoefficients& coefficients(std::size_t k) const { return coefficients_[k]; }
+  const Eigen::VectorXd& rounding(std::size_t k) const { return rounding_[k]; }
   const Trajectory& trajectory() const { return *trajectory_; }
 
  private:
@@ -68,6 +77,7 @@ class MotionTubes {
 
   const Trajectory* trajectory_;
   std::vector<BernsteinCoefficients> coefficients_;
+  std::vector<Eigen::VectorXd> rounding_;  ///< coefficient_rounding()
   std::vector<TubeValues> nodes_;
 };
 
