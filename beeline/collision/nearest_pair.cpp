@@ -80,8 +80,7 @@ class Distances {
   };
 
   double rounding(const CollisionBodies::LinkBody& link) const {
-    return motion_.rounding(link.carried.frame,
-                            link.carried.body.centre.norm() + link.carried.body.bound);
+    return motion_.rounding(link.carried.frame, magnitude(link.carried.body));
   }
 
   void visit_pair(const Pair& pair, double within, const Found& found) const {

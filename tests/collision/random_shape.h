@@ -65,6 +65,14 @@ inline Shape random_shape(Random& random, int kind, double size, double spread) 
   return shape;
 }
 
+/// Moves the vertices of a hull, and its origin back: the hull moves by rounding alone.
+inline void move_vertices(Shape& shape, const Vector3& by) {
+  auto* const hull = std::get_if<ConvexHull>(&shape.body);
+  if (hull == nullptr) return;
+  for (Vector3& vertex : hull->vertices) vertex += by;
+  shape.pose.translation() -= shape.pose.linear() * by;
+}
+
 /// The point of a shape that is nearest to `point`, by closed forms of its own. Not for hulls.
 inline Vector3 projection(const Shape& shape, const Vector3& point) {
   Vector3 p = shape.pose.inverse() * point, on_core = p;

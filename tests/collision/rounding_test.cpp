@@ -41,6 +41,9 @@ TEST(SeparationRounding, IsOutwardsAtAllOffsetsAndSizes) {
     const Vector3 moved = offset * random.direction();
     a.pose.translation() += moved;
     b.pose.translation() += moved;
+    for (Shape* shape : {&a, &b}) {
+      if (random.integer(0, 1) == 0) testing::move_vertices(*shape, offset * random.direction());
+    }
     const Separation found = separation(convex_body(a), convex_body(b));
     const std::string what = kind_name(a) + " and " + kind_name(b) + " of " + number(size) +
                              " m at " + number(offset) + " m, case " + std::to_string(i);
@@ -65,9 +68,15 @@ TEST(SeparationRounding, OfANearestPairIncludesTheKinematics) {
     const std::vector<WidePose> links = testing::wide_link_poses(arm, q);
     const std::size_t last = arm.joints().size();
     const double size = std::pow(10, random.uniform(-6, -1));
-    const Shape tip = testing::random_shape(random, random.integer(0, 3), size, 3 * size);
-    Shape ball = testing::random_shape(random, random.integer(0, 3), size, 3 * size);
+    const auto kind = [&] {
+      return random.integer(0, 4) == 0 ? testing::place_of<ConvexHull>() : random.integer(0, 3);
+    };
+    Shape tip = testing::random_shape(random, kind(), size, 3 * size);
+    Shape ball = testing::random_shape(random, kind(), size, 3 * size);
     ball.pose = link_poses(arm, q)[last] * ball.pose;
+    for (Shape* shape : {&tip, &ball}) {
+      if (random.integer(0, 1) == 0) testing::move_vertices(*shape, offset * random.direction());
+    }
     const CollisionModel model(arm, {{"tip", last, {tip}}}, {.obstacles = {{"ball", {ball}}}});
     const BodyDistance found = nearest_pair(model, q);
     WidePose world;

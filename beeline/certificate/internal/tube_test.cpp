@@ -9,13 +9,7 @@ namespace {
 
 constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 
-/// Bounds the rounding of a support value of a body in the world's axes.
-double support_rounding(const ConvexBody& body) {
-  const double size = std::isfinite(body.bound) ? body.bound : body.radius;
-  return 32 * machine_epsilon * (body.origin.cwiseAbs().sum() + 2 * size);
-}
-
-double support_rounding(const AlignedBox& box) {
+double box_rounding(const AlignedBox& box) {
   return 32 * machine_epsilon * (box.centre.cwiseAbs().sum() + box.half.sum());
 }
 
@@ -34,11 +28,10 @@ void TubeTest::place(const JointTube& tube) {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const CarriedBody& carried = bodies_.link_bodies[i].carried;
     const ChainMotion::Frame& frame = motion_.frame(carried.frame);
-    const double farthest = carried.body.centre.norm() + carried.body.bound;
     placed_[i] = {frame.origin + frame.rotation * carried.body.centre,
                   motion_.remainder(reach_[i], carried.frame, 0),
                   motion_.displacement(reach_[i], carried.frame, 0),
-                  motion_.rounding(carried.frame, farthest)};
+                  motion_.rounding(carried.frame, magnitude(carried.body))};
   }
 }
 
@@ -68,7 +61,7 @@ double TubeTest::rounding(const OpenPair& pair) const {
     case OpenPair::With::obstacle:
       return own + support_rounding(bodies_.obstacle_bodies[pair.other].body);
     case OpenPair::With::node:
-      return own + support_rounding(bodies_.tree.node(pair.other).box);
+      return own + box_rounding(bodies_.tree.node(pair.other).box);
   }
   return own;
 }

@@ -11,7 +11,7 @@ AlignedBox box_around(const ConvexBody& body) {
     const Vector3 axis = Vector3::Unit(i);
     const double upper = support(body, axis), lower = -support(body, -axis);
     box.centre[i] = (upper + lower) / 2;
-    box.half[i] = (upper - lower) / 2 * (1 + 1e-14) + 1e-14 * (std::abs(upper) + std::abs(lower));
+    box.half[i] = (upper - lower) / 2 * (1 + 1e-14) + 1e-14 * magnitude(body);
   }
   return box;
 }

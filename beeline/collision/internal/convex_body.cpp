@@ -36,6 +36,7 @@ void set_core(const ConvexHull& hull, ConvexBody& body) {
   for (const Vector3& vertex : hull.vertices) {
     lower = lower.cwiseMin(vertex);
     upper = upper.cwiseMax(vertex);
+    body.extent = std::max(body.extent, vertex.cwiseAbs().sum());
   }
   body.centre = (lower + upper) / 2;
 }
@@ -86,7 +87,9 @@ ConvexBody convex_body(const Shape& shape) {
   std::visit([&](const auto& form) { set_core(form, body); }, shape.body);
   body.radius += shape.padding;
   body.bound = core_size(body) + body.radius;
-  return moved(shape.pose.linear(), shape.pose.translation(), body);
+  if (body.core != Core::hull) body.extent = body.half.sum();
+  const Pose pose = checked_pose(shape.pose);  // its axes are orthonormal
+  return moved(pose.linear(), pose.translation(), body);
 }
 
 ConvexBody moved(const Rotation& rotation, const Vector3& translation, ConvexBody body) {
@@ -119,6 +122,15 @@ double support(const ConvexBody& body, const Vector3& direction) {
     }
   }
   return infinite();
+}
+
+double magnitude(const ConvexBody& body) {
+  return body.origin.cwiseAbs().sum() + body.extent + body.radius;
+}
+
+double support_rounding(const ConvexBody& body) {
+  // At most twelve products are added.
+  return 32 * std::numeric_limits<double>::epsilon() * magnitude(body);
 }
 
 Vector3 core_support(const ConvexBody& body, const Vector3& direction) {

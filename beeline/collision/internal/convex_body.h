@@ -21,6 +21,8 @@ struct ConvexBody {
   std::span<const Vector3> vertices = {};  ///< of a hull, from the origin along the axes
   Vector3 centre = Vector3::Zero();        ///< centre of a sphere that contains the body
   double bound = 0;                        ///< radius of that sphere, m
+  /// Sum of the coordinates' absolute values of the farthest vertex, or of `half`, m.
+  double extent = 0;
 };
 
 // Bounds that are proved use support(), farthest_distance(), `centre` and `bound`, and
@@ -35,6 +37,13 @@ ConvexBody moved(const Rotation& rotation, const Vector3& translation, ConvexBod
 /// Returns the maximum of direction . x over the points of the body, to rounding. The direction may
 /// have any length. For a half-space it is finite only in the direction of its normal.
 double support(const ConvexBody& body, const Vector3& direction);
+
+/// A bound of the numbers of which support() is the sum, m. `bound` is none where the origin and the
+/// vertices of a hull are far from each other.
+double magnitude(const ConvexBody& body);
+
+/// A bound of the rounding of support() for a unit direction, m.
+double support_rounding(const ConvexBody& body);
 
 /// Returns a point of the core that is furthest in the direction. Not for half-spaces.
 Vector3 core_support(const ConvexBody& body, const Vector3& direction);

@@ -108,8 +108,8 @@ class PairSearch {
     std::swap(half[widest], slack[widest]);
     motion_.set({box.middle, half, slack});
     const ConvexBody first = in_world(motion_, first_), second = in_world(motion_, second_);
-    const double rounding = motion_.rounding(first_.frame, farthest(first_)) +
-                            motion_.rounding(second_.frame, farthest(second_));
+    const double rounding = motion_.rounding(first_.frame, magnitude(first_.body)) +
+                            motion_.rounding(second_.frame, magnitude(second_.body));
     const Vector3 between = second.centre - first.centre;
     const double apart = between.norm() - first.bound - second.bound -
                          motion_.displacement(reach_, first_.frame, second_.frame) - rounding;
@@ -121,10 +121,6 @@ class PairSearch {
     const double gap = lowest_along(motion_, second_, n) -
                        highest_along(motion_, first_, second_.frame, n, remainder) - rounding;
     return gap >= clearance_ ? Finding::apart : Finding::unknown;
-  }
-
-  static double farthest(const CarriedBody& carried) {
-    return carried.body.centre.norm() + carried.body.bound;
   }
 
   const double clearance_;

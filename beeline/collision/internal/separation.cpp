@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <beeline/collision/internal/separation.h>
 
 namespace beeline::internal {
@@ -19,17 +15,9 @@ Vector3 moved_into_body(const ConvexBody& body, const Vector3& point) {
 
 }  // namespace
 
-double separation_rounding(const ConvexBody& a, const ConvexBody& b) {
-  // A support value is a sum of at most twelve products, each of numbers of at most this size.
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double size = a.centre.cwiseAbs().sum() + b.centre.cwiseAbs().sum() + 2 * a.bound +
-                      (b.core == ConvexBody::Core::half_space ? b.radius : 2 * b.bound);
-  return 32 * epsilon * size;
-}
-
 Separation separation(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
   Separation found{.points = nearest_points(a, b, guess)};
-  const double rounding = separation_rounding(a, b);
+  const double rounding = support_rounding(a) + support_rounding(b);
   const Vector3& direction = found.points.direction;
   found.lower = -support(b, -direction) - support(a, direction) - rounding;
   found.points.on_a = moved_into_body(a, found.points.on_a);

@@ -14,9 +14,6 @@ struct Separation {
   NearestPoints points;
 };
 
-/// Bounds the rounding error of separation() for two bodies in one frame, m.
-double separation_rounding(const ConvexBody& a, const ConvexBody& b);
-
 /// Computes the bounds for nearest_points(). If the first body is a half-space, the bodies must be
 /// exchanged.
 Separation separation(const ConvexBody& a, const ConvexBody& b,
