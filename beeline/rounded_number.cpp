@@ -68,6 +68,8 @@ double rounded_up(double value, int digits) {
   return units_at_least(value, unit) * unit;
 }
 
+double rounded_down(double value, int digits) { return -rounded_up(-value, digits); }
+
 std::string number_at_least(double value) { return number(rounded_up(value, 6)); }
 
 std::string number_apart(double value, double reference) {
