@@ -35,7 +35,7 @@ struct ControlledMotion {
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
   double error = 0;      ///< remaining error at the last goal, radians or metres
   /// Fractions of the limits that the trajectory uses, and which of them are assumed, if the goal
-  /// was reached. A controller respects limits of position and velocity only: its first step changes
+  /// was reached. A controller keeps limits of position and velocity only: its first step changes
   /// the velocity at once, and accelerations and jerks may be far beyond their limits.
   LimitUsage limits = {};
   StartJump start_jump = {};  ///< jump of velocity at the start, if the goal was reached
