@@ -253,10 +253,10 @@ TEST(ControlJoints, ReportsAJumpWhereTheMotionDoesNotStartAtRest) {
     const Arm arm = built_in(i % 2 == 0 ? "rrr" : "panda");
     const Configuration start = middle_configuration(arm);
     Configuration goal = start;
-    for (double& q : goal) q += random.uniform(-1, 1) * std::pow(10, random.uniform(-4, -0.5));
+    for (double& q : goal) q += random.uniform(-1, 1) * std::pow(10, random.uniform(-3, -0.3));
     const ControlledMotion motion =
         control_joints(arm, start, goal, {.kp = random.uniform(0.05, 0.9)},
-                       {.time_step = std::pow(10, random.uniform(-2, 0))});
+                       {.time_step = std::pow(10, random.uniform(-2.5, -0.5))});
     ASSERT_TRUE(motion) << motion.reason;
     const std::vector<FaultsOfKind> faults =
         verify(arm, motion.trajectory, VerifyOptions{.moving = {.end = true}}).faults;

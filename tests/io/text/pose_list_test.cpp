@@ -204,7 +204,7 @@ TEST(PoseNotes, SayWhatTheNumbersSuggest) {
     return said;
   };
   using Said = std::vector<std::string>;
-  const Arm::Reach reach{.centre = {0, 0, 1}, .radius = 1};
+  const Arm::Reach reach{.centre = {0, 0, 0}, .radius = 1};
   const std::string header = "x,y,z,roll,pitch,yaw\n";
   EXPECT_EQ(notes(header + "1,2,3,0.1,0.2,6\n", {}, reach), Said());
   EXPECT_EQ(
@@ -217,7 +217,7 @@ TEST(PoseNotes, SayWhatTheNumbersSuggest) {
   EXPECT_EQ(notes("x,y,z,rx,ry,rz\n1,2,3,0,0,90\n", {.angle_unit = AngleUnit::degrees}),
             Said{"long_rotation_vector a.csv: a rotation vector of 90 rad is more than a "
                  "revolution; rx, ry, rz are in radians"});
-  const std::string far = header + "0,0,0,0,0,0\n0,500,1,0,0,0\n0,600,1,0,0,0\n";
+  const std::string far = header + "0,0,0,0,0,0\n0,500,0,0,0,0\n0,600,0,0,0,0\n";
   EXPECT_EQ(notes(far, {}), Said());
   EXPECT_EQ(notes(far, {}, reach),
             Said{"likely_millimetres a.csv: a position 500 m away is rather in millimetres; "
