@@ -85,6 +85,9 @@ std::string percent_at_most(double fraction);
 /// printed.
 double rounded_up(double value, int digits);
 
+/// Returns the greatest number of so many significant digits that is at most `value`.
+double rounded_down(double value, int digits);
+
 /// A number with six significant digits, rounded up: a bound that is accepted when it is typed.
 std::string number_at_least(double value);
 

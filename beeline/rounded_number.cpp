@@ -27,7 +27,8 @@ double last_digit(double value) {
 
 /// The least number of units that is at least the value, except for the rounding of a product.
 double units_at_least(double value, double unit) {
-  return std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon()));
+  const double units = value / unit;
+  return std::ceil(units - std::numeric_limits<double>::epsilon() * std::abs(units));
 }
 
 std::string percent_text(double units, double unit) {
@@ -67,6 +68,8 @@ double rounded_up(double value, int digits) {
   const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
   return units_at_least(value, unit) * unit;
 }
+
+double rounded_down(double value, int digits) { return -rounded_up(-value, digits); }
 
 std::string number_at_least(double value) { return number(rounded_up(value, 6)); }
 

@@ -15,19 +15,13 @@
 namespace beeline::command {
 
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit) {
-  if (unit.degrees || std::abs(angle) <= plausible_angle) return;
-  warn(fmt::format("{}: an angle of {} rad is more than a revolution; --degrees reads degrees",
-                   option, number(angle)));
+  warn_of_angle(option, angle, std::nullopt, unit);
 }
 
 void warn_of_angle(const std::string& option, double angle, std::optional<PoseForm> form,
                    const UnitArgument& unit) {
-  if (form != PoseForm::rotvec) return warn_of_angle(option, angle, unit);
-  if (std::abs(angle) <= plausible_angle) return;
-  warn(
-      fmt::format("{}: a rotation vector of {} rad is more than a revolution; rx,ry,rz are in "
-                  "radians, also with --degrees",
-                  option, number(angle)));
+  const auto note = angle_note(angle, form, unit.pose_format());
+  if (note) warn(sentence(*note, option, OptionStyle::command));
 }
 
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
@@ -181,6 +175,18 @@ Task JacobianArgument::read(const Arm& arm) const {
   }
   rows.frame = wanted;
   return rows;
+}
+
+int coordinate_named(const Arm& arm, const std::string& joint, const std::string& option) {
+  const std::vector<std::string> names = arm.joint_names();
+  const auto found = std::find(names.begin(), names.end(), joint);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (joint != std::to_string(k + 1)) continue;
+    throw Error(fmt::format("{}: joints have names, not numbers; joint {} is {} (known: {})",
+                            option, joint, names[k], listed(names)));
+  }
+  throw unknown_name("joint", joint, names).behind(option + ": ");
 }
 
 Option joint_values_option(const std::string& name, std::string help, std::string* target,

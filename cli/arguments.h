@@ -80,6 +80,10 @@ struct JacobianArgument {
   Task read(const Arm& arm) const;
 };
 
+/// The coordinate of the joint of this name. Throws Error, which begins with `option`, for another
+/// name, and which says for a number that joints have names.
+int coordinate_named(const Arm& arm, const std::string& joint, const std::string& option = "joint");
+
 /// An argument that is a file.
 Positional file_argument(std::string name, std::string help, std::string* target,
                          bool required = true);

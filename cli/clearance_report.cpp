@@ -132,7 +132,7 @@ std::string ClearanceReport::text() const {
   if (proof && scene->model.pair_count() > 0) {
     text +=
         fmt::format("clearance     kept at all times, proved; all bodies are at least {} m apart\n",
-                    shown(-rounded_up(-proof.least_distance, 6)));
+                    shown(rounded_down(proof.least_distance, 6)));
     if (!proof.pair.names[0].empty()) {
       text += fmt::format("closest       {}: {} m at {} s, {} m are required\n",
                           pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),

@@ -14,9 +14,11 @@
 #include "budget_argument.h"
 #include "format.h"
 #include "json_reason.h"
+#include "motion_report.h"
 #include "program_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
 
@@ -32,12 +34,14 @@ struct ExportArguments {
   PathArgument path;
   std::string file, form, out, from;
   std::optional<double> rate, tool_speed;
+  bool ignore_limits = false;
+  double limit_tolerance = 0;
   SceneArgument scene;
   BudgetArgument budget;
   std::shared_ptr<std::string> command_line = std::make_shared<std::string>();
 };
 
-/// What is exported, and whether its motion keeps its clearance.
+/// What is exported, and whether its motion keeps its limits and its clearance.
 struct Exported {
   std::optional<ControllerFile> file = {};
   MotionStatus status = MotionStatus::reached;
@@ -54,7 +58,9 @@ void check_ending(ControllerForm form, const std::string& out) {
 }
 
 ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& arm) {
-  ControllerFileOptions options{.rate = arguments.rate};
+  ControllerFileOptions options{.rate = arguments.rate,
+                                .ignore_limits = arguments.ignore_limits,
+                                .limit_tolerance = arguments.limit_tolerance};
   options.program_name = std::filesystem::path(arguments.out).stem().string();
   options.comments = extension(arguments.out) != "json";
   if (!arguments.work.text.empty()) options.work = arguments.work.read(arm, arguments.unit).pose;
@@ -89,7 +95,7 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
   const double least = clearance.proof.least_distance;
   const std::string apart =
       std::isfinite(least)
-          ? fmt::format(", whose bodies are at least {} m apart", shown(-rounded_up(-least, 6)))
+          ? fmt::format(", whose bodies are at least {} m apart", shown(rounded_down(least, 6)))
           : "";
   return {fmt::format("Clearance of {} m{} {}: proved at all times for {}{}",
                       number(clearance.clearance),
@@ -116,14 +122,13 @@ void prove_clearance_of(Exported& exported, const ExportArguments& arguments,
 Exported trajectory_export(const ExportArguments& arguments, const Arm& arm,
                            const CheckedScene* scene, ControllerForm form) {
   check_trajectory_options(arguments);
-  if (lacks_times(arguments.file)) {
-    throw FileError(arguments.file, 0,
-                    "has neither a column of times, \"t\", nor, as a program, a column motion");
-  }
   const Trajectory trajectory =
       arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit).trajectory;
   ControllerFileOptions options = file_options(arguments, arm);
   Exported exported{.file = controller_file(arm, trajectory, form, options)};
+  if (!*exported.file) {
+    return {.status = MotionStatus::outside_limits, .reason = exported.file->reason};
+  }
   if (scene == nullptr) return exported;
   if (form == ControllerForm::ros2) {
     const Trajectory played = parse_recording(exported.file->text, arguments.out, arm).trajectory;
@@ -151,6 +156,11 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
                    start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
+  if (arguments.ignore_limits || arguments.limit_tolerance > 0) {
+    throw Error(std::string(arguments.ignore_limits ? "--ignore-limits" : "--limit-tolerance") +
+                " is for trajectories; " + arguments.file +
+                " is a program, which is planned within the limits");
+  }
   return at_rows(program, arguments.file, [&] {
     check_controller_form(arm, program, form);
     const ProgramMotion motion = move_program(arm, start, program, options);
@@ -195,15 +205,18 @@ Answer export_file(const ExportArguments& arguments) {
   if (!exported.file) return failed_export(exported);
   const ControllerFile& file = *exported.file;
   write_file(arguments.out, file.text);
-  Answer answer{.text = fmt::format(
-                    "exported      {} in {} s, as {}\nguaranteed    {}\n",
-                    counted(static_cast<std::int64_t>(file.samples), program ? "move" : "sample"),
-                    shown(file.duration), name(form), file.proof),
+  std::string text =
+      fmt::format("exported      {} in {} s, as {}\nguaranteed    {}\n",
+                  counted(static_cast<std::int64_t>(file.samples), program ? "move" : "sample"),
+                  shown(file.duration), name(form), file.proof);
+  for (const std::string& limits : file.not_proved) text += "not proved    " + limits + "\n";
+  Answer answer{.text = std::move(text),
                 .document = {{"status", "exported"},
                              {"form", name(form)},
                              {program ? "moves" : "samples", file.samples},
                              {"duration", file.duration},
                              {"proof", file.proof},
+                             {"not_proved", file.not_proved},
                              {"note", file.note},
                              {"out", arguments.out}},
                 .text_on_stderr = true};
@@ -235,22 +248,26 @@ std::vector<Option> export_options(ExportArguments& arguments) {
              "The file: .yaml or .json (ros2), .script (urscript), .mod or .modx (rapid), .src "
              "(krl), .csv. Programs of rapid and krl have its name.",
              &arguments.out, {.required = true}),
-      Option("--rate HZ",
-             fmt::format("Samples per second, of the motion that the trajectory's columns mean. "
-                         "Default: the trajectory's own samples; for urscript {}, which CB3 and "
-                         "e-Series keep (e-Series up to 500). csv requires it.",
-                         default_urscript_rate),
-             &arguments.rate, {.range = sample_rates})};
+      rate_option(&arguments.rate,
+                  fmt::format(", of the motion that the trajectory's columns mean. Default: the "
+                              "trajectory's own samples; for urscript {}, which CB3 and e-Series "
+                              "keep (e-Series up to 500). csv requires it.",
+                              default_urscript_rate)),
+      Option("--ignore-limits",
+             "Write a trajectory that exceeds limits of the arm too; the file says which.",
+             &arguments.ignore_limits),
+      limit_tolerance_option(&arguments.limit_tolerance)};
 }
 
 constexpr const char* export_description =
     "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
-    "stderr which guarantees of `beeline check` remain on the controller; comments in the "
-    "file say the same.\n\n"
+    "stderr which guarantees hold on the controller and what is not proved; comments in the "
+    "file say the same. Samples outside the position limits are refused; a ros2 message also "
+    "where it exceeds limits of velocity, acceleration or jerk that the arm has, and the exit "
+    "code is 1. Limits that the arm does not have are named, not assumed.\n\n"
     "ros2: the message trajectory_msgs/JointTrajectory, which a joint_trajectory_controller "
-    "plays as the trajectory's columns mean, so all guarantees remain. urscript: a program "
-    "of "
-    "servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
+    "plays as the trajectory's columns mean, so the limits hold at all times. urscript: a program "
+    "of servoj() setpoints, which the controller interpolates and filters. rapid: MoveAbsJ "
     "instructions; krl: PTP instructions: their controllers plan the motion between the "
     "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "
     "joints in the controller's order, zeros and directions.\n\n"

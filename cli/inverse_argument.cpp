@@ -13,15 +13,11 @@ namespace {
 void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& unit,
                 InverseOptions& options) {
   const std::vector<std::string> names = arm.joint_names();
-  auto joint = std::find(names.begin(), names.end(), lock);
+  const auto joint = std::find(names.begin(), names.end(), lock);
   const std::size_t equals = lock.rfind('=');
   const bool has_value = joint == names.end() && equals != std::string::npos;
   const std::string locked = has_value ? lock.substr(0, equals) : lock;
-  joint = std::find(names.begin(), names.end(), locked);
-  if (joint == names.end()) {
-    throw Error(std::string("--lock: ") + unknown_name("joint", locked, names).what());
-  }
-  const int k = static_cast<int>(joint - names.begin());
+  const int k = coordinate_named(arm, locked, "--lock");
   options.lock = k;
   if (!has_value) return;
   if (!options.seed) options.seed = middle_configuration(arm);

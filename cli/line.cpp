@@ -16,6 +16,7 @@
 #include "pose_argument.h"
 #include "profile_argument.h"
 #include "program_argument.h"
+#include "sampling_argument.h"
 #include "verbs.h"
 #include "work_frame.h"
 
@@ -119,6 +120,8 @@ LineReport line_by_control(const Arm& arm, const Configuration& start,
   report.trajectory = std::move(motion.trajectory);
   report.steps = motion.steps;
   report.overshoot = motion.overshoot;
+  report.limits = motion.limits;
+  report.start_jump = motion.start_jump;
   if (report.status == MotionStatus::reached) {
     const Task task = options.task.value_or(default_task(arm));
     std::vector<Pose> poses = waypoints;
@@ -242,19 +245,16 @@ std::vector<Option> exact_options(LineArguments& arguments) {
        {arguments.profile.option({exact_method}), arguments.interpolation.option({exact_method}),
         tool_speed_option(&arguments.tool_speed, "; of a program, in moves without a speed",
                           {exact_method}),
-        Option("--rate HZ",
-               "Samples per second, from the first to the last: each section from stop to stop "
-               "lasts a whole number of periods. Default: as few samples as the motion needs.",
-               &arguments.rate, {.range = sample_rates, .methods = {exact_method}}),
-        Option("--duration SECONDS",
-               "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
-               "and a shorter one is refused with the shortest. Default: the shortest.",
-               &motion.duration,
-               {.range = above_zero, .methods = {exact_method}, .excludes = "--rate"})},
+        rate_option(&arguments.rate,
+                    ", from the first to the last: each section from stop to stop lasts a whole "
+                    "number of periods. Default: as few samples as the motion needs.",
+                    {exact_method}),
+        duration_option(&motion.duration,
+                        ", of a file of poses: the quickest one is slowed down to it", "--rate",
+                        {exact_method})},
        path_tolerance_options(&motion.tolerance, &motion.orientation_tolerance,
                               {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
-       {Option("--max-samples N", "Give up if more samples are needed.", &motion.max_samples,
-               {.range = {2, 10'000'000}, .methods = {exact_method}}),
+       {max_samples_option(&motion.max_samples, "more samples are needed.", {exact_method}),
         Option("--branches",
                "Also list every inverse-kinematics branch at the first pose: how many segments it "
                "follows, its margins, and why it ends.",
@@ -265,14 +265,13 @@ std::vector<Option> control_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
   CartesianOptions& control = arguments.control;
-  return {Option("--gain K", "Proportional gain K_p.", &control.gain,
-                 {.range = above_zero, .methods = {jacobian, kinematics}}),
-          Option("--time-step SECONDS", "Duration of one step.", &control.simulation.time_step,
-                 {.range = above_zero, .methods = {jacobian, kinematics}}),
-          Option("--max-steps N", "Give up after this many steps.", &control.simulation.max_steps,
-                 {.range = {1, 10'000'000}, .methods = {jacobian, kinematics}}),
-          Option("--intermediate N", "Poses on each line at which inverse kinematics is solved.",
-                 &control.intermediate, {.range = {1, 100'000}, .methods = {kinematics}})};
+  return joined(
+      {{Option("--gain K", "Proportional gain K_p.", &control.gain,
+               {.range = above_zero, .methods = {jacobian, kinematics}})},
+       step_options(&control.simulation.time_step, &control.simulation.max_steps,
+                    {jacobian, kinematics}),
+       {Option("--intermediate N", "Poses on each line at which inverse kinematics is solved.",
+               &control.intermediate, {.range = {1, 100'000}, .methods = {kinematics}})}});
 }
 
 }  // namespace

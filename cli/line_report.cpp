@@ -10,7 +10,7 @@
 namespace beeline::command {
 namespace {
 
-std::string motion_text(const LineReport& report, const UnitArgument& unit) {
+std::string motion_text(const Arm& arm, const LineReport& report, const UnitArgument& unit) {
   std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
                                  shown(report.trajectory.times.back()));
   if (report.method == "exact") {
@@ -24,7 +24,8 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
   return text +
          fmt::format("control       {}, overshoot {} of a line\n", counted(report.steps, "step"),
                      percent(report.overshoot)) +
-         deviation_text(report.deviation, report.trajectory.interpolation(), unit);
+         deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
+         limits_text(report.limits) + start_jump_text(arm, report.start_jump, unit);
 }
 
 /// The seconds from the end of move i to the next one, or to the end.
@@ -105,7 +106,7 @@ std::string report_text(const Arm& arm, const LineReport& report, const UnitArgu
     text += '\n';
   }
   if (report.status == MotionStatus::reached) {
-    text += motion_text(report, unit) + (report.moves.empty() ? "" : moves_text(report, unit));
+    text += motion_text(arm, report, unit) + (report.moves.empty() ? "" : moves_text(report, unit));
   }
   if (report.clearance) text += report.clearance->text();
   if (report.status == MotionStatus::reached) text += files.text();
@@ -131,10 +132,13 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
     document.add("failed_move", report.failed + 1);
     document.add("failed_place", report.program.moves[report.failed].place);
   }
+  if (reached) document.add("limits", json_limits(report.limits));
   if (reached && report.method == "exact") {
-    document.add("limits", json_limits(report.limits));
     document.add("limit_margin", report.limit_margin);
     document.add("inverse_condition", report.inverse_condition);
+  }
+  if (reached && report.method != "exact") {
+    document.add("start_jump", json_start_jump(arm, report.start_jump, unit));
   }
   if (report.method != "exact") {
     document.add("steps", report.steps);

@@ -24,8 +24,9 @@ struct LineReport {
   std::optional<double> path_parameter = std::nullopt;
   Trajectory trajectory = {};
   PathDeviation deviation = {};
-  LimitUsage limits = {};  ///< of method exact, as the margins are
-  double limit_margin = 0, inverse_condition = 0;
+  LimitUsage limits = {};
+  StartJump start_jump = {};                       ///< of a controller's motion
+  double limit_margin = 0, inverse_condition = 0;  ///< of method exact
   std::vector<NearbyPath> nearby = {};
   std::optional<std::vector<Branch>> branches = {};         ///< with --branches
   int steps = 0;                                            ///< of a controller

@@ -88,6 +88,23 @@ Json json_limits(const LimitUsage& limits) {
           {"jerk", json_usage(limits.jerk)}};
 }
 
+std::string start_jump_text(const Arm& arm, const StartJump& jump, const UnitArgument& unit) {
+  if (jump.joint.empty()) return "";
+  const int k = coordinate_named(arm, jump.joint);
+  const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+  return fmt::format("start         jumps from rest to {} {}/s, {} of the{} limit, joint {}\n",
+                     shown(unit.shown(arm, k, jump.velocity)), slides ? "m" : unit.name(),
+                     percent(jump.fraction), jump.assumed ? " assumed" : "", jump.joint);
+}
+
+Json json_start_jump(const Arm& arm, const StartJump& jump, const UnitArgument& unit) {
+  if (jump.joint.empty()) return nullptr;
+  return {{"velocity", unit.shown(arm, coordinate_named(arm, jump.joint), jump.velocity)},
+          {"fraction", jump.fraction},
+          {"joint", jump.joint},
+          {"assumed", jump.assumed}};
+}
+
 Option limit_tolerance_option(double* target) {
   return Option("--limit-tolerance FRACTION",
                 "Fraction by which velocities, accelerations and jerks may exceed their limits, "

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <beeline/certificate/verify.h>
+#include <beeline/control/joint.h>
 #include <beeline/io/text/json.h>
 #include <beeline/planning/branch.h>
 #include <beeline/trajectory/limit_usage.h>
@@ -31,6 +32,10 @@ std::string position_text(const LimitUsage& limits);
 /// The largest fraction of each limit of a derivative that a motion uses, with joint and time.
 std::string limits_text(const LimitUsage& limits);
 Json json_limits(const LimitUsage& limits);
+
+/// The jump of velocity with which a motion begins; nothing, and null, for a motion from rest.
+std::string start_jump_text(const Arm& arm, const StartJump& jump, const UnitArgument& unit);
+Json json_start_jump(const Arm& arm, const StartJump& jump, const UnitArgument& unit);
 
 /// --limit-tolerance, and the line that reports it where it is above 0.
 Option limit_tolerance_option(double* target);

@@ -14,6 +14,7 @@
 #include "json_reason.h"
 #include "motion_report.h"
 #include "result_files.h"
+#include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
 
@@ -74,9 +75,8 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
                         counted(motion.slowed, "step"));
   }
   if (!motion) return text;
-  if (arguments.method == quickest) {
-    text += position_text(motion.limits) + limits_text(motion.limits);
-  }
+  text += position_text(motion.limits) + limits_text(motion.limits) +
+          start_jump_text(arm, motion.start_jump, arguments.unit);
   return text + "tool at the goal\n" +
          pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
 }
@@ -119,7 +119,7 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
   return compared_gains(motions, to, arguments.files.draw);
 }
 
-Answer move_joints(const MoveArguments& arguments) {
+Answer move_between(const MoveArguments& arguments) {
   arguments.files.check(arguments.arm.inputs(arguments.scene.inputs()));
   const std::vector<double> gains = gains_of(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
@@ -164,8 +164,9 @@ Answer move_joints(const MoveArguments& arguments) {
       .yes = reached,
       .reason = clearance && !reached ? clearance->reason_text() : sentence(motion.reason)};
   answer.document.add(json_reason(motion.reason));
-  if (arguments.method == quickest && reached) {
+  if (reached) {
     answer.document.add("limits", json_limits(motion.limits));
+    answer.document.add("start_jump", json_start_jump(arm, motion.start_jump, arguments.unit));
   }
   if (clearance) answer.document.add("clearance", clearance->document());
   if (reached) arguments.files.add_to(answer.document);
@@ -188,65 +189,66 @@ std::vector<Option> move_options(MoveArguments& arguments) {
 std::vector<Option> feedback_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
-  return {
-      Option("--kp K[,K...]",
-             "Proportional gain K_p, per step, above 0; the joints overshoot if it is above 1. "
-             "Several gains are compared in one table, and in one picture by --draw.",
-             &arguments.kp, {.alias = "--gain", .methods = {feedback}}),
-      Option("--ki K", "Integral gain.", &gains.ki, {.range = zero_or_more, .methods = {feedback}}),
-      Option("--kd K", "Derivative gain.", &gains.kd,
-             {.range = zero_or_more, .methods = {feedback}}),
-      Option("--tolerance E", "The goal is reached when every joint error is below this, rad or m.",
-             &simulation.tolerance, {.range = above_zero, .methods = {feedback}}),
-      Option("--time-step SECONDS", "Duration of one step.", &simulation.time_step,
-             {.range = above_zero, .methods = {feedback}}),
-      Option("--max-steps N", "Give up after this many steps.", &simulation.max_steps,
-             {.range = {1, 10'000'000}, .methods = {feedback}})};
+  return joined(
+      {{Option("--kp K[,K...]",
+               "Proportional gain K_p, per step, above 0; the joints overshoot if it is above 1. "
+               "Several gains are compared in one table, and in one picture by --draw.",
+               &arguments.kp, {.alias = "--gain", .methods = {feedback}}),
+        Option("--ki K", "Integral gain.", &gains.ki,
+               {.range = zero_or_more, .methods = {feedback}}),
+        Option("--kd K", "Derivative gain.", &gains.kd,
+               {.range = zero_or_more, .methods = {feedback}}),
+        Option("--tolerance E",
+               "The goal is reached when every joint error is below this, rad or m.",
+               &simulation.tolerance, {.range = above_zero, .methods = {feedback}})},
+       step_options(&simulation.time_step, &simulation.max_steps, {feedback})});
 }
 
 std::vector<Option> quickest_options(MoveArguments& arguments) {
-  return {Option("--synchronise KIND",
-                 "time: each joint has its own profile of the same duration; straight: all joints "
-                 "move in proportion, on a straight line in joint space.",
-                 &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}}),
-          Option("--duration SECONDS",
-                 "Duration of the motion, a whole number of periods of --rate; one that is shorter "
-                 "than the limits allow is refused with the shortest. Default: the shortest.",
-                 &arguments.duration, {.range = above_zero, .methods = {quickest}}),
-          Option("--rate HZ", "Samples per second.", &arguments.rate,
-                 {.range = sample_rates, .methods = {quickest}})};
+  return {
+      Option("--synchronise KIND",
+             "time: each joint has its own profile of the same duration; straight: all joints "
+             "move in proportion, on a straight line in joint space.",
+             &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}}),
+      duration_option(&arguments.duration, ", a whole number of periods of --rate", "", {quickest}),
+      rate_option(&arguments.rate, ".", {quickest})};
 }
 
 }  // namespace
 
 Verb move_verb() {
   const auto arguments = std::make_shared<MoveArguments>();
-  return {.name = "move",
-          .summary = "Joint-space motion control from one configuration to another",
-          .description =
-              "Simulates proportional or PID control of the joints, or plans the quickest motion. "
-              "Prints a status, the number of steps, the largest joint error at the end in rad or "
-              "m, the overshoot, and the pose of the tool at the goal. In general the tool does "
-              "not move in a straight line: see `beeline line`. With --scene or --self the motion "
-              "must keep a clearance, see `beeline help check`; otherwise nothing is written, and "
-              "the status is collides or not_decided.",
-          .arguments = {arguments->arm.argument()},
-          .options = joined({move_options(*arguments), arguments->unit.options(),
-                             arguments->scene.options(), arguments->files.options(),
-                             arguments->arm.options(), arguments->limits.options(),
-                             feedback_options(*arguments), quickest_options(*arguments),
-                             arguments->budget.options()}),
-          .examples =
-              {{"Proportional control of the planar arm, with a picture of the tool's path",
-                "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
-               {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
-               {"Gains side by side: too small is slow, too large overshoots",
-                "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --gain "
-                "0.05,0.1,0.5,1,1.5 --draw gains.svg"},
-               {"The quickest motion of a Franka Panda at 1 kHz",
-                "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
-                "quickest --rate 1000 --out move.csv"}},
-          .run = [arguments] { return move_joints(*arguments); }};
+  return {
+      .name = "move",
+      .summary = "Joint-space motion control from one configuration to another",
+      .description =
+          "Simulates proportional or PID control of the joints, or plans the quickest motion. "
+          "Prints a status, the number of steps, the largest joint error at the end in rad or "
+          "m, the overshoot, the largest fraction of each joint limit, and the pose of the tool "
+          "at the goal. Control respects limits of position and velocity alone: its motion begins "
+          "with a "
+          "jump of velocity, which is printed too; the quickest motion begins at rest and "
+          "respects all limits. In general the tool does "
+          "not move in a straight line: see `beeline line`. With --scene or --self the motion "
+          "must keep a clearance, see `beeline help check`; otherwise nothing is written, and "
+          "the status is collides or not_decided.",
+      .arguments = {arguments->arm.argument()},
+      .options =
+          joined({move_options(*arguments), arguments->unit.options(), arguments->scene.options(),
+                  arguments->files.options(), arguments->arm.options(), arguments->limits.options(),
+                  feedback_options(*arguments), quickest_options(*arguments),
+                  arguments->budget.options()}),
+      .examples =
+          {{"Proportional control of the planar arm, with a picture of the tool's path",
+            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
+           {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
+           {"Gains side by side: too small is slow, too large overshoots",
+            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --gain "
+            "0.05,0.1,0.5,1,1.5 --draw gains.svg"},
+           {"The quickest motion of a Franka Panda at 1 kHz",
+            "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
+            "quickest --rate 1000 --out move.csv"}},
+      .run = [arguments] { return move_between(*arguments); }};
 }
 
 }  // namespace beeline::command

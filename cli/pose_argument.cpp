@@ -14,8 +14,9 @@ namespace {
 
 /// The distance of a position from the centre if it is far outside the sphere in metres, and within
 /// it in millimetres; else 0.
-double far_distance(const Arm::Reach& sphere, const Vector3& position) {
-  return rather_in_millimetres(sphere, position) ? (position - sphere.centre).norm() : 0;
+double far_distance(const Arm::Reach& sphere, const Pose& pose) {
+  const auto note = distance_note(sphere, pose);
+  return note ? note->value : 0;
 }
 
 }  // namespace
@@ -67,11 +68,11 @@ WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const Writ
 }
 
 double distance_in_millimetres(const Arm& arm, const Pose& pose) {
-  return far_distance(arm.reach(), pose.translation());
+  return far_distance(arm.reach(), pose);
 }
 
 double offset_in_millimetres(const Arm& arm, const Pose& pose) {
-  return far_distance({.radius = arm.reach().radius}, pose.translation());
+  return far_distance({.radius = arm.reach().radius}, pose);
 }
 
 double mount_in_millimetres(const Pose& world_T_base) {
@@ -82,10 +83,8 @@ double mount_in_millimetres(const Pose& world_T_base) {
 
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit) {
   if (unit.millimetres || distance == 0) return;
-  warn(
-      fmt::format("{}: a position {} m away is rather in millimetres; --millimetres reads "
-                  "millimetres",
-                  option, number(distance)));
+  warn(sentence({.kind = PoseNoteKind::likely_millimetres, .value = distance}, option,
+                OptionStyle::command));
 }
 
 void warn_of_positions(const std::string& option, const Arm& arm, std::span<const Pose> poses,
@@ -117,7 +116,7 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
 }
 
 void warn_of_missing_header(const std::string& path, const std::vector<std::string>& columns) {
-  warn(path + " has no header; its columns are read as " + listed(columns));
+  warn(sentence({.kind = PoseNoteKind::no_header, .columns = columns}, path));
 }
 
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,

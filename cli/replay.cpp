@@ -16,6 +16,7 @@
 #include "motion_report.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
 
@@ -187,11 +188,10 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
              &arguments.speed_at, {.excludes = "--speed"}),
       Option("--ramp SECONDS", "Time in which the playback speed changes by 1.", &replay.ramp,
              {.range = above_zero, .needs = "--speed-at"}),
-      Option("--rate HZ",
-             "Samples per second of the output, from the first to the last. Default: the recorded "
-             "samples; with --speed-at " +
-                 number(default_replay_rate) + ".",
-             &arguments.rate, {.range = sample_rates}),
+      rate_option(&arguments.rate,
+                  " of the output, from the first to the last. Default: the recorded samples; with "
+                  "--speed-at " +
+                      number(default_replay_rate) + "."),
       limit_tolerance_option(&replay.limit_tolerance),
       Option("--measured FILE",
              "A measured trajectory, to report the tracking error as `beeline diff` does.",

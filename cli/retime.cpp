@@ -13,6 +13,7 @@
 #include "profile_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
 
@@ -129,19 +130,14 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
       arguments.profile.option(),
       arguments.interpolation.option(),
       tool_speed_option(&arguments.tool_speed),
-      Option(
-          "--duration SECONDS",
-          "Duration of the motion: the quickest one is slowed down to it, and a shorter one is "
-          "refused with the shortest. `beeline replay --rate` samples it. Default: the shortest.",
-          &arguments.retime.duration, {.range = above_zero, .excludes = "--rate"}),
-      Option("--max-samples N",
-             fmt::format("Give up if --rate makes more samples, or the file has more and more than "
-                         "{}. 1000000 take about a minute and 2.5 GB.",
-                         default_max_samples),
-             &arguments.retime.max_samples, {.range = {2, 10'000'000}}),
-      Option("--rate HZ",
-             "Samples per second. Default: every sample of the file, and more between.",
-             &arguments.rate, {.range = sample_rates})};
+      duration_option(
+          &arguments.retime.duration,
+          ": the quickest one is slowed down to it (`beeline replay --rate` samples it)", "--rate"),
+      max_samples_option(&arguments.retime.max_samples,
+                         fmt::format("--rate makes more samples, or the file has more and more "
+                                     "than {}. 1000000 take about a minute and 2.5 GB.",
+                                     default_max_samples)),
+      rate_option(&arguments.rate, ". Default: every sample of the file, and more between.")};
 }
 
 }  // namespace

@@ -78,6 +78,20 @@ TEST(RoundedUp, KeepsSoManyDigitsAndIsNotBelow) {
   }
 }
 
+TEST(RoundedDown, KeepsSoManyDigitsAndIsNotAbove) {
+  EXPECT_DOUBLE_EQ(rounded_down(5.6099e-5, 3), 5.60e-5);
+  EXPECT_DOUBLE_EQ(rounded_down(-5.6021e-5, 3), -5.61e-5);
+  EXPECT_DOUBLE_EQ(rounded_down(0.25, 3), 0.25);
+  EXPECT_EQ(rounded_down(0, 3), 0);
+  testing::Random random;
+  for (int i = 0; i < testing::cases(2000); ++i) {
+    const double value = std::pow(10, random.uniform(-12, 9));
+    EXPECT_LE(rounded_down(value, 3) * (1 - 1e-15), value);
+    EXPECT_GE(rounded_down(value, 3), value * 0.9899);
+    EXPECT_EQ(rounded_down(-value, 3), -rounded_up(value, 3));
+  }
+}
+
 TEST(NumberApart, DiffersFromTheReferenceWhereTheNumbersDo) {
   EXPECT_EQ(number_apart(2.61, 1), "2.61");
   EXPECT_EQ(number_apart(1, 1), "1");

@@ -165,7 +165,7 @@ BatchResult run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Re
   return counts.result();
 }
 
-Pose pose_of(const double* number, PoseLayout layout) {
+Pose pose_in_layout(const double* number, PoseLayout layout) {
   if (layout == PoseLayout::matrix) {
     Pose pose;
     pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(number);
@@ -243,6 +243,26 @@ bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const Configu
   return result.status == InverseStatus::solved;
 }
 
+/// Throws Error, which names the first such column, for a pose that inverse_kinematics() refuses:
+/// as in a single call these are errors of the argument, found before anything is computed. A
+/// column with a value that is not finite has no solution.
+void check_poses(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                 const std::optional<Task>& task, PoseLayout layout) {
+  const auto plane = internal::ToolPlane::required(arm, task);
+  for (Eigen::Index i = 0; i < world_T_tool.cols(); ++i) {
+    if (!world_T_tool.col(i).allFinite()) continue;
+    try {
+      const Pose pose =
+          pose_in_layout(world_T_tool.data() + i * world_T_tool.outerStride(), layout);
+      if (plane) plane->check(pose);
+      checked_pose(pose);
+    } catch (const Error& error) {
+      throw error.behind("pose " + std::to_string(i + 1) + " of " +
+                         std::to_string(world_T_tool.cols()) + ": ");
+    }
+  }
+}
+
 BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double>& q,
                           InverseOutcome* outcomes, const InverseOptions& inverse,
@@ -253,14 +273,7 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   check_rows(arm, "seeds", seeds, arm.dof());
   if (seeds.cols() != 1) check_shape(arm, "seeds", seeds, arm.dof(), count);
 
-  if (const auto plane = internal::ToolPlane::required(arm, inverse.task)) {
-    for (Eigen::Index i = 0; i < count; ++i) {
-      if (!world_T_tool.col(i).allFinite()) continue;  // has no solution
-      const Pose pose =
-          pose_of(world_T_tool.data() + i * world_T_tool.outerStride(), options.layout);
-      if (!plane->contains(pose)) plane->check(pose, "pose " + std::to_string(i + 1));
-    }
-  }
+  check_poses(arm, world_T_tool, inverse.task, options.layout);
   InverseOptions one = inverse;
   one.all = false;
   one.every_turn = false;
@@ -279,7 +292,7 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
-      bool found = finite && solve_column(*solver, pose_of(pose, options.layout), seed,
+      bool found = finite && solve_column(*solver, pose_in_layout(pose, options.layout), seed,
                                           q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
       if (!counts.budget().complete())
         found = false;  // an interrupted search may have missed a nearer solution

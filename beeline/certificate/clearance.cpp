@@ -59,7 +59,7 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
   out << name(proof.status);
   if (!proof) return out << ": " << proof.reason;
   if (std::isinf(proof.least_distance)) return out << ", no pairs";
-  out << ", at least " << number(-rounded_up(-proof.least_distance, 6)) << " m apart";
+  out << ", at least " << number(rounded_down(proof.least_distance, 6)) << " m apart";
   if (proof.pair.names[0].empty()) return out;
   return out << "; nearest " << proof.pair.names[0] << " and " << proof.pair.names[1] << " at "
              << number(proof.time) << " s";

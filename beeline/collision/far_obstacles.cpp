@@ -6,11 +6,10 @@
 namespace beeline {
 
 std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene) {
-  constexpr double far = 10;  // times the reach
   const Arm::Reach& reach = arm.reach();
   const auto is_far = [&](const Shape& shape) {
     const internal::ConvexBody body = internal::convex_body(shape);
-    return (body.centre - reach.centre).norm() - body.bound > far * reach.radius;
+    return far_from(reach, (body.centre - reach.centre).norm() - body.bound);
   };
   std::vector<std::string> names;
   for (const Obstacle& obstacle : scene.obstacles) {

@@ -202,6 +202,7 @@ ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
     }
     motion.arrivals.push_back(motion.trajectory.size() - 1);
   }
+  set_limit_usage(arm, budget, motion);
   return motion;
 }
 

@@ -87,8 +87,7 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
   result.trajectory = std::move(samples);
   result.arrivals = {result.trajectory.size() - 1};
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
-  result.limits = limit_usage(arm, result.trajectory, budget.part());
-  if (!budget.complete()) set_ended(ReasonCode::ended_before_check, budget.ending(), result);
+  set_limit_usage(arm, budget, result);
   return result;
 }
 
@@ -111,13 +110,18 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
   const ControlLaw law{
       [&goal](const Configuration& q) { return (goal - q).lpNorm<Eigen::Infinity>(); },
       [&pid](const Configuration& q) { return pid.step(q); }};
-  if (simulate(arm, law, options, motion)) motion.arrivals = {motion.trajectory.size() - 1};
+  BudgetMeter budget(options.budget);
+  SimulationOptions simulated = options;
+  simulated.budget = budget.part();
+  const bool reached = simulate(arm, law, simulated, motion);
+  if (reached) motion.arrivals = {motion.trajectory.size() - 1};
   if (motion.status ==
       MotionStatus::outside_limits) {  // this is overshoot, because the limits are convex
     motion.reason.set(ReasonField::overshoots, true);
   }
   if (motion.status == MotionStatus::cancelled) return motion;
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);
+  if (reached) set_limit_usage(arm, budget, motion);
   return motion;
 }
 

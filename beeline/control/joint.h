@@ -15,6 +15,15 @@
 
 namespace beeline {
 
+/// The jump of velocity with which a motion begins that does not begin at rest, in the joint for
+/// which it is the largest fraction of the velocity limit.
+struct StartJump {
+  double velocity = 0;   ///< velocity after the jump, rad/s or m/s
+  double fraction = 0;   ///< its magnitude as a fraction of the velocity limit; 0: at rest
+  std::string joint;     ///< name of the joint; empty if the motion begins at rest
+  bool assumed = false;  ///< whether the limit is unknown and assumed: see motion_limits()
+};
+
 /// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
@@ -25,9 +34,11 @@ struct ControlledMotion {
   int slowed = 0;        ///< number of steps that were scaled down for the velocity limits
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
   double error = 0;      ///< remaining error at the last goal, radians or metres
-  /// Fractions of the limits that the trajectory of move_joints() uses, and which of them are
-  /// assumed; empty for simulated motions.
+  /// Fractions of the limits that the trajectory uses, and which of them are assumed, if the goal
+  /// was reached. A controller keeps limits of position and velocity only: its first step changes
+  /// the velocity at once, and accelerations and jerks may be far beyond their limits.
   LimitUsage limits = {};
+  StartJump start_jump = {};  ///< jump of velocity at the start, if the goal was reached
 
   /// Returns whether the goal was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }

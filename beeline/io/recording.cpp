@@ -5,6 +5,7 @@
 #include <beeline/io/internal/joint_state_rows.h>
 #include <beeline/io/internal/joint_states.h>
 #include <beeline/io/internal/known_units.h>
+#include <beeline/io/internal/pose_table.h>
 #include <beeline/io/internal/position_columns.h>
 #include <beeline/io/internal/recorded_units.h>
 #include <beeline/io/internal/time_column.h>
@@ -90,11 +91,13 @@ Content content_from(const std::string& path, std::string_view front,
   return table(internal::recording_from_csv(source..., options));
 }
 
-Content content_of_file(const std::string& path, const internal::TableOptions& options) {
+/// The content of a file; `front` becomes its beginning.
+Content content_of_file(const std::string& path, const internal::TableOptions& options,
+                        std::string& front) {
   trajectory_format(path, "");  // refuses another ending before the file is read
   InputFile file(path);
   constexpr std::size_t begin = 65536;
-  const std::string front(file.peek(begin));
+  front = file.peek(begin);
   return content_from(path, front, options, file);
 }
 
@@ -242,7 +245,8 @@ Recording matched(Content content, const std::string& path, const Arm& arm,
 }  // namespace
 
 Trajectory read_trajectory(const std::string& path) {
-  return content_of_file(path, {}).recording.trajectory;
+  std::string front;
+  return content_of_file(path, {}, front).recording.trajectory;
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& path) {
@@ -250,12 +254,23 @@ Trajectory parse_trajectory(std::string_view text, const std::string& path) {
 }
 
 Recording read_recording(const std::string& path, const Arm& arm, const RecordingOptions& options) {
-  return matched(content_of_file(path, table_options(arm, options)), path, arm, options);
+  std::string front;
+  try {
+    return matched(content_of_file(path, table_options(arm, options), front), path, arm, options);
+  } catch (const FileError&) {
+    internal::refuse_poses(front, path, arm);
+    throw;
+  }
 }
 
 Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
                           const RecordingOptions& options) {
-  return matched(content_of(text, path, table_options(arm, options)), path, arm, options);
+  try {
+    return matched(content_of(text, path, table_options(arm, options)), path, arm, options);
+  } catch (const FileError&) {
+    internal::refuse_poses(text, path, arm);
+    throw;
+  }
 }
 
 bool lacks_times(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/io/internal/controller_form.h>
+#include <beeline/io/internal/controller_guarantees.h>
 #include <beeline/io/internal/controller_moves.h>
 #include <beeline/io/internal/controller_program.h>
 #include <beeline/io/internal/joint_states.h>
@@ -35,8 +36,12 @@ std::string comment(std::string text) {
   return text;
 }
 
-std::string guarantees(const ControllerFile& file) {
-  return comment("Guarantees that still hold for this file: " + file.proof);
+/// Adds the comments on what is proved for a file.
+void add_guarantees(const ControllerFile& file, std::vector<std::string>& comments) {
+  comments.push_back(comment("Guarantees that hold for this file: " + file.proof));
+  for (const std::string& text : file.not_proved)
+    comments.push_back(comment("Not proved: " + text));
+  if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
 }
 
 /// A further comment of the file. ROS and tables of numbers are UTF-8.
@@ -165,8 +170,12 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
     samples.velocities.clear();
     samples.accelerations.clear();
   }
+  const internal::ControllerGuarantees known =
+      internal::guarantees_of(arm, trajectory, samples, form, rate.has_value(), options);
   ControllerFile file;
-  file.proof = internal::proof_in_form(form, samples, rate.has_value());
+  file.reason = known.refusal;
+  file.proof = known.proof;
+  file.not_proved = known.not_proved;
   const internal::ProgramFrames frames = internal::program_frames(arm, std::nullopt);
   file.note = (described.six_axes ? internal::note_on_tool(frames) : "") +
               internal::note_on_form(described, samples);
@@ -174,13 +183,13 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   file.duration = samples.times.back();
   std::vector<std::string> comments;
   if (options.comments) {
-    comments = {
-        "Beeline: " + std::to_string(file.samples) + " samples in " + number(file.duration) + " s",
-        guarantees(file)};
-    if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
+    comments = {"Beeline: " + std::to_string(file.samples) + " samples in " +
+                number(file.duration) + " s"};
+    add_guarantees(file, comments);
     for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
   }
-  file.text = text_in_form(form, samples, comments, options, frames);
+  const std::string text = text_in_form(form, samples, comments, options, frames);
+  if (file) file.text = text;
   return file;
 }
 
@@ -193,20 +202,20 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
     throw Error("only a program that is planned completely is exported");
   }
   ControllerFile file;
-  file.proof =
-      "the order and the waypoints; the controller plans each motion between them again, with its "
-      "own profiles and blends, so times, limits, deviations and the arm's branch are not "
-      "guaranteed";
+  file.proof = "the order and the waypoints";
+  file.not_proved = {
+      "times, limits, deviations and the arm's branch: the controller plans each motion between "
+      "the waypoints again, with its own profiles and blends"};
   const internal::ProgramFrames frames = internal::program_frames(arm, options.work);
   file.note =
       internal::note_on_frames(form, frames) + internal::note_on_form(described, motion.trajectory);
   file.samples = program.moves.size();
   file.duration = motion.trajectory.times.back();
   std::vector<std::string> comments{"Beeline: " + std::to_string(file.samples) +
-                                        " moves, planned and certified with " +
-                                        number(file.duration) + " s and a deviation of at most " +
-                                        deviation_text(motion.deviation.bound),
-                                    guarantees(file), comment("Note: " + file.note)};
+                                    " moves, planned and certified with " + number(file.duration) +
+                                    " s and a deviation of at most " +
+                                    deviation_text(motion.deviation.bound)};
+  add_guarantees(file, comments);
   for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
   const internal::MoveSource source{
       motion.trajectory.positions.front(),

@@ -218,19 +218,38 @@ struct ControllerFileOptions {
   std::optional<Pose> work = std::nullopt;
   std::vector<std::string> remarks = {};  ///< further comments of the file, a line each
   bool comments = true;  ///< whether comments are written; false for ros2 as JSON, which has none
+  /// Whether a trajectory that exceeds limits of the arm is written all the same; `not_proved`
+  /// names them.
+  bool ignore_limits = false;
+  /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, as for
+  /// verify().
+  double limit_tolerance = 0;
 };
 
 /// A motion in the form that a controller takes.
 struct ControllerFile {
-  std::string text;         ///< content of the file, with `proof` and `note` as comments
-  std::string proof;        ///< guarantees of verify() that remain on the controller
+  /// Content of the file, with `proof`, `not_proved` and `note` as comments; empty if refused.
+  std::string text;
+  std::string proof;  ///< guarantees of verify() that hold on the controller
+  /// What does not hold there or is not known, each with its reason: limits that the arm does not
+  /// have, that the form does not carry or, with `ignore_limits`, that the motion exceeds.
+  std::vector<std::string> not_proved;
   std::string note;         ///< conditions that the user must ensure; may be empty
   std::size_t samples = 0;  ///< number of setpoints or moves
   /// Duration, s; with a rate at most one period longer than the trajectory.
   double duration = 0;
+  /// Why the trajectory is refused: the first limit of the arm that it exceeds; none if it is not.
+  Reason reason = {};
+
+  /// Returns whether there is a file.
+  explicit operator bool() const { return !reason; }
 };
 
 /// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
+/// The trajectory is verified: one whose positions exceed the limits of the arm is refused and, for
+/// ros2, which carries the motion between the samples, one whose velocity, acceleration or jerk
+/// does. Limits that the arm does not have are not assumed: `not_proved` names them, and what only
+/// samples at another rate exceed.
 /// Throws Error for a trajectory that does not fit the arm or that the form cannot hold: urscript,
 /// rapid and krl need six revolute joints, none of which follows another, ros2 times below 2^31 s
 /// that differ by a nanosecond, and urscript periods of whole control cycles of 2 ms. urscript,

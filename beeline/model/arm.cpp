@@ -195,9 +195,13 @@ std::vector<std::string> Arm::joint_names() const {
   return names;
 }
 
-bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position) {
+bool far_from(const Arm::Reach& sphere, double distance) {
   constexpr double far = 10;  // times the radius
-  return (position - sphere.centre).norm() > far * sphere.radius &&
+  return distance > far * sphere.radius;
+}
+
+bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position) {
+  return far_from(sphere, (position - sphere.centre).norm()) &&
          (position / 1000 - sphere.centre).norm() <= sphere.radius;
 }
 

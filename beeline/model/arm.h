@@ -140,8 +140,12 @@ class Arm {
   Reach reach_;
 };
 
-/// Whether a position is rather in millimetres: farther from the sphere's centre than ten times its
-/// radius, and within it if read in millimetres.
+/// Whether this distance from the sphere's centre, m, is more than ten times the sphere's radius:
+/// what is so far away has no influence on the arm, or its unit is not the metre.
+bool far_from(const Arm::Reach& sphere, double distance);
+
+/// Whether a position is rather in millimetres: far from the sphere, and within it if read in
+/// millimetres.
 bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position);
 
 /// Returns the arm of a Denavit-Hartenberg table: one joint for each row, named joint1, joint2 and

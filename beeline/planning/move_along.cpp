@@ -106,8 +106,9 @@ Suggestions suggestions(const MotionRequest& request, BudgetMeter& whole) {
   return result;
 }
 
-PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                const PathMotionOptions& options) {
+/// Plans the motion along a route; if it is not possible, searches for what is near it.
+PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configuration>& start,
+                                  const Route& route, const PathMotionOptions& options) {
   BudgetMeter budget(options.budget);
   MotionRequest request{arm,
                         start,
@@ -152,14 +153,14 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   check_route(arm, route, task);
   check_in_plane(arm, route.path, options.task);
   check_stops(route);
-  if (!start) return move(arm, start, route, options);
+  if (!start) return planned_or_suggestions(arm, start, route, options);
   const Configuration from = checked_start(arm, *start);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
     throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
                                  " away from the path's beginning");
   }
-  return move(arm, from, route, options);
+  return planned_or_suggestions(arm, from, route, options);
 }
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,

@@ -59,7 +59,7 @@ struct PathMotionOptions {
   /// shortest.
   std::optional<double> duration = std::nullopt;
   /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
-  int max_samples = 200'000;
+  int max_samples = default_max_samples;
   bool suggest = false;  ///< whether to search for nearby paths if the path cannot be followed
   Budget budget = {};    ///< budget of the plan, its timing, its proof and the suggestions
 };

@@ -5,9 +5,9 @@
 
 #include "arm_fields.h"
 #include "bindings.h"
-#include "input_warning.h"
 #include "plane_poses.h"
 #include "reason.h"
+#include "warning_category.h"
 
 namespace beeline::python {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "arm_fields.h"
 #include "bindings.h"
+#include "warning_category.h"
 
 namespace beeline::python {
 namespace {
@@ -22,7 +23,7 @@ void issue(const std::vector<ReadWarning>& warnings) {
     instance.attr("value") = warning.value;
     instance.attr("numbers") = Value<std::vector<double>>::to(warning.numbers);
     instance.attr("count") = warning.count;
-    nb::module_::import_("warnings").attr("warn")(instance);
+    issue_warning(instance);
   }
 }
 
@@ -34,12 +35,11 @@ ChainEnds ends_of(nb::handle base, nb::handle tip) {
 }  // namespace
 
 nb::object model_warning() {
-  static PyObject* const type = PyErr_NewExceptionWithDoc(
-      "beeline._core.ModelWarning",
+  static PyObject* const type = new_warning_category(
+      "ModelWarning",
       "What a reader of a file selected among several, or left out because of a fault beside the "
       "chain: its text, with the attributes kind, line, joint, link, others, element, "
-      "element_fault, attribute, value, numbers and count.",
-      PyExc_UserWarning, nullptr);
+      "element_fault, attribute, value, numbers and count.");
   return nb::borrow(type);
 }
 

@@ -1,7 +1,7 @@
 #include "bindings.h"
 #include "collision_fields.h"
-#include "input_warning.h"
 #include "interruption.h"
+#include "warning_category.h"
 
 namespace beeline::python {
 namespace {

@@ -94,6 +94,7 @@ void bind_overshoot(nb::module_& m) {
 }  // namespace
 
 void bind_control(nb::module_& m) {
+  bind_record<StartJump>(m);
   bind_record<ControlledMotion>(m);
   bind_joint_control(m);
   bind_joint_moves(m);

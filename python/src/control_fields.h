@@ -32,10 +32,16 @@ struct Fields<JointMoveOptions> : Members<&JointMoveOptions::synchronise, &Joint
 };
 
 template <>
+struct Fields<StartJump>
+    : Members<&StartJump::velocity, &StartJump::fraction, &StartJump::joint, &StartJump::assumed> {
+};
+
+template <>
 struct Fields<ControlledMotion>
     : Members<&ControlledMotion::status, &ControlledMotion::reason, &ControlledMotion::trajectory,
               &ControlledMotion::arrivals, &ControlledMotion::steps, &ControlledMotion::slowed,
-              &ControlledMotion::overshoot, &ControlledMotion::error, &ControlledMotion::limits> {};
+              &ControlledMotion::overshoot, &ControlledMotion::error, &ControlledMotion::limits,
+              &ControlledMotion::start_jump> {};
 
 template <>
 struct Fields<SpeedChange> : Members<&SpeedChange::time, &SpeedChange::speed> {

@@ -12,12 +12,14 @@ template <>
 struct Fields<ControllerFileOptions>
     : Members<&ControllerFileOptions::rate, &ControllerFileOptions::program_name,
               &ControllerFileOptions::work, &ControllerFileOptions::remarks,
-              &ControllerFileOptions::comments> {};
+              &ControllerFileOptions::comments, &ControllerFileOptions::ignore_limits,
+              &ControllerFileOptions::limit_tolerance> {};
 
 template <>
 struct Fields<ControllerFile>
-    : Members<&ControllerFile::text, &ControllerFile::proof, &ControllerFile::note,
-              &ControllerFile::samples, &ControllerFile::duration> {};
+    : Members<&ControllerFile::text, &ControllerFile::proof, &ControllerFile::not_proved,
+              &ControllerFile::note, &ControllerFile::samples, &ControllerFile::duration,
+              &ControllerFile::reason> {};
 
 namespace {
 
@@ -25,7 +27,8 @@ void bind_controller_file(nb::module_& m) {
   Signature of_trajectory("controller_file", "ControllerFile",
                           "Returns the trajectory in the form that a controller takes, from time 0 "
                           "at its first sample. Raises Error for a trajectory that does not fit "
-                          "the arm or that the form cannot hold.");
+                          "the arm or that the form cannot hold. One that exceeds limits of the "
+                          "arm is refused: the file is false, and its reason says why.");
   of_trajectory.overloaded()
       .summary_has_motions()
       .takes("arm", "Arm", "The arm.")
@@ -68,6 +71,7 @@ void bind_controller_files(nb::module_& m) {
   define(
       file,
       [](const ControllerFile& self, nb::handle path) {
+        if (!self) throw Error("nothing is saved: " + sentence(self.reason));
         write_file(path_from(path, "path"), self.text);
       },
       save, nb::arg("path"));

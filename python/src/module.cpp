@@ -1,9 +1,9 @@
 #include <beeline/error.h>
 
 #include "bindings.h"
-#include "input_warning.h"
 #include "interruption.h"
 #include "numpy_arrays.h"
+#include "warning_category.h"
 
 #include <nanobind/stl/string.h>
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "bindings.h"
-#include "input_warning.h"
 #include "pose_list_fields.h"
+#include "warning_category.h"
 
 namespace beeline::python {
 namespace {
@@ -18,21 +18,12 @@ PoseFormat format_from(nb::handle unit, nb::handle triple, nb::handle pose_form,
 /// Issues the warning of an angle that is more than a revolution; `where` names the numbers.
 void warn_of_angle(const std::string& where, double angle, std::optional<PoseForm> form,
                    const PoseFormat& format) {
-  const bool vector = form == PoseForm::rotvec;
-  if (std::abs(angle) <= plausible_angle || (format.angle_unit == AngleUnit::degrees && !vector)) {
-    return;
-  }
-  warn_of_input(where + (vector ? ": a rotation vector of " : ": an angle of ") + number(angle) +
-                " rad is more than a revolution; " +
-                (vector ? "rx, ry, rz are in radians" : "angle_unit=\"degrees\" reads degrees"));
+  if (const auto note = angle_note(angle, form, format)) warn_of_input(sentence(*note, where));
 }
 
 PoseList poses_in(const std::string& path, const PoseFormat& format) {
   PoseList list = read_poses(path, format);
-  if (!list.has_header) {
-    warn_of_input(path + " has no header; its columns are read as " + listed(list.columns));
-  }
-  warn_of_angle(path, list.max_angle, list.form, format);
+  for (const PoseNote& note : notes_on(list, format)) warn_of_input(sentence(note, path));
   return list;
 }
 

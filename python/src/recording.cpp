@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "interruption.h"
 #include "recording_fields.h"
+#include "warning_category.h"
 
 namespace beeline::python {
 namespace {
@@ -32,11 +33,10 @@ AngleUnit angle_unit_from(nb::handle angle_unit, nb::handle unit) {
 
 /// The category of warnings about recordings.
 nb::object recording_warning() {
-  static PyObject* const type = PyErr_NewExceptionWithDoc(
-      "beeline._core.RecordingWarning",
+  static PyObject* const type = new_warning_category(
+      "RecordingWarning",
       "How a recording was read where the file does not say, or what its numbers suggest: its "
-      "text, with the attribute note, a RecordingNote.",
-      PyExc_UserWarning, nullptr);
+      "text, with the attribute note, a RecordingNote.");
   return nb::borrow(type);
 }
 
@@ -50,7 +50,7 @@ Recording recording_in(const std::string& file, const Arm& arm, const RecordingO
   for (const RecordingNote& note : recording.notes) {
     nb::object instance = recording_warning()(sentence(note));
     instance.attr("note") = Value<RecordingNote>::to(note);
-    nb::module_::import_("warnings").attr("warn")(instance);
+    issue_warning(instance);
   }
   return recording;
 }

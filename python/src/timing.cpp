@@ -36,10 +36,12 @@ States states_of(const PointToPoint& motion, nb::handle t) {
   return states;
 }
 
-PointToPoint planned(nb::handle arm, nb::handle from, nb::handle to, nb::handle synchronise) {
+PointToPoint planned(nb::handle arm, nb::handle from, nb::handle to, nb::handle synchronise,
+                     nb::handle from_outside) {
   const Configuration begin = Value<Configuration>::from(from, "from_");
   const Configuration end = Value<Configuration>::from(to, "to");
-  const PointToPointOptions options{Value<Synchronise>::from(synchronise, "synchronise")};
+  const PointToPointOptions options{Value<Synchronise>::from(synchronise, "synchronise"),
+                                    Value<bool>::from(from_outside, "from_outside")};
   const Arm* given = nullptr;
   if (nb::try_cast<const Arm*>(arm, given) && given) {
     return point_to_point(*given, begin, end, options);
@@ -94,9 +96,10 @@ void bind_point_to_point(nb::module_& m) {
       .takes("from_", array_like, "Configuration (n,).")
       .takes("to", array_like, "Configuration (n,).")
       .keywords()
-      .member<&PointToPointOptions::synchronise>();
+      .member<&PointToPointOptions::synchronise>()
+      .member<&PointToPointOptions::from_outside>();
   define(m, &planned, made, nb::arg("arm"), nb::arg("from_"), nb::arg("to"), nb::kw_only(),
-         nb::arg("synchronise") = "time");
+         nb::arg("synchronise") = "time", nb::arg("from_outside") = false);
 
   Signature samples("sampled", "Trajectory",
                     "Samples the motion at times k / rate, slowed down to whole periods and one "

@@ -26,7 +26,8 @@ struct Fields<PointToPoint> : Members<&PointToPoint::from, &PointToPoint::to, &P
 };
 
 template <>
-struct Fields<PointToPointOptions> : Members<&PointToPointOptions::synchronise> {};
+struct Fields<PointToPointOptions>
+    : Members<&PointToPointOptions::synchronise, &PointToPointOptions::from_outside> {};
 
 template <>
 struct Fields<PathLimits> : Members<&PathLimits::velocity, &PathLimits::acceleration,

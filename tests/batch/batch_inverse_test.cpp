@@ -5,6 +5,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/random.h>
+#include <tests/refusal.h>
 
 namespace beeline {
 namespace {
@@ -50,6 +51,29 @@ TEST(BatchInverse, IsTheSolversAnswers) {
           (again.array() == q.array() || (again.array().isNaN() && q.array().isNaN())).all());
     }
   }
+}
+
+// A pose that a single call refuses is an error of the argument, whatever the other rows are.
+TEST(BatchInverse, NamesTheRowThatIsNoPoseOfTheArm) {
+  const Arm planar = built_in("rrr"), ur5 = built_in("ur5");
+  for (const Arm* const arm : {&planar, &ur5}) {
+    MatrixXd poses(16, 5), q(arm->dof(), 5);
+    const MatrixXd seed = middle_configuration(*arm);
+    batch_forward<double>(*arm, seed.replicate(1, 5), poses);
+    EXPECT_EQ(batch_inverse(*arm, poses, seed, q).solved, 5);
+    poses(0, 1) = std::numeric_limits<double>::quiet_NaN();  // no solution, and no error
+    EXPECT_EQ(batch_inverse(*arm, poses, seed, q).solved, 4);
+    EXPECT_TRUE(q.col(1).array().isNaN().all());
+    poses(0, 3) += 0.1;
+    EXPECT_REFUSED(batch_inverse(*arm, poses, seed, q), "pose 4 of 5: the pose");
+  }
+  MatrixXd poses(16, 3), q(3, 3);
+  const MatrixXd seed = middle_configuration(planar);
+  batch_forward<double>(planar, seed.replicate(1, 3), poses);
+  poses(14, 2) += 0.1;
+  EXPECT_REFUSED(batch_inverse(planar, poses, seed, q),
+                 "pose 3 of 3: the pose is outside the plane");
+  EXPECT_EQ(batch_inverse(planar, poses, seed, q, {.task = Task::planar()}).solved, 3);
 }
 
 TEST(BatchInverse, TakesQuaternionsAndOneSeedForAll) {

@@ -214,6 +214,17 @@ def test_files_without_a_trajectory_are_refused(made, checked):
     assert "elbow" in refusal and len(refusal.strip().splitlines()) == 1
 
 
+@pytest.mark.parametrize("verb, options", [
+    ("check", ()), ("replay", ()), ("retime", ()), ("export", ("--as", "ros2", "--out", "a.yaml"))])
+def test_poses_are_no_trajectory(refused, written, verb, options):
+    poses = written("poses.csv", "x,y,theta\n4,5,0\n")
+    refused(3, verb, "rrr", poses, *options, says=["has poses of the tool, x, y, theta", "joint1", "--through", "batch ik"])
+    if verb == "export":  # which takes programs
+        return
+    program = written("pick.csv", "motion,x,y,theta\nline,4,5,0\n")
+    refused(3, verb, "rrr", program, *options, says=["is a program", "joint1", "--through"])
+
+
 def test_a_tolerance_that_is_not_positive_is_refused(beeline, made):
     through, _ = made("rrr")
     for bad in ("0", "-1", "nan"):
@@ -334,4 +345,5 @@ def test_quickest_joint_moves_report_limits_that_are_assumed(beeline):
     text, report = beeline(*move).out, beeline(*move, "--json").json
     assert "of the assumed limit" in text and report["limits"]["acceleration"]["assumed"]
     assert 0.5 < max(use["fraction"] for use in report["limits"].values() if use) <= 1 + 1e-6
-    assert "limits" not in beeline(*move[:-1], "feedback", "--json").json
+    controlled = beeline(*move[:-1], "feedback", "--json").json
+    assert controlled["limits"]["acceleration"]["assumed"] and not controlled["start_jump"]["assumed"]

@@ -73,6 +73,7 @@ def exported(beeline, tmp_path):
         report = beeline(*command, "--json").json
         assert (tmp_path / out).read_text() == text and report["out"] == out
         assert report["proof"] in told.err and report["note"] in told.err
+        assert report["not_proved"] and all("not proved    " + line + "\n" in told.err for line in report["not_proved"])
         return text, report
 
     return run
@@ -88,14 +89,17 @@ def test_a_ros_message_holds_the_trajectory(moved, exported, out):
         values = [point[column] for point in message["points"]]
         assert values == (moved.columns[i].tolist() if i < len(moved.columns) else [[]] * len(times))
     exact = all(round(t * 1e9) / 1e9 == t for t in moved.t)
-    assert report["proof"].startswith("all;" if exact else "all except the rounding of times")
-    assert any(report["proof"] in line for line in comments) == (out == "move.yaml")
+    assert report["proof"].startswith("the limits of position and velocity at all times")
+    assert ("what `beeline check` proves of the trajectory" in report["proof"]) == exact
+    assert report["not_proved"][0] == "limits of acceleration and jerk: the arm has none"
+    for text in (report["proof"], *report["not_proved"]):
+        assert any(text in line for line in comments) == (out == "move.yaml")
 
 
 def test_a_resampled_ros_message_has_the_states_of_the_motion(moved, exported):
     text, report = exported("ros2", "move.yaml", "--rate", "80")
     message, times, _ = ros_message.read(text)
-    assert report["proof"].startswith("the samples;")
+    assert "differ from the trajectory's" in report["proof"]
     assert times == [round(k * 1e9 / 80) for k in range(len(times))]
     for point, time in list(zip(message["points"], times))[:-1]:
         state = moved.at(moved.t[0] + time * 1e-9)
@@ -129,7 +133,9 @@ def test_a_ur_program_follows_the_motion(moved, exported, rate):
 def test_instructions_of_abb_and_kuka_pass_the_samples(moved, exported):
     degrees = np.degrees(moved.columns[0])
     text, report = exported("rapid", "move.mod")
-    assert report["proof"].startswith("only the positions")
+    assert report["proof"].startswith("only the positions of the samples, within the limits of position;")
+    assert report["not_proved"] == [
+        "limits of velocity, acceleration and jerk: the motion between the samples is the controller's"]
     lines = [line.strip() for line in text.splitlines() if not line.strip().startswith("!")]
     assert lines[:2] == ["MODULE move", "PROC play_move()"] and lines[-2:] == ["ENDPROC", "ENDMODULE"]
     pattern = re.compile(r"MoveAbsJ \[\[([^\]]*)\],\[9E9(?:,9E9){5}\]\]\\NoEOffs,v100(?:\\T:=([\d.]+))?"
@@ -181,7 +187,7 @@ def test_the_first_sample_is_at_time_zero(beeline, written, tmp_path):
     assert beeline("export", "rrr", "late.csv", "--as", "ros2", "--out", "a.json").code == 0
     assert ros_message.read((tmp_path / "a.json").read_text())[1] == [0, 10**8, 2 * 10**8]
     report = beeline("export", "rrr", "late.csv", "--as", "ros2", "--out", "a.json", "--json").json
-    assert report["proof"].startswith("all; ") and "straight lines" in report["proof"]
+    assert report["proof"].startswith("the limits of position ") and "straight lines" in report["proof"]
 
 
 def test_messages_in_rows_have_times(beeline, written, tmp_path):
@@ -236,10 +242,10 @@ def test_the_exported_message_is_proved_as_the_trajectory_is(beeline, written, e
     prove = lambda file: beeline("check", "ur5e", file, "--through", path, "--json")
     _, report = exported("ros2", "move.json")
     answer = prove("move.json")
-    assert report["proof"].startswith("all;") and report["samples"] == made["samples"]
+    assert "what `beeline check` proves" in report["proof"] and report["samples"] == made["samples"]
     assert answer.code == 0 and answer.json == prove("move.csv").json
     _, report = exported("ros2", "fast.json", "--rate", "200")
-    assert report["proof"].startswith("the samples;") and "moves at the last" not in report["note"]
+    assert "what `beeline check` proves" not in report["proof"] and "moves at the last" not in report["note"]
 
 
 def test_a_reader_of_yaml_reads_the_message(beeline, tmp_path):
@@ -248,3 +254,71 @@ def test_a_reader_of_yaml_reads_the_message(beeline, tmp_path):
     assert beeline("export", "ur5e", "move.csv", "--as", "ros2", "--out", "move.yaml").code == 0
     text = (tmp_path / "move.yaml").read_text()
     assert yaml.safe_load(text) == ros_message.read(text)[0]
+
+
+OUTSIDE = "t,joint1,joint2,joint3\n0,0,0,0\n1,0.5,0,0\n2,1.5,0,0\n3,0,0,0\n"
+
+
+def limited(written, joint):
+    """RRR with these limits of its first joint."""
+    return ("RRR:1,1,1", "--limits", written("limits.json", '{"joint1": %s}' % joint))
+
+
+@pytest.mark.parametrize("form, out", [("ros2", "a.yaml"), ("csv", "a.csv"), ("ros2", "a.json")])
+def test_positions_outside_the_limits_are_refused(beeline, written, tmp_path, form, out):
+    written("move.csv", OUTSIDE)
+    command = ("export", *limited(written, '{"lower": -1, "upper": 1.2, "velocity": 9}'), "move.csv", "--as", form, "--out", out,
+               *(("--rate", 10) if form == "csv" else ()))
+    told = beeline(*command, "--json")
+    assert told.code == 1 and told.json["status"] == "outside_limits" and not (tmp_path / out).exists()
+    assert told.json["code"] == "outside_limits"
+    fields = told.json["fields"]
+    assert (fields["joint"], fields["time"], fields["value"], fields["upper"]) == ("joint1", 2, 1.5, 1.2)
+    for word in ("joint1", "2 s", "1.5", "1.2"):
+        assert word in beeline(*command).err
+    told = beeline(*command, "--ignore-limits", "--json")
+    assert told.code == 0 and any(line.startswith("limits of position") and "1.5" in line
+                                  for line in told.json["not_proved"])
+    assert "position" not in told.json["proof"].split(";")[0].replace("positions", "")
+
+
+def test_other_limits_that_the_arm_has_are_refused_where_the_form_carries_them(beeline, written, tmp_path):
+    written("move.csv", OUTSIDE)
+    arm = limited(written, '{"velocity": 0.9}')
+    told = beeline("export", *arm, "move.csv", "--as", "ros2", "--out", "a.json", "--json")
+    assert told.code == 1 and told.json["fields"]["quantity"] == "velocity" and not told.json["fields"]["assumed"]
+    allowed = beeline("export", *arm, "move.csv", "--as", "ros2", "--out", "a.json", "--json", "--ignore-limits").json
+    assert allowed["proof"].startswith("the limits of position at all times")
+    assert any(line.startswith("limits of velocity: ") and "0.9" in line for line in allowed["not_proved"])
+    # Setpoints say nothing of velocities, with the limit or without.
+    other = beeline("export", *arm, "move.csv", "--as", "csv", "--rate", 10, "--out", "a.csv", "--json").json
+    assert other["not_proved"] == [
+        "limits of velocity, acceleration and jerk: the motion between the samples is the controller's"]
+    within = beeline("export", *limited(written, '{"velocity": 1.47}'), "move.csv", "--as", "ros2", "--out", "a.json")
+    assert within.code == 1
+    assert beeline("export", *limited(written, '{"velocity": 1.47}'), "move.csv", "--as", "ros2", "--out", "a.json",
+                   "--limit-tolerance", 0.03).code == 0
+
+
+def test_limits_that_the_arm_does_not_have_are_named(beeline, written):
+    written("move.csv", OUTSIDE)
+    command = ("move.csv", "--as", "ros2", "--out", "a.json", "--json")
+    none = beeline("export", "RRR:1,1,1", *command).json
+    assert none["proof"].startswith("the limits of position at all times")
+    assert none["not_proved"][0] == "limits of velocity, acceleration and jerk: the arm has none"
+    assert len(none["not_proved"]) == 1
+    written("moving.csv", "t,joint1,joint2,joint3,joint1_vel,joint2_vel,joint3_vel\n0,0,0,0,0.5,0,0\n1,0.5,0,0,0,0,0\n")
+    moving = beeline("export", "RRR:1,1,1", "moving.csv", *command[1:]).json
+    assert moving["not_proved"][1].startswith("rest at the ends: ") and "0.5" in moving["not_proved"][1]
+    some = beeline("export", *limited(written, '{"velocity": 2, "acceleration": 9, "jerk": 99}'), *command).json
+    assert some["not_proved"][0] == "limits of velocity, acceleration and jerk: joints joint2, joint3 have none"
+    all_of = beeline("export", "RRR:1,1,1", "--velocity", 2, "--acceleration", 90, "--jerk", 999, *command).json
+    assert all_of["proof"].startswith("the limits of position and velocity at all times")
+    assert all_of["not_proved"][0] == "limits of acceleration and jerk: not bounded by straight lines"
+
+
+def test_limits_are_not_options_of_programs(refused, written):
+    written("pick.csv", "motion,x,y,z,roll,pitch,yaw\nline,-0.4,-0.3,0.2,3,0,0\nline,-0.4,-0.3,0.3,3,0,0\n")
+    for option in (("--ignore-limits",), ("--limit-tolerance", "0.01")):
+        refused(2, "export", "ur5e", "pick.csv", "--as", "urscript", "--out", "a.script", *option,
+                says=[option[0], "is for trajectories", "pick.csv"])

@@ -80,6 +80,34 @@ def test_a_goal_outside_the_limits_is_a_no(beeline, method):
     assert "joint4" in answer.json["reason"] and answer.json["reason"] in answer.err
 
 
+def test_control_reports_the_limits_that_it_uses_and_the_jump_at_its_start(beeline, written):
+    """K_p times the largest error, 0.2 rad, in a step of 0.02 s: 1 rad/s."""
+    command = ("move", "panda", "--from", "0,0,0,-1.5,0,1.5,0", "--to", "0,0.2,0,-1.5,0.1,1.5,0")
+    answer = beeline(*command, "--json", "--out", "move.csv").json
+    jump = answer["start_jump"]
+    assert (jump["joint"], jump["assumed"]) == ("joint2", False)
+    assert jump["velocity"] == pytest.approx(1) and jump["fraction"] == pytest.approx(1 / 2.175)
+    assert answer["limits"]["velocity"]["fraction"] == pytest.approx(1 / 2.175)
+    # The differences after the first step: a tenth of 1 rad/s in a step.
+    assert answer["limits"]["acceleration"]["fraction"] == pytest.approx(5 / 7.5)
+    assert not answer["limits"]["acceleration"]["exact"]
+    fault = beeline("check", "panda", "move.csv", "--json", "--moving-end").json["faults"]
+    assert "moving" in [kind["fault"] for kind in fault]
+    text = beeline(*command).out
+    assert "start         jumps from rest to 1 rad/s, 46 % of the limit, joint joint2\n" in text
+    assert "acceleration  at most " in text
+    degrees = beeline("move", "panda", "--from", "0,0,0,-90,0,90,0", "--to", "0,10,0,-90,0,90,0", "--degrees")
+    assert "jumps from rest to 50 deg/s, 40.1 % of the limit, joint joint2" in degrees.out
+    quick = beeline(*command, "--method", "quickest", "--json").json
+    assert quick["start_jump"] is None and quick["limits"]["acceleration"]["fraction"] <= 1 + 1e-6
+    assert "jumps" not in beeline(*command, "--method", "quickest").out
+    through = written("poses.csv", "x,y,theta\n4,4,0.5\n")
+    line = ("line", "rrr", "--from", "0,1.5,0", "--through", through, "--method", "inverse-jacobian")
+    by_control = beeline(*line, "--json").json
+    assert by_control["start_jump"]["assumed"] and by_control["limits"]["velocity"]["fraction"] > 0
+    assert "start         jumps from rest to" in beeline(*line).out and "of the assumed limit" in beeline(*line).out
+
+
 def test_one_step_is_singular(beeline):
     answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,0,0", "--max-steps", "1")
     assert answer.code == 1 and "after 1 step of 0.02 s" in answer.out

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include <beeline/certificate/verify.h>
 #include <beeline/control/joint.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -215,6 +217,57 @@ TEST(ControlJoints, MakesTheChaptersMotion) {
   for (std::size_t k = 2; k < q.size(); ++k) {
     ASSERT_NEAR((q[k] - q[k - 1]).norm(), 0.9 * (q[k - 1] - q[k - 2]).norm(), 1e-12);
   }
+}
+
+TEST(ControlJoints, ReportsTheLimitsThatItUsesAndTheJumpAtTheStart) {
+  const Arm arm = built_in("panda");
+  const Configuration start = middle_configuration(arm);
+  Configuration goal = start;
+  goal[1] -= 0.2;
+  goal[5] += 0.1;
+  const ControlledMotion motion =
+      control_joints(arm, start, goal, {.kp = 0.1}, {.time_step = 0.02});
+  ASSERT_TRUE(motion) << motion.reason;
+  EXPECT_EQ(motion.start_jump.joint, "joint2");
+  EXPECT_NEAR(motion.start_jump.velocity, -1, 1e-9);
+  EXPECT_NEAR(motion.start_jump.fraction, 1 / 2.175, 1e-9);
+  EXPECT_FALSE(motion.start_jump.assumed);
+  EXPECT_NEAR(motion.limits.velocity.fraction, 1 / 2.175, 1e-9);
+  EXPECT_EQ(motion.limits.velocity.joint, "joint2");
+  EXPECT_NEAR(motion.limits.acceleration.fraction, 5 / 7.5, 1e-6);
+  const ControlledMotion planned = move_joints(arm, start, goal);
+  ASSERT_TRUE(planned) << planned.reason;
+  EXPECT_EQ(planned.start_jump.joint, "");
+  EXPECT_EQ(planned.start_jump.fraction, 0);
+  EXPECT_LE(planned.limits.acceleration.fraction, 1 + 1e-6);
+  const ControlledMotion failed = control_joints(arm, start, goal, {}, {.max_steps = 3});
+  EXPECT_EQ(failed.start_jump.joint, "");
+  EXPECT_EQ(failed.limits.velocity.fraction, 0);
+}
+
+// The jump is the fault `moving` of verify(), whatever the gain and the step.
+TEST(ControlJoints, ReportsAJumpWhereTheMotionDoesNotStartAtRest) {
+  testing::Random random;
+  int jumps = 0, rests = 0;
+  for (int i = 0; i < testing::cases(100); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "rrr" : "panda");
+    const Configuration start = middle_configuration(arm);
+    Configuration goal = start;
+    for (double& q : goal) q += random.uniform(-1, 1) * std::pow(10, random.uniform(-3, -0.3));
+    const ControlledMotion motion =
+        control_joints(arm, start, goal, {.kp = random.uniform(0.05, 0.9)},
+                       {.time_step = std::pow(10, random.uniform(-2.5, -0.5))});
+    ASSERT_TRUE(motion) << motion.reason;
+    const std::vector<FaultsOfKind> faults =
+        verify(arm, motion.trajectory, VerifyOptions{.moving = {.end = true}}).faults;
+    const bool moves = std::any_of(faults.begin(), faults.end(), [](const FaultsOfKind& fault) {
+      return fault.kind == Fault::moving;
+    });
+    EXPECT_EQ(!motion.start_jump.joint.empty(), moves) << i;
+    ++(moves ? jumps : rests);
+  }
+  EXPECT_GT(jumps, 10);
+  EXPECT_GT(rests, 10);
 }
 
 TEST(JointOvershoot, IsTheLargestDistanceBeyondTheGoalRelativeToTheDistanceToIt) {

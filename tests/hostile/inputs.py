@@ -120,7 +120,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---joint-map --angle-unit --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance""".split()
+--joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance""".split()
 
 
 # Files that the command makes, by the command lines before --out.

@@ -1,9 +1,12 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include <beeline/io/internal/setpoints.h>
 #include <beeline/io/internal/trajectory_json.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/io/trajectory_file.h>
 #include <beeline/model/catalog.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include <tests/io/random_trajectory.h>
 #include <tests/refusal.h>
@@ -26,13 +29,13 @@ TEST(ControllerFile, RosMessagesReadBackToTheLastBit) {
     Trajectory trajectory =
         testing::in_nanoseconds(testing::random_trajectory(random, arm.joint_names()));
     if (trajectory.velocities.empty()) trajectory.accelerations.clear();
-    const ControllerFile file =
-        controller_file(arm, trajectory, ControllerForm::ros2, {.comments = false});
+    const ControllerFile file = controller_file(arm, trajectory, ControllerForm::ros2,
+                                                {.comments = false, .ignore_limits = true});
     const Trajectory read = internal::trajectory_from_json(file.text, "a");
     ASSERT_TRUE(testing::same(read, internal::from_time_zero(trajectory))) << i;
     EXPECT_EQ(file.samples, trajectory.size());
     EXPECT_EQ(file.duration, read.times.back());
-    EXPECT_TRUE(file.proof.starts_with("all; ")) << file.proof;
+    EXPECT_TRUE(file);
   }
 }
 
@@ -44,8 +47,73 @@ TEST(ControllerFile, EveryFormStatesItsProof) {
         controller_file(arm, still, controller_form_named(form), {.rate = 100});
     EXPECT_NE(file.text.find(file.proof), std::string::npos) << form;
     EXPECT_NE(file.text.find(file.note), std::string::npos) << form;
+    EXPECT_FALSE(file.not_proved.empty()) << form;
+    for (const std::string& text : file.not_proved) {
+      EXPECT_NE(file.text.find("Not proved: " + text), std::string::npos) << form;
+    }
     EXPECT_EQ(file.samples, 1u);
   }
+}
+
+// verify() and the file agree, whatever the trajectory is: random polynomials between
+// random samples of an arm with random limits.
+TEST(ControllerFile, LimitsAreGuaranteedIfAndOnlyIfTheyAreProved) {
+  testing::Random random;
+  int refused = 0, guaranteed = 0;
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const double scale = std::pow(10, random.uniform(0, 1));
+    const bool has_velocity = random.integer(0, 1) == 0;
+    const Arm arm = with_limits(arm_from_joint_string("RR:1,1"),
+                                {{"joint1",
+                                  {.lower = -1.0,
+                                   .upper = 1.0,
+                                   .velocity = has_velocity ? std::optional(scale) : std::nullopt}},
+                                 {"joint2", {.lower = -1.0, .upper = 1.0, .velocity = scale}}});
+    Trajectory trajectory{arm.joint_names(), {}, {}, {}, {}};
+    const double size = random.uniform(0.5, 1.1);
+    for (int k = 0; k < 4; ++k) {
+      trajectory.times.push_back(k);
+      trajectory.positions.push_back(
+          Configuration{{random.uniform(-size, size), random.uniform(-size, size)}});
+      trajectory.velocities.push_back(
+          Configuration{{random.uniform(-1, 1), random.uniform(-1, 1)}});
+    }
+    const Arm known =
+        has_velocity ? arm : with_limits(arm, {{"joint1", {.velocity = Limits::max_rate}}});
+    const LimitUsage used = limit_usage(known, trajectory);
+    const bool outside = used.position.fraction > 1, fast = used.velocity.fraction > 1 + 1e-6;
+    const ControllerFile file = controller_file(arm, trajectory, ControllerForm::ros2);
+    ASSERT_EQ(!file, outside || fast) << file.reason;
+    EXPECT_EQ(file.text.empty(), outside || fast);
+    const ControllerFile csv = controller_file(arm, trajectory, ControllerForm::csv, {.rate = 1});
+    EXPECT_EQ(!csv, outside) << csv.reason;
+    refused += file ? 0 : 1;
+    if (!file) continue;
+    const std::string limits =
+        has_velocity ? "the limits of position and velocity at" : "the limits of position at";
+    EXPECT_TRUE(file.proof.starts_with(limits)) << file.proof;
+    ++guaranteed;
+  }
+  EXPECT_GT(refused, 10);
+  EXPECT_GT(guaranteed, 10);
+}
+
+TEST(ControllerFile, LimitsThatAreIgnoredAreNamed) {
+  const Arm arm = built_in("ur5");
+  Trajectory trajectory = at_rest(arm, Configuration::Zero(6));
+  trajectory.positions.front()[2] = 7;  // beyond 2 pi
+  const ControllerFile refused = controller_file(arm, trajectory, ControllerForm::urscript);
+  EXPECT_FALSE(refused);
+  EXPECT_EQ(refused.reason.code, ReasonCode::outside_limits);
+  EXPECT_EQ(refused.text, "");
+  const ControllerFile file =
+      controller_file(arm, trajectory, ControllerForm::urscript, {.ignore_limits = true});
+  EXPECT_TRUE(file);
+  EXPECT_TRUE(file.not_proved.front().starts_with("limits of position: ")) << file.text;
+  EXPECT_EQ(file.proof.find("limits of position"), std::string::npos);
+  EXPECT_REFUSED(
+      controller_file(arm, trajectory, ControllerForm::urscript, {.limit_tolerance = 0.2}),
+      "limit_tolerance");
 }
 
 TEST(ControllerFile, WhatAFormCannotHoldIsRefused) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/trajectory_file.h>
@@ -371,6 +372,26 @@ TEST(JointMap, IsReadFromNamesOrAFile) {
                  "unknown unit of joint joint1 \"mm\"");
   EXPECT_REFUSED(refusal("{\"joint1\": {\"scale\": 2}}"), "unknown key \"scale\"");
   EXPECT_REFUSED(refusal("[]"), "bad.json");
+}
+
+TEST(Recording, SaysThatATableHasPosesOrMoves) {
+  const Arm rrr = built_in("rrr"),
+            gantry = arm_from_json(
+                R"({"name": "xyz", "joints": [{"type": "prismatic", "name": "x"},
+                      {"type": "prismatic", "name": "y"}, {"type": "prismatic", "name": "z"}]})",
+                "xyz.json");
+  const std::string joints = ", not values of the joints joint1, joint2, joint3; `beeline line";
+  const auto parse = [](const Arm& arm, const char* text) { parse_recording(text, "a.csv", arm); };
+  EXPECT_REFUSED(parse(rrr, "x,y,theta\n1,2,3\n"),
+                 "a.csv: has poses of the tool, x, y, theta" + joints);
+  EXPECT_REFUSED(parse(rrr, "X,Y,Z,QW,QX,QY,QZ\n1,2,3,1,0,0,0\n"), "has poses of the tool, X");
+  EXPECT_REFUSED(parse(rrr, "t,x,y,z\n0,1,2,3\n"), "has poses of the tool, x, y, z" + joints);
+  EXPECT_REFUSED(parse(rrr, "motion,x,y,theta\nline,1,2,3\n"),
+                 "is a program: it has moves" + joints);
+  EXPECT_REFUSED(parse(rrr, "t,a,b,c\n0,1,2,3\n"), "joint1");
+  // Joints of these names are not poses.
+  EXPECT_REFUSED(parse(gantry, "x,y,z\n1,2,3\n"), "column \"t\" is missing");
+  EXPECT_EQ(parse_recording("t,x,y,z\n0,1,2,3\n", "a.csv", gantry).trajectory.size(), 1u);
 }
 
 }  // namespace

@@ -80,5 +80,18 @@ TEST(Reach, IsInfiniteOnlyForTranslationsWithoutLimits) {
   }
 }
 
+TEST(Reach, WhatIsFarIsBeyondTenTimesTheRadius) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(200); ++i) {
+    const Arm::Reach sphere{.centre = random.vector(3), .radius = random.uniform(0.1, 3)};
+    const double distance = random.uniform(0, 20) * sphere.radius;
+    EXPECT_EQ(far_from(sphere, distance), distance > 10 * sphere.radius);
+    const Vector3 position = sphere.centre + distance * random.direction();
+    EXPECT_EQ(
+        rather_in_millimetres(sphere, position),
+        far_from(sphere, distance) && (position / 1000 - sphere.centre).norm() <= sphere.radius);
+  }
+}
+
 }  // namespace
 }  // namespace beeline

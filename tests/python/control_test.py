@@ -44,6 +44,16 @@ def test_cartesian_control_reaches_its_waypoints(method):
     assert np.abs(reached - waypoints).max() < 1e-4
 
 
+def test_control_reports_its_limits_and_the_jump_at_its_start():
+    goal = HOME + [0, -0.2, 0, 0, 0, 0, 0]
+    motion = beeline.control_joints(PANDA, HOME, goal, kp=0.1, time_step=0.02)
+    assert motion and motion.start_jump.joint == "joint2" and not motion.start_jump.assumed
+    assert motion.start_jump.velocity == pytest.approx(-1)
+    assert motion.start_jump.fraction == motion.limits.velocity.fraction == pytest.approx(1 / 2.175)
+    planned = beeline.move_joints(PANDA, HOME, goal).start_jump
+    assert planned.joint == "" and planned.fraction == planned.velocity == 0
+
+
 def test_pid_is_its_sum():
     pid = beeline.Pid([1, 2], kp=0.5, ki=0.1, kd=0.2)
     pid.start([0, 0])

@@ -241,6 +241,21 @@ def test_files_for_controllers(pick, tmp_path):
         beeline.controller_file(PANDA, motion.trajectory, "rapid")
 
 
+def test_a_file_for_a_controller_keeps_the_limits(tmp_path):
+    motion = beeline.move_joints(PANDA, HOME, HOME + 0.1).trajectory
+    file = beeline.controller_file(PANDA, motion, "ros2")
+    assert file and file.proof.startswith("the limits of position, velocity, acceleration and jerk at all times")
+    assert file.not_proved == [] and not file.reason
+    slow = PANDA.with_limits({"joint1": {"velocity": 0.01}})
+    refused = beeline.controller_file(slow, motion, "ros2")
+    assert not refused and refused.text == "" and refused.reason.fields["joint"] == "joint1"
+    with pytest.raises(beeline.Error, match="nothing is saved: .*joint1"):
+        refused.save(tmp_path / "motion.yaml")
+    assert not (tmp_path / "motion.yaml").exists()
+    written = beeline.controller_file(slow, motion, "ros2", ignore_limits=True)
+    assert written and any(line.startswith("limits of velocity: ") for line in written.not_proved)
+
+
 def test_copies_and_pickles_are_equal(motion, pick):
     program, planned = pick
     far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0", triple="planar")])

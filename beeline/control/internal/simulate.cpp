@@ -6,6 +6,7 @@
 #include <beeline/control/internal/time_step.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/motion_start.h>
 
@@ -76,6 +77,18 @@ bool stop_by_budget(ControlledMotion& motion, Ending ending) {
 void append(ControlledMotion& motion, const Configuration& q, double time_step) {
   motion.trajectory.times.push_back(++motion.steps * time_step);
   motion.trajectory.positions.push_back(q);
+}
+
+StartJump start_jump(const Arm& arm, const Trajectory& trajectory) {
+  StartJump largest;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits &known = arm.limits(k), limits = motion_limits(known);
+    const EndVelocity start = end_velocity(trajectory, k, limits, TrajectoryEnd::first);
+    const double fraction = std::abs(start.velocity) / limits.velocity;
+    if (start.at_rest() || fraction <= largest.fraction) continue;
+    largest = {start.velocity, fraction, arm.joint_of(k).name, !(known.velocity < Limits::none)};
+  }
+  return largest;
 }
 
 }  // namespace
@@ -154,6 +167,13 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     }
     stuck = !convergence.decreases(motion.error);
   }
+}
+
+void set_limit_usage(const Arm& arm, BudgetMeter& budget, ControlledMotion& motion) {
+  motion.start_jump = start_jump(arm, motion.trajectory);
+  motion.limits = limit_usage(arm, motion.trajectory, budget.part());
+  if (motion.limits.ending == Ending::complete) return;
+  set_ended(ReasonCode::ended_before_check, motion.limits.ending, motion);
 }
 
 }  // namespace beeline::internal

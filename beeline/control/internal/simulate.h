@@ -3,6 +3,7 @@
 #include <functional>
 
 #include <beeline/control/joint.h>
+#include <beeline/internal/budget_meter.h>
 
 namespace beeline::internal {
 
@@ -26,5 +27,9 @@ ControlledMotion begin_motion(const Arm& arm, const Configuration& start);
 /// error stagnates, `max_steps` are done, or the budget ends.
 bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& options,
               ControlledMotion& motion);
+
+/// Sets the limits that a motion uses and the jump of velocity at its start; the status if the
+/// budget ends that.
+void set_limit_usage(const Arm& arm, BudgetMeter& budget, ControlledMotion& motion);
 
 }  // namespace beeline::internal

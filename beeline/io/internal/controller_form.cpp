@@ -7,36 +7,6 @@
 #include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline::internal {
-namespace {
-
-/// Whether all times are doubles nearest to whole nanoseconds, as ROS holds them.
-bool in_whole_nanoseconds(const Trajectory& trajectory) {
-  return std::all_of(trajectory.times.begin(), trajectory.times.end(),
-                     [](double time) { return std::round(time * 1e9) / 1e9 == time; });
-}
-
-std::string polynomials(const Trajectory& trajectory) {
-  if (trajectory.velocities.empty()) return "straight lines";
-  return trajectory.accelerations.empty() ? "cubic polynomials" : "quintic polynomials";
-}
-
-std::string ros2_proof(const Trajectory& samples, bool resampled) {
-  const std::string plays =
-      "a joint_trajectory_controller with its default interpolation method plays the " +
-      polynomials(samples) + " between these points";
-  if (resampled) {
-    return "the samples; " + plays +
-           ", which differ from the trajectory's; `beeline check` of a .json export proves them";
-  }
-  if (!in_whole_nanoseconds(samples)) {
-    return "all except the rounding of times to nanoseconds; " + plays +
-           "; `beeline check` of a .json export proves them";
-  }
-  return "all; " + plays + ", the same motion as the trajectory";
-}
-
-}  // namespace
-
 const std::vector<FormDescription>& controller_forms() {
   static const std::vector<FormDescription> forms{
       {ControllerForm::ros2, {"yaml", "yml", "json"}, false},
@@ -72,25 +42,6 @@ void check_rate_in(const FormDescription& form, const std::optional<double>& rat
         "the rate of servoj setpoints must be 500 / n Hz, such as 500, 250, 125 or 100, not " +
             number(*rate) + ": each lasts n control cycles of 2 ms (CB3 series: 8 ms, 125 / n)");
   }
-}
-
-std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool resampled) {
-  switch (form) {
-    case ControllerForm::ros2:
-      return ros2_proof(samples, resampled);
-    case ControllerForm::urscript:
-      return "the setpoints; the controller interpolates and filters them (lookahead_time, gain), "
-             "and follows with a delay";
-    case ControllerForm::rapid:
-      return "only the positions of the samples; the controller plans the motion between "
-             "them again and rounds those at which it does not stop (zone z1)";
-    case ControllerForm::krl:
-      return "only the positions of the samples; the controller plans the motion between "
-             "them again, at 10 % speed, and rounds those with C_PTP";
-    case ControllerForm::csv:
-      return "the setpoints; the motion between them is the controller's";
-  }
-  return "";
 }
 
 std::string note_on_form(const FormDescription& form, const Trajectory& samples) {

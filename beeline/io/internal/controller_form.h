@@ -17,8 +17,7 @@ const std::vector<FormDescription>& controller_forms();
 void check_arm_in(const FormDescription& form, const Arm& arm);
 void check_rate_in(const FormDescription& form, const std::optional<double>& rate);
 
-/// Returns the sentences of ControllerFile::proof and ::note.
-std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool resampled);
+/// Returns ControllerFile::note.
 std::string note_on_form(const FormDescription& form, const Trajectory& samples);
 
 }  // namespace beeline::internal

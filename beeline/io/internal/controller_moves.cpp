@@ -40,8 +40,8 @@ void set_rates(const Arm& arm, const Trajectory& trajectory, const PlannedMove& 
   move.joint_acceleration = std::max(move.joint_acceleration, least_acceleration);
 }
 
-/// Rounded up to three digits after the decimal point, so that a speed is not slower.
-std::string rounded_up(double value) { return fixed_point(std::ceil(value * 1e3) / 1e3, 3); }
+/// In thousandths, rounded up: what the planned motion needs is not cut.
+std::string in_thousandths(double value) { return fixed_point(std::ceil(value * 1e3) / 1e3, 3); }
 
 /// A speed that a program states is not exceeded.
 std::string metres_per_second(double speed) {
@@ -135,12 +135,12 @@ std::string urscript_moves(const MoveSource& source) {
                      urscript_approach(source.start);
   for (const ControllerMove& move : source.moves) {
     const std::string rates =
-        ", a=" + rounded_up(move.acceleration) + ", v=" + metres_per_second(move.speed);
+        ", a=" + in_thousandths(move.acceleration) + ", v=" + metres_per_second(move.speed);
     const std::string blend = ", r=" + fixed_point(move.blend_radius, 6);
     const std::string target = pose_in_base(source.frames, move.target);
     if (move.kind == MoveKind::joint) {
-      text += "  movej(" + radians_of(move.q) + ", a=" + rounded_up(move.joint_acceleration) +
-              ", v=" + rounded_up(move.joint_speed) + ")\n";
+      text += "  movej(" + radians_of(move.q) + ", a=" + in_thousandths(move.joint_acceleration) +
+              ", v=" + in_thousandths(move.joint_speed) + ")\n";
     } else if (move.kind == MoveKind::arc) {
       text += "  movec(" + pose_in_base(source.frames, move.via) + ", " + target + rates + blend +
               ", mode=0)\n";

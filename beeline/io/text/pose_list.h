@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <beeline/error.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {
@@ -121,11 +122,51 @@ std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {}
 /// or a comment before it (# units: mm, deg) gives another one. Throws FileError for a column that
 /// is missing or unknown, as pose_of(), for a pose farther away than 1e100 m, and for a comment
 /// that contradicts degrees or millimetres of `format`, gives a unit that is not read, or is not
-/// clear about the units of columns without one.
+/// clear about the units of columns without one. notes_on() has the notes on their units.
 PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
                         const PoseFormat& format = {});
+
+/// Kinds of PoseNote.
+enum class PoseNoteKind {
+  no_header,             ///< the table has no header; its columns are read as `columns`
+  likely_degrees,        ///< an angle of `value` rad is more than a revolution
+  long_rotation_vector,  ///< a rotation vector of `value` rad is more than a revolution
+  likely_millimetres,    ///< a position `value` m away is rather in millimetres
+};
+std::string name(PoseNoteKind kind);
+
+/// How poses were read where their text does not say, or what their numbers suggest. Python and the
+/// command warn of it; the readers of C++ return poses alone, and notes_on() has the notes.
+struct PoseNote {
+  PoseNoteKind kind = PoseNoteKind::no_header;  ///< kind of the note
+  std::vector<std::string> columns = {};        ///< names of the columns
+  double value = 0;                             ///< the angle, rad, or the distance, m
+};
+
+/// Returns the notes on poses that were read in this format: on a missing header and on the largest
+/// angle and, with the sphere of Arm::reach() of the arm that is to reach the poses, on the first
+/// position that is rather in millimetres:
+///     for (const PoseNote& note : notes_on(poses, format, arm.reach())) {
+///       std::cerr << sentence(note, "poses.csv") << '\n';
+///     }
+std::vector<PoseNote> notes_on(const PoseList& list, const PoseFormat& format = {},
+                               const std::optional<Arm::Reach>& sphere = std::nullopt);
+
+/// The note on the largest angle of one pose, WrittenPose::max_angle, or of one joint value, rad;
+/// none if it is plausible.
+std::optional<PoseNote> angle_note(double angle, std::optional<PoseForm> form = std::nullopt,
+                                   const PoseFormat& format = {});
+
+/// The note on the position of one pose that is to be reached; none if it is plausible.
+std::optional<PoseNote> distance_note(const Arm::Reach& sphere, const Pose& pose,
+                                      const PoseFormat& format = {});
+
+/// Returns one sentence without a full stop, which begins with `where`, the name of the file or of
+/// the argument. It says which option reads the numbers otherwise.
+std::string sentence(const PoseNote& note, const std::string& where,
+                     OptionStyle style = OptionStyle::keyword);
 
 /// Parses a pose from numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});

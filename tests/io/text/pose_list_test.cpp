@@ -69,10 +69,11 @@ TEST(PoseList, DegreesTouchAnglesOnly) {
 TEST(PoseList, MistakesAreNamed) {
   const auto read = [](const char* text) { return poses_from_csv(text, "a.csv"); };
   const std::string forms = "poses are x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
-  EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv:1: column y is missing; " + forms);
-  EXPECT_REFUSED(read("y\n1\n"), "column x, theta is missing; " + forms);
+  EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv:1: column y is missing beside x, theta; " + forms);
+  EXPECT_REFUSED(read("y\n1\n"), "columns x, theta are missing beside y; " + forms);
   EXPECT_REFUSED(read("x,y,z,qw,qx,qz\n1,2,3,1,0,0\n"), "column qy is missing");
-  EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"), "column pitch, yaw is missing");
+  EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"),
+                 "columns pitch, yaw are missing beside x, y, z, roll");
   EXPECT_REFUSED(read("x,y,z,theta\n1,2,3,1\n"), "column z does not belong to x, y, theta");
   EXPECT_REFUSED(read("x,y,theta,speed\n1,2,3,1\n"), "unknown column \"speed\"; " + forms);
   EXPECT_REFUSED(read("x;y;theta\n1\n"), "a.csv:2: this row has 1 items; the header has 3");
@@ -190,6 +191,41 @@ TEST(PoseList, DegreesBecomeRadians) {
   EXPECT_EQ(to_radians(180, AngleUnit::degrees), std::numbers::pi);
   EXPECT_EQ(to_radians(90, AngleUnit::degrees), std::numbers::pi / 2);
   EXPECT_EQ(to_radians(1.25, AngleUnit::radians), 1.25);
+}
+
+TEST(PoseNotes, SayWhatTheNumbersSuggest) {
+  const auto notes = [](const std::string& text, const PoseFormat& format,
+                        const std::optional<Arm::Reach>& sphere = std::nullopt) {
+    const PoseList list = poses_from_csv(text, "a.csv", format);
+    std::vector<std::string> said;
+    for (const PoseNote& note : notes_on(list, format, sphere)) {
+      said.push_back(name(note.kind) + " " + sentence(note, "a.csv"));
+    }
+    return said;
+  };
+  using Said = std::vector<std::string>;
+  const Arm::Reach reach{.centre = {0, 0, 0}, .radius = 1};
+  const std::string header = "x,y,z,roll,pitch,yaw\n";
+  EXPECT_EQ(notes(header + "1,2,3,0.1,0.2,6\n", {}, reach), Said());
+  EXPECT_EQ(
+      notes("1,2,3,0,0,0\n", {}),
+      Said{"no_header a.csv has no header; its columns are read as x, y, z, roll, pitch, yaw"});
+  EXPECT_EQ(notes(header + "1,2,3,0,0,-90\n1,2,3,0,0,4\n", {}),
+            Said{"likely_degrees a.csv: an angle of -90 rad is more than a revolution; "
+                 "angle_unit=\"degrees\" reads degrees"});
+  EXPECT_EQ(notes(header + "1,2,3,0,0,-90\n", {.angle_unit = AngleUnit::degrees}), Said());
+  EXPECT_EQ(notes("x,y,z,rx,ry,rz\n1,2,3,0,0,90\n", {.angle_unit = AngleUnit::degrees}),
+            Said{"long_rotation_vector a.csv: a rotation vector of 90 rad is more than a "
+                 "revolution; rx, ry, rz are in radians"});
+  const std::string far = header + "0,0,0,0,0,0\n0,500,0,0,0,0\n0,600,0,0,0,0\n";
+  EXPECT_EQ(notes(far, {}), Said());
+  EXPECT_EQ(notes(far, {}, reach),
+            Said{"likely_millimetres a.csv: a position 500 m away is rather in millimetres; "
+                 "millimetres=True reads millimetres"});
+  EXPECT_EQ(notes(far, {.millimetres = true}, reach), Said());
+  EXPECT_EQ(
+      sentence({.kind = PoseNoteKind::likely_degrees, .value = 7}, "--pose", OptionStyle::command),
+      "--pose: an angle of 7 rad is more than a revolution; --degrees reads degrees");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ import type { Ghost } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import { ControlRuns, type ControlKind, type ControlTask } from "./control_runs.js";
 import { reducedMotion } from "./rest.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 
 const duration = 2000; // milliseconds of a run, at most
 const glide = 500; // milliseconds from where the arm is to where it starts
@@ -16,7 +16,7 @@ const frame = 30; // milliseconds of a step, at least
 
 /** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
  * gains while they move. */
-export class Control implements SectionPanel {
+export class Control implements PageSection {
   readonly root = element("div", { class: "panel" });
   private readonly gains = new GainsPanel((key, value) => {
     this.interrupt();

@@ -6,7 +6,7 @@ import { unitOf } from "../elements/units.js";
 import type { InverseAnswer } from "../panels/solutions.js";
 import type { Hand } from "../scene/picture.js";
 import { Rest } from "./rest.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 
 /** What the hand does in the picture: the tool is dragged, and slides along the border where it cannot go; links turn
  * their joints within the limits. Beside the tool stands the reason. */
@@ -18,7 +18,7 @@ export class Holding implements Hand {
 
   constructor(
     private readonly services: Services,
-    private readonly section: () => SectionPanel | undefined,
+    private readonly section: () => PageSection | undefined,
   ) {}
 
   take(shown: Shown): void {

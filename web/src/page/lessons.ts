@@ -4,7 +4,7 @@ import { exercises, type Exercise, type ExerciseContext } from "../lessons/exerc
 import { lessons, type Lesson } from "../lessons/lessons.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
 import { lessonFigures, type LessonFigure } from "./lesson_figures.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 
 /** The arm of a state, and how it is shown. */
 function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
@@ -12,7 +12,7 @@ function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllip
 }
 
 /** The chapter as lessons: text, equations, links that set the arm, exercises that are checked. */
-export class LessonsSection implements SectionPanel {
+export class LessonsSection implements PageSection {
   readonly root = element("div", { class: "panel lessons" });
   private readonly text = element("article", { "aria-live": "polite" });
   private readonly list = element("nav", { "aria-label": "Lessons" });

@@ -9,13 +9,13 @@ import type { PageState } from "../state/page_state.js";
 import { MotionPlayer } from "./motion_player.js";
 import { Recording } from "./recording.js";
 import { Rest } from "./rest.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 import { Work } from "./work.js";
 
 const rate = 100; // samples a second of a planned motion
 
 /** Waypoints, and the line through them: planned and proved in the page whenever they change. A recording stands apart. */
-export class LineSection implements SectionPanel {
+export class LineSection implements PageSection {
   readonly root = element("div", { class: "panel" });
   readonly recording: Recording;
   private readonly intro = element(

@@ -40,7 +40,7 @@ import { LineSection } from "./line.js";
 import { Opening } from "./opening.js";
 import { Overlays } from "./overlays.js";
 import { Rest } from "./rest.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 import { helpDialog, settingsDialog } from "./settings.js";
 import { ShareDialog } from "./share_dialog.js";
 import { Toolbar } from "./toolbar.js";
@@ -69,7 +69,7 @@ async function stateAt(hash: string): Promise<PageState> {
 
 /** The page: its state, the arm that it shows, and a panel for each section. */
 export class Page {
-  private readonly panels: Map<Section, SectionPanel>;
+  private readonly sections: Map<Section, PageSection>;
   private readonly links: Map<Section, HTMLElement>;
   private readonly services: Services;
   private readonly overlays = new Overlays();
@@ -126,13 +126,13 @@ export class Page {
       meshes.root,
     );
     this.files = new ArmFiles(core, store, this.chooser, meshes);
-    this.holding = new Holding(this.services, () => this.panels.get(store.get().section));
+    this.holding = new Holding(this.services, () => this.sections.get(store.get().section));
     this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
     this.toolbar = new Toolbar(store);
     this.line = new LineSection(this.services);
     this.lessons = new LessonsSection(this.services, (text) => core.arm(text));
     this.welcome = welcome((section) => this.turnTo(section));
-    this.panels = new Map<Section, SectionPanel>([
+    this.sections = new Map<Section, PageSection>([
       ["control", new Control(this.services)],
       ["line", this.line],
       ["workspace", new Workspace(this.services)],
@@ -188,8 +188,8 @@ export class Page {
     const settings = settingsDialog(this.store);
     const help = helpDialog();
     const share = new ShareDialog(this.services, () => this.shown);
-    const panels = [...this.panels.values()].map(({ root }) => root);
-    place("side").replaceChildren(this.chooser.notes, this.welcome, ...panels, this.armPanel.root);
+    const roots = [...this.sections.values()].map(({ root }) => root);
+    place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
     place("sections").replaceChildren(...this.links.values());
     place("bar").replaceChildren(
@@ -302,7 +302,7 @@ export class Page {
     const picture: Picture = make ? new make(parts) : new PlanarPicture(parts);
     this.shown = { arm, description, picture };
     this.chooser.show(description.name);
-    for (const taker of [this.overlays, this.holding, this.toolbar, this.armPanel, ...this.panels.values(), this.files])
+    for (const taker of [this.overlays, this.holding, this.toolbar, this.armPanel, ...this.sections.values(), this.files])
       taker.take(this.shown);
     this.document.title = `${description.name} – Beeline`;
     const { q, goal, waypoints } = this.store.get();
@@ -318,17 +318,17 @@ export class Page {
     this.valid = { arm, q, goal, waypoints };
     this.overlays.update(q, state);
     this.armPanel.update(q, changed);
-    this.panels.get(section)?.update(q, changed);
+    this.sections.get(section)?.update(q, changed);
   }
 
   private showSections(): void {
     const { section } = this.store.get();
     if (section === this.showing) return;
-    if (this.showing) this.panels.get(this.showing)?.leave();
+    if (this.showing) this.sections.get(this.showing)?.leave();
     if (this.showing) this.welcome.hidden = true;
     this.overlays.clear();
     this.showing = section;
-    for (const [name, { root }] of this.panels) root.hidden = name !== section;
+    for (const [name, { root }] of this.sections) root.hidden = name !== section;
     for (const [name, link] of this.links) {
       if (name === section) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");

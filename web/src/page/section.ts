@@ -30,8 +30,8 @@ export interface Services {
   draw(marks: SectionMarks): void;
 }
 
-/** A section of the page: a panel beside the picture. */
-export interface SectionPanel {
+/** A section of the page, beside the picture; its parts are in panels/. */
+export interface PageSection {
   readonly root: HTMLElement;
   /** Takes another arm. */
   take(shown: Shown): void;

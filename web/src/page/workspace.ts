@@ -15,7 +15,7 @@ import { grouped, ReachForm } from "../panels/reach_form.js";
 import { ReachPosition } from "../panels/reach_position.js";
 import { shade } from "../scene/colour_scale.js";
 import type { PageState } from "../state/page_state.js";
-import type { SectionPanel, Services, Shown } from "./section.js";
+import type { PageSection, Services, Shown } from "./section.js";
 import { toolAt } from "./tool_at.js";
 
 const darkest = 0.3; // of the scale, for a surface that is seen on a dark ground
@@ -28,7 +28,7 @@ function solid(values: Float32Array, level: number): Float32Array {
 }
 
 /** A map of what the arm can do at the centres of cells, computed in the worker: its isosurface and its slices. */
-export class Workspace implements SectionPanel {
+export class Workspace implements PageSection {
   readonly root = element("div", { class: "panel" });
   private readonly form: ReachForm;
   private readonly totals = element("p", { role: "status" });

@@ -158,10 +158,16 @@ const PoseColumns& pose_columns_of(const Names& header) {
   }
   const Names missing = missing_from(header, nearest->names);
   const Names extra = missing_from(nearest->names, header);
+  const auto columns = [](const Names& names, const char* one, const char* several) {
+    return (names.size() == 1 ? "column " : "columns ") + listed(names) +
+           (names.size() == 1 ? one : several);
+  };
   if (!missing.empty()) {
-    throw Error("column " + listed(missing) + " is missing" + known);
+    throw Error(columns(missing, " is missing", " are missing") + " beside " + listed(header) +
+                known);
   }
-  throw Error("column " + listed(extra) + " does not belong to " + listed(nearest->names) + known);
+  throw Error(columns(extra, " does not", " do not") + " belong to " + listed(nearest->names) +
+              known);
 }
 
 ColumnsInUnits known_columns(const Names& header) {
