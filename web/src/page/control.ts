@@ -2,12 +2,12 @@ import { middle, type ArmDescription } from "../core/description.js";
 import { toolPose } from "../core/pose.js";
 import { iconButton } from "../elements/button.js";
 import { element } from "../elements/element.js";
+import { reducedMotion } from "../elements/motion.js";
 import { GainsPanel } from "../panels/gains.js";
 import { StepChart } from "../panels/step_chart.js";
 import type { Ghost } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import { ControlRuns, type ControlKind, type ControlTask } from "./control_runs.js";
-import { reducedMotion } from "./rest.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 
 const duration = 2000; // milliseconds of a run, at most
@@ -55,6 +55,7 @@ export class Control implements SectionPanel {
       this.runs.root,
       element("p", { class: "pair" }, goal, this.back),
       this.gains.root,
+      this.chart.words,
       this.chart.root,
     );
   }

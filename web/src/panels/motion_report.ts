@@ -1,12 +1,12 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
-import type { Branch } from "./branch_map.js";
 import { element, shown, table } from "../elements/element.js";
+import type { Branch } from "./branch_map.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
-export interface LineAnswer {
+export interface LineAnswer extends Reason {
   status: string;
-  reason: string;
   duration?: number | null;
   samples?: number;
   waypoints: number;
@@ -52,13 +52,18 @@ export function exceedsLimits({ limits = {} }: LineAnswer): boolean {
 }
 
 /** Status, reason, deviation measured and proved, use of the limits. What exceeds a limit is red, and not reached. */
-export function planReport(answer: LineAnswer, joints: JointDescription[]): HTMLElement {
+export function planReport(answer: LineAnswer, joints: JointDescription[], wording: Wording): HTMLElement {
   const time = answer.duration == null ? "" : `, ${shown(answer.duration, 2)} s`;
   const exceeds = exceedsLimits(answer);
-  const status = exceeds && answer.status === "reached" ? "exceeds the limits" : answer.status;
-  const good = status === "reached";
+  const good = !exceeds && ["reached", "passed"].includes(answer.status);
+  const status = exceeds && answer.status === "reached" ? "exceeds the limits" : answer.status.replaceAll("_", " ");
   const parts: HTMLElement[] = [
-    element("p", {}, element("strong", { class: good ? "good" : "over" }, status), `${time}. ${answer.reason}`),
+    element(
+      "p",
+      {},
+      element("strong", { class: good ? "good" : "over" }, status),
+      `${time}. ${reasonInWords(answer, wording)}`,
+    ),
   ];
   const proof = proofInWords(answer);
   if (good && proof !== "") parts.unshift(element("p", { class: "proof" }, proof));
