@@ -1,6 +1,7 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
 import { element, shown, table } from "../elements/element.js";
+import { unitOf } from "../elements/units.js";
 import type { Branch } from "./branch_map.js";
 import { reasonInWords, type Reason, type Wording } from "./reasons.js";
 
@@ -96,7 +97,7 @@ export function planReport(answer: LineAnswer, joints: JointDescription[], wordi
     );
     used.forEach(({ fraction }, i) => made.tBodies[0]?.rows[i]?.classList.toggle("over", fraction > 1 + rounding));
     tables.push(element("div", { class: "wide" }, made));
-    const assumedHere = assumptions(used, joints);
+    const assumedHere = assumptions(used, joints, wording.degrees);
     if (assumedHere !== "") parts.push(element("p", { class: "quiet" }, assumedHere));
   }
   const folded = element("details", { open: exceeds }, element("summary", {}, "Deviation and limits"), ...tables);
@@ -110,14 +111,19 @@ function proofInWords({ deviation_bound: bound }: LineAnswer): string {
 }
 
 /** Which limits are not published for the arm, and what is assumed instead. */
-function assumptions(used: { name: string; joint: string; assumed?: boolean }[], joints: JointDescription[]): string {
+function assumptions(
+  used: { name: string; joint: string; assumed?: boolean }[],
+  joints: JointDescription[],
+  degrees: boolean,
+): string {
   const assumed = used.filter((use) => use.assumed === true);
   if (assumed.length === 0) return "";
   const values = assumed.flatMap(({ name, joint }) => {
     const { assumed: here, type } = joints.find((one) => one.name === joint) ?? {};
     const value = name === "velocity" || name === "acceleration" ? here?.[name] : undefined;
-    const unit = `${type === "prismatic" ? "m" : "rad"}/s${name === "acceleration" ? "²" : ""}`;
-    return value === undefined ? [] : `${shown(value, 2).replace(/\.?0+$/, "")} ${unit}`;
+    const unit = unitOf(type ?? "revolute", degrees);
+    const per = name === "acceleration" ? "/s²" : "/s";
+    return value === undefined ? [] : `${shown(value * unit.factor, 2).replace(/\.?0+$/, "")} ${unit.name}${per}`;
   });
   const names = new Intl.ListFormat("en").format(assumed.map(({ name }) => name));
   return `No limits of ${names} are published for this arm; ${values.join(" and ")} ${values.length > 1 ? "are" : "is"} assumed.`;

@@ -166,9 +166,10 @@ export class ArmFigure extends Group {
     this.glow.color = this.link.color.clone().lerp(colour(jointColour(this.lit ?? 0)), lightness);
   }
 
-  /** Shows the link and the symbol of its joint, which turns it, in the joint's colour; null: none. */
-  light(joint: number | null): void {
-    if (joint === this.lit) return;
+  /** Shows the link and the symbol of its joint, which turns it, in the joint's colour; null: none. Returns whether
+   * it looks different now. */
+  light(joint: number | null): boolean {
+    if (joint === this.lit) return false;
     this.lit = joint;
     this.paint();
     const dress = (part: Group, k: number, plain: Material): void => {
@@ -176,6 +177,7 @@ export class ArmFigure extends Group {
     };
     for (const parts of [this.tubes, this.bends]) parts.forEach((part, i) => dress(part, jointAt(i), this.link));
     this.symbols.forEach((symbol, k) => dress(symbol, k, this.white));
+    return true;
   }
 
   /** Makes a ghost of another tone. */

@@ -24,8 +24,7 @@ export class Hover {
     if (pointed) this.canvas.dataset["hold"] = pointed.what;
     else delete this.canvas.dataset["hold"];
     this.overlay.point(this.wordOf(pointed), mouse, pointed && "at" in pointed ? pointed.at : null);
-    this.figure.light(pointed?.what === "link" ? pointed.joint : null);
-    this.changed();
+    if (this.figure.light(pointed?.what === "link" ? pointed.joint : null)) this.changed();
   }
 
   private wordOf(pointed: Pointed | null): string {
