@@ -76,14 +76,9 @@ test("Help links to the documentation where the page stands in it", async () => 
   await page.getByText("this page (docs/howto/page.md)").waitFor();
   const context = await there().browser.newContext();
   const other = await context.newPage();
-  await other.route("**/*", async (route) => {
-    const answer = await route.fetch();
-    const html = answer.headers()["content-type"] === "text/html";
-    await route.fulfill(
-      html
-        ? { response: answer, body: (await answer.text()).replace("<body", '<body data-docs="."') }
-        : { response: answer },
-    );
+  await other.route(there().address, async (route) => {
+    const html = await (await route.fetch()).text();
+    await route.fulfill({ contentType: "text/html", body: html.replace("<body", '<body data-docs="."') });
   });
   await other.goto(there().address);
   await other.getByRole("button", { name: "Help" }).click();

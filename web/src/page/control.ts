@@ -13,6 +13,7 @@ import type { SectionPanel, Services, Shown } from "./section.js";
 const duration = 2000; // milliseconds of a run, at most
 const glide = 500; // milliseconds from where the arm is to where it starts
 const frame = 30; // milliseconds of a step, at least
+const longest = 0.2; // of a motion, from picture to picture
 
 /** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
  * gains while they move. */
@@ -155,11 +156,13 @@ export class Control implements SectionPanel {
     });
   }
 
-  /** Calls `show` with fractions of the time from 0 to 1, until another motion begins. */
+  /** Calls `show` with fractions of the time from 0 to 1, until another motion begins. A slow browser shows the way too. */
   private async animate(length: number, turn: number, show: (fraction: number) => void): Promise<void> {
     const begin = performance.now();
+    let next = 0;
     while (turn === this.playing) {
-      const fraction = reducedMotion() ? 1 : Math.min(1, (performance.now() - begin) / length);
+      const fraction = reducedMotion() ? 1 : Math.min(1, next, (performance.now() - begin) / length);
+      next = fraction + longest;
       show(fraction);
       if (fraction === 1) return;
       await new Promise((resolve) => requestAnimationFrame(resolve));
