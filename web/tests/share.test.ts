@@ -32,9 +32,11 @@ test("the browser's Back returns to the section and the arm before", async () =>
   await page.getByRole("link", { name: "Control", exact: true }).click();
   await expect.poll(() => page.url()).toContain("section=control");
   await chooseArm(page, "panda");
-  await expect.poll(() => page.url()).toContain("arm=panda");
+  await expect.poll(() => shownArm(page)).toBe("panda");
+  await expect.poll(() => page.url()).toContain("arm=panda&q="); // the last that is written
   await page.goBack();
   await expect.poll(() => shownArm(page)).toBe("rrr");
+  await expect.poll(() => page.url()).toContain("arm=rrr");
   await page.goBack();
   await page.locator('#sections a[aria-current="page"]', { hasText: "Pose" }).waitFor();
   await page.goForward();

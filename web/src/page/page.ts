@@ -141,6 +141,7 @@ export class Page {
     this.links = new Map(sections.map((name) => [name, this.link(name)]));
     this.build();
     store.subscribe((_, changed) => this.changed(changed));
+    document.defaultView?.addEventListener("popstate", () => this.address.forget());
     document.defaultView?.addEventListener("hashchange", ({ newURL }) => void this.readAddress(new URL(newURL).hash));
     document.addEventListener("keydown", (event) => this.key(event));
   }
