@@ -23,7 +23,8 @@ def main(web, html, text):
         text.write_text(MISSING)
         return
     html.parent.mkdir(parents=True, exist_ok=True)
-    html.write_text(document_of(beeline.arms.panda(), None, None), encoding="utf-8")
+    document = document_of(beeline.arms.panda(), None, None)
+    html.write_text(document.replace("<body>", '<body data-docs=".">', 1), encoding="utf-8")  # Help links to the pages
     text.write_text(FRAME.format(page=html.name))
 
 

@@ -16,6 +16,9 @@ const types: Record<string, string> = {
   wasm: "application/wasm",
 };
 
+/** How many times slower than it is the processor of each page is made: SLOW=8 finds tests that depend on time. */
+export const slow = Number(process.env["SLOW"] ?? 1);
+
 /** The built page on a server of this computer, and a real browser. */
 export interface Visit {
   address: string;
@@ -52,7 +55,10 @@ export async function visit(): Promise<Visit> {
       "--webgl-antialiasing-mode=none",
     ],
   });
-  browser.on("context", (context) => context.setDefaultTimeout(patience));
+  browser.on("context", (context) => {
+    context.setDefaultTimeout(patience);
+    if (slow > 1) context.on("page", (page) => void throttle(page));
+  });
   return {
     address: `http://127.0.0.1:${address.port}/`,
     browser,
@@ -61,6 +67,11 @@ export async function visit(): Promise<Visit> {
       server.close();
     },
   };
+}
+
+async function throttle(page: Page): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: slow });
 }
 
 /** What a page must not do: errors in its console, requests to other computers. */
@@ -149,11 +160,28 @@ export async function shared(page: Page, name: string): Promise<Download> {
   return download;
 }
 
-/** Where the picture shows the tool, in pixels of the window. */
+/** Waits for the next pictures of the page: all that was to be drawn is drawn. */
+export async function frames(page: Page, count = 2): Promise<void> {
+  await page.evaluate(`(async () => {
+    for (let i = 0; i < ${count}; ++i) await new Promise(requestAnimationFrame);
+  })()`);
+}
+
+/** Where the picture shows the tool, in pixels of the window, once the tool is at rest there. */
 export async function toolAt(page: Page): Promise<{ x: number; y: number }> {
-  await page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
   const stage = page.locator("#stage");
-  const [x = NaN, y = NaN] = ((await stage.getAttribute("data-tool")) ?? "").split(",").map(Number);
+  const text = await page.evaluate(`new Promise((done) => {
+    let [last, same] = ["", 0];
+    const look = () => {
+      const now = document.getElementById("stage").dataset.tool ?? "";
+      same = now !== "" && now === last ? same + 1 : 0;
+      last = now;
+      if (same > 2) done(now);
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  })`);
+  const [x = NaN, y = NaN] = String(text).split(",").map(Number);
   const box = await stage.boundingBox();
   return { x: x + (box?.x ?? NaN), y: y + (box?.y ?? NaN) };
 }
@@ -219,7 +247,7 @@ export async function touch(
       y: a.y + ((b.y - a.y) * i) / steps,
     }));
     await send(i === 0 ? "touchStart" : "touchMove", points);
-    await page.waitForTimeout(16);
+    await frames(page, 1);
   }
   await send("touchEnd", []);
   await session.detach();

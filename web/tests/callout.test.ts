@@ -43,7 +43,7 @@ test.each([
   const [a, b] = [now, to].map(({ x, y }) => world([x - (stage?.x ?? 0), y - (stage?.y ?? 0)]));
   const away = Math.hypot((a?.[0] ?? 0) - (b?.[0] ?? 0), (a?.[1] ?? 0) - (b?.[1] ?? 0));
   expect(Math.abs(said - away)).toBeLessThan(0.1);
-  expect(await covered(page, ".callout")).toBe(0);
+  await expect.poll(() => covered(page, ".callout")).toBe(0);
   await page.mouse.up();
 });
 
@@ -55,14 +55,14 @@ test("a pose that is typed out of reach: three digits, and no z in the plane", a
     .locator(".callout")
     .getByText(/^Out of reach by \d+\.\d{3} m: the nearest point is \(\d\.\d{3}, \d\.\d{3}\) m\.$/)
     .waitFor();
-  expect(await covered(page, ".callout")).toBe(0);
+  await expect.poll(() => covered(page, ".callout")).toBe(0);
 });
 
 test("the invitation covers nothing of the arm, and goes with the first thing that is done", async () => {
   const page = await opened("");
   const callout = page.locator(".callout");
   await callout.getByText("Drag the tool.").waitFor();
-  expect(await covered(page, ".callout")).toBe(0);
+  await expect.poll(() => covered(page, ".callout")).toBe(0);
   await page.getByRole("link", { name: "Control", exact: true }).click();
   await expect.poll(() => callout.isVisible()).toBe(false);
   const other = await opened("");
@@ -75,8 +75,8 @@ test("texts lie beside the arm, its handle and each other", async () => {
   for (const q of ["0.4,0.9,0.6", "0.1,0.2,0.1", "2.5,-0.4,0.3", "-1,2.2,-1.4"]) {
     const page = await opened(`#arm=rrr&q=${q}`, { width: 900, height: 700 });
     await toolAt(page);
+    await expect.poll(() => page.locator(".drawing .labels text").count()).toBe(4);
     const texts = await page.locator(".drawing .labels text").all();
-    expect(texts.length).toBe(4);
     const boxes = await Promise.all(texts.map((text) => text.boundingBox()));
     const knob = await page.locator(".handle .knob").boundingBox();
     const all = [...boxes, knob].map((box) => box ?? { x: NaN, y: NaN, width: NaN, height: NaN });

@@ -6,7 +6,7 @@ import { json } from "./native.js";
 let there: Visit;
 beforeAll(async () => {
   there = await visit();
-}, 60_000);
+});
 afterAll(() => there.close());
 
 const link = { a: "0", alpha: "0", d: "0", theta: "0", lower: "", upper: "", type: "revolute" as const };

@@ -114,9 +114,12 @@ test.each(lessons.map(({ id, title }) => [id, title]))("the lesson %s opens, and
   expect(found).toEqual([]);
   expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(360);
   for (const link of await page.locator("article a").all()) {
+    const address = (await link.getAttribute("href")) ?? "";
+    const section = /section=(\w+)/.exec(address)?.[1] ?? "lessons";
     await link.click();
-    await page.waitForTimeout(100);
-    if ((await page.locator("article").count()) === 0 || !(await page.locator("article").isVisible())) break;
+    await expect.poll(() => shownArm(page)).toBe(/arm=([^&]+)/.exec(address)?.[1] ?? "rrr");
+    await expect.poll(() => page.url()).toContain(`section=${section}`);
+    if (section !== "lessons") break;
   }
   expect(complaints).toEqual({ errors: [], requests: [] });
   await page.context().close();
@@ -210,7 +213,7 @@ test("a link inside a lesson leaves the waypoints and the units as they are", as
     "#arm=rrr&unit=rad&section=lessons&lesson=rrr&waypoints=1,2,0,1,0,0,0;2,1,0,1,0,0,0",
   );
   await page.getByRole("link", { name: "in two ways" }).click();
-  await expect.poll(() => page.url()).toContain("q=");
+  await expect.poll(() => page.url()).toContain("solutions=1");
   const words = new URL(page.url().replace("#", "?")).searchParams;
   expect(words.get("waypoints")).toBe("1,2,0,1,0,0,0;2,1,0,1,0,0,0");
   expect(words.get("unit")).toBe("rad");

@@ -46,7 +46,12 @@ test("the page of beeline view shows its arm, follows a program, and comes back 
   const shown = async (): Promise<number> => Number(await page.locator("#joint-0").inputValue());
   for (let i = 0; i <= 30; ++i) expect(await post([i / 30, -1, 1, 0, 1, 0])).toBe(204);
   await expect.poll(shown).toBeCloseTo(180 / Math.PI, 1);
-  await page.getByText("live", { exact: true }).waitFor();
+  await expect
+    .poll(async () => {
+      await post([1, -1, 1, 0, 1, 0]); // it is said for a while only
+      return page.getByText("live", { exact: true }).isVisible();
+    })
+    .toBe(true);
   await page.locator(".live").waitFor({ state: "hidden" }); // the program has stopped
 
   server.process.removeAllListeners("exit");

@@ -42,23 +42,33 @@ afterAll(async () => {
   server.close();
 });
 
+/** Keeps all sentences of the page about its stream in window.said: some are shown for a second only. */
+const log = `
+  window.said = [];
+  new MutationObserver(() => {
+    const text = document.querySelector(".live")?.textContent ?? "";
+    if (text !== window.said.at(-1)) window.said.push(text);
+  }).observe(document, { childList: true, characterData: true, subtree: true });`;
+
 test("the page says why the stream is refused, and follows once it is not", async () => {
   const page = await there.browser.newPage();
+  await page.addInitScript(log);
+  const said = (text: string) => page.waitForFunction(`window.said.includes(${JSON.stringify(text)})`);
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
-  await page.getByText("the server answers 503, next try in 1 s").waitFor();
-  await page.getByText("the server answers 503, next try in 2 s").waitFor();
+  await said("the server answers 503, next try in 1 s");
+  await said("the server answers 503, next try in 2 s");
   proxy.status = 200;
   await expect.poll(() => proxy.streams.size).toBe(1);
   for (const stream of proxy.streams) stream.write('event: joints\ndata: {"q": [0.5, 0, 0]}\n\n');
   const shown = async (): Promise<number> => Number(await page.locator("#joint-0").inputValue());
   await expect.poll(shown).toBeCloseTo(90 / Math.PI, 1);
-  await page.getByText("live", { exact: true }).waitFor();
+  await said("live");
 
   proxy.status = 502;
   for (const stream of proxy.streams) stream.destroy(); // the browser connects again, which is refused
-  await page.getByText("the server answers 502, next try in 1 s").waitFor();
+  await said("the server answers 502, next try in 1 s");
   proxy.status = 200;
   await page.locator(".live").waitFor({ state: "hidden" });
   expect(errors).toEqual([]);

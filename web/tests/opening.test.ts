@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { axe, chooseArm, jointValues, pages, shownArm, toolAt, toWorld } from "./browser.js";
+import { axe, chooseArm, frames, jointValues, pages, shownArm, toolAt, toWorld } from "./browser.js";
 import { json, run } from "./native.js";
 
 const { opened, there } = pages();
@@ -22,10 +22,10 @@ test("the page opens with an arm that draws the three lines of Figure 1.9, and h
   const moved = Number(await page.evaluate("window.tools[1][0]"));
   console.log(`first moved pixel after ${moved.toFixed(0)} ms`);
   await page.getByText("Drag the tool.").waitFor();
-  const world = await toWorld(page);
   const dots = async (): Promise<string[]> =>
     ((await page.locator(".trail .dots").getAttribute("d")) ?? "").match(/-?[\d.]+ -?[\d.]+/g) ?? [];
   await expect.poll(async () => (await dots()).length).toBe(200);
+  const world = await toWorld(page);
   const points = (await dots()).map((text) => world(text.split(" ").map(Number)));
   // The figure's motion: eq. 1.6 through the same poses.
   const poses = [
@@ -65,7 +65,7 @@ test("the page opens with an arm that draws the three lines of Figure 1.9, and h
   await page.mouse.move(from.x + 40, from.y - 30, { steps: 5 });
   await page.mouse.up();
   expect(await jointValues(page)).not.toEqual(before);
-  expect(await page.locator(".trail").count()).toBe(0);
+  await expect.poll(() => page.locator(".trail").count()).toBe(0);
   expect(await page.locator(".callout").isVisible()).toBe(false);
   await context.close();
 });
@@ -84,11 +84,11 @@ test("a hand stops the opening; with reduced motion there is none; a link has no
   await moving.waitForSelector(".trail");
   await moving.mouse.click(200, 300);
   const now = await jointValues(moving);
-  await moving.waitForTimeout(300);
+  await frames(moving, 15);
   expect(await jointValues(moving)).toEqual(now);
   await other.close();
   const linked = await opened("#arm=rrr&q=0.4,0.9,0.6");
-  await linked.waitForTimeout(300);
+  await frames(linked, 15);
   expect((await jointValues(linked))[1]).toBeCloseTo((0.9 * 180) / Math.PI, 1);
 });
 

@@ -2,7 +2,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { expect, test } from "vitest";
-import { axe, chooseArm, pages, shared, shownArm } from "./browser.js";
+import { axe, chooseArm, frames, pages, shared, shownArm } from "./browser.js";
 import { json } from "./native.js";
 
 interface Fk {
@@ -64,10 +64,24 @@ test("all solutions are listed as the command line finds them; a click goes ther
   expect(pose.matrix.length).toBe(4);
   expect(await list.count()).toBe(8);
   const wanted = numbers(await list.nth(3).textContent());
+  const before = await list.allTextContents();
   await list.nth(3).click();
   await expect
     .poll(async () => Number(await page.getByLabel("joint1, degrees", { exact: true }).inputValue()))
     .toBeCloseTo(wanted[0] ?? NaN, 0);
+  expect(await list.nth(3).getAttribute("aria-current")).toBe("true");
+  await frames(page, 30); // the list would be asked for again in this time
+  expect(await list.allTextContents()).toEqual(before);
+  expect(await page.locator('.solutions [aria-current="true"]').count()).toBe(1);
+});
+
+test("zero has no sign", async () => {
+  const page = await opened("#arm=RRP:1,1,1&q=-0.00000001,-0.00000001,-0.00000001");
+  const shown = await page
+    .locator(".arm-panel input[type=number]")
+    .evaluateAll((all) => all.map((one) => (one as unknown as { value: string }).value));
+  expect(shown.length).toBe(6);
+  for (const text of shown) expect(text).not.toMatch(/^[-−]0\.?0*$/);
 });
 
 test("a link shows the same arm in the same configuration in a fresh profile", async () => {
@@ -135,17 +149,17 @@ test("a line is planned, proved and played, with its branches", async () => {
   const bound = Number(number) * { nm: 1e-9, µm: 1e-6, mm: 1e-3 }[unit as "nm" | "µm" | "mm"];
   expect(bound).toBeGreaterThan(0.3 * native.deviation_bound);
   expect(bound).toBeLessThan(3 * native.deviation_bound + 1e-10); // rounded up
-  expect(await page.getByRole("button", { name: /^Branch \d/ }).count()).toBe(native.branches.length);
+  await expect.poll(() => page.getByRole("button", { name: /^Branch \d/ }).count()).toBe(native.branches.length);
   const rows = page.getByLabel("Branches").locator("li");
   for (const [i, branch] of native.branches.entries()) {
     const text = (await rows.nth(i).textContent()) ?? "";
     if (branch.status === "reached") expect(numbers(text + ".0")[0] ?? 0).toBeGreaterThanOrEqual(1);
-    else expect(text).toContain(`after ${(100 * branch.path_parameter).toFixed(0)} % of the path: ${branch.reason}`);
+    else expect(text).toContain(`after ${(100 * branch.path_parameter).toFixed(0)} % of the path. `);
   }
   await page.getByRole("button", { name: "Branch 2", exact: true }).click();
   await page.getByRole("button", { name: "Branch 2", exact: true, pressed: true }).waitFor();
   await page.getByText("Save motion.csv").waitFor();
-  expect(await rows.count()).toBe(native.branches.length);
+  await expect.poll(() => rows.count()).toBe(native.branches.length);
 });
 
 test("waypoints come from a file of poses; a wrong row is named", async () => {
@@ -235,9 +249,7 @@ test("joint curves stand beside their limits; a click on them goes to that time"
   const bar = page.getByLabel("Time, seconds");
   const end = Number(await bar.getAttribute("max"));
   await curves.getByRole("img").first().locator(".u-over").click();
-  const time = Number(await bar.inputValue());
-  expect(time).toBeGreaterThan(0.4 * end);
-  expect(time).toBeLessThan(0.6 * end);
+  await expect.poll(async () => Math.abs(Number(await bar.inputValue()) / end - 0.5)).toBeLessThan(0.1);
   await page.getByLabel("Quantity of the joint curves").selectOption("velocity");
   await expect.poll(() => curves.getByRole("img").first().getAttribute("aria-label")).toContain("rad/s");
   expect(await curves.getByRole("img").first().getAttribute("aria-label")).toContain("limits −3.14 to 3.14");
@@ -268,13 +280,13 @@ test("the saved page opens from a disk, without a network, and computes", async 
 });
 
 test.each([
-  ["#arm=ur5", { width: 1200, height: 900 }],
-  ["#arm=panda", { width: 360, height: 740 }],
-  ["#arm=rrr&section=control", { width: 360, height: 740 }],
-  ["#arm=ur5&section=line", { width: 1200, height: 900 }],
-])("%s is accessible and no wider than the screen", async (hash, size) => {
+  ["#arm=ur5", { width: 1200, height: 900 }, /8 solutions/],
+  ["#arm=panda", { width: 360, height: 740 }, /Infinitely many solutions/],
+  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space: .* reached/],
+  ["#arm=ur5&section=line", { width: 1200, height: 900 }, "Drag the tool to a pose"],
+])("%s is accessible and no wider than the screen", async (hash, size, complete) => {
   const page = await opened(hash, size);
-  await page.waitForTimeout(500);
+  await page.getByText(complete).waitFor();
   const found = await axe(page);
   expect(found).toEqual([]);
   const wide = await page.evaluate("document.documentElement.scrollWidth");

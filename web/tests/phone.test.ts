@@ -17,6 +17,7 @@ test.each(["pose", "control", "line", "workspace", "lessons"])(
   async (section) => {
     const page = await phone(`#arm=rrr&section=${section}&lesson=rrr`);
     const slider = page.getByLabel("joint3, degrees, slider");
+    if (section === "lessons") await page.locator("article h1").waitFor();
     await slider.scrollIntoViewIfNeeded();
     const [stage, row] = [await page.locator("#stage").boundingBox(), await slider.boundingBox()];
     expect(stage?.y).toBeGreaterThanOrEqual(0);
@@ -30,19 +31,50 @@ test.each(["pose", "control", "line", "workspace", "lessons"])(
   },
 );
 
+test.each(["rrr", "panda"])("on a phone all buttons of the picture of %s are seen, and large enough", async (arm) => {
+  const page = await phone(`#arm=${arm}`);
+  const names = arm === "rrr" ? ["Angles", "Whole arm"] : ["Turn", "Whole arm"];
+  for (const name of ["Frames", "Solutions", "Jacobian", "Ellipsoid", ...names]) {
+    const box = await page.locator("#tools").getByRole("button", { name, exact: true }).boundingBox();
+    expect(box?.x).toBeGreaterThanOrEqual(0);
+    expect((box?.x ?? NaN) + (box?.width ?? NaN)).toBeLessThanOrEqual(390);
+  }
+  await expect.poll(() => small(page)).toEqual([]);
+  await page.locator("#arm").click();
+  await expect.poll(() => small(page)).toEqual([]);
+  const [a, b] = [page.locator(".gallery li").nth(0), page.locator(".gallery li").nth(1)];
+  expect((await a.boundingBox())?.y).toBe((await b.boundingBox())?.y); // two columns
+  await page.context().close();
+});
+
+/** What can be touched and is less than 40 pixels high or wide. */
+function small(page: Page): Promise<string[]> {
+  return page.evaluate(`[...document.querySelectorAll("button, a, input, select, summary, textarea")]
+    .map((part) => {
+      const label = /checkbox|radio/.test(part.type) ? part.closest("label") : null;
+      return [part, (label ?? part).getBoundingClientRect()];
+    })
+    .filter(([part, { width, height }]) => part.checkVisibility() && width > 0 && (width < 40 || height < 40))
+    .filter(([part]) => !part.matches(".skip"))
+    .map(([part, { width, height }]) => [part.textContent || part.id, width, height].join(" "))`);
+}
+
 test("touch drags the tool and a link; two fingers magnify; the panel scrolls, the picture does not", async () => {
   const page = await phone("#arm=rrr&q=0.4,0.9,0.6");
   const from = await toolAt(page);
   const before = await jointValues(page);
   const to = { x: from.x - 40, y: from.y + 20 };
   await touch(page, [from, to]);
+  await expect.poll(() => jointValues(page)).not.toEqual(before);
+  await toolAt(page);
   const dragged = await jointValues(page);
-  expect(dragged).not.toEqual(before);
   const now = await toolAt(page);
   expect(Math.hypot(now.x - to.x, now.y - to.y)).toBeLessThan(6);
   const link = await page.locator('[data-grab="joint 0"]').boundingBox();
   const middle = { x: (link?.x ?? 0) + (link?.width ?? 0) / 2, y: (link?.y ?? 0) + (link?.height ?? 0) / 2 };
   await touch(page, [middle, { x: middle.x - 10, y: middle.y - 40 }]);
+  await expect.poll(async () => (await jointValues(page))[0]).not.toBe(dragged[0]);
+  await toolAt(page);
   const turned = await jointValues(page);
   expect(turned[0]).not.toBe(dragged[0]);
   expect(turned.slice(1)).toEqual(dragged.slice(1));

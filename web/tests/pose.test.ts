@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { chooseArm, drag, jointValues, pages, shared, toolAt } from "./browser.js";
+import { chooseArm, drag, jointValues, pages, shared, shownArm, toolAt } from "./browser.js";
 import { json, run } from "./native.js";
 
 const { opened, there } = pages();
@@ -132,12 +132,13 @@ test("a picture that the graphics card loses is announced and comes back", async
   await field(page, 0).press("Enter");
   await page.evaluate("window.lost.restoreContext()");
   await page.getByText("lost the picture").waitFor({ state: "detached" });
-  const colours = await page.evaluate(
-    "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => { const c = document.querySelector('#stage canvas');" +
-      "const d = document.createElement('canvas'); d.width = c.width; d.height = c.height; const g = d.getContext('2d'); g.drawImage(c, 0, 0);" +
-      "done(new Set(new Uint32Array(g.getImageData(0, 0, c.width, c.height).data.buffer)).size); })))",
-  );
-  expect(colours).toBeGreaterThan(20);
+  const colours = (): Promise<unknown> =>
+    page.evaluate(
+      "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => { const c = document.querySelector('#stage canvas');" +
+        "const d = document.createElement('canvas'); d.width = c.width; d.height = c.height; const g = d.getContext('2d'); g.drawImage(c, 0, 0);" +
+        "done(new Set(new Uint32Array(g.getImageData(0, 0, c.width, c.height).data.buffer)).size); })))",
+    );
+  await expect.poll(colours).toBeGreaterThan(20);
 });
 
 test("without WebAssembly the page says so", async () => {
@@ -154,7 +155,7 @@ test("a picture is saved as the command's drawing, of a spatial arm as it is see
   const native = run(["draw", "rrr", "--q=0.4,0.9,0.6", "--out=arm.svg"]).files["arm.svg"];
   expect(saved).toBe(native);
   await chooseArm(page, "panda");
-  await page.locator("#stage canvas").waitFor();
+  await expect.poll(() => page.url()).toMatch(/arm=panda&q=/);
   const spatial = readFileSync(await (await shared(page, "Drawing")).path(), "utf8");
   const q = new URL(page.url().replace("#", "?")).searchParams.get("q") ?? "";
   const [azimuth, elevation] = [-50, 25];
@@ -163,6 +164,7 @@ test("a picture is saved as the command's drawing, of a spatial arm as it is see
   expect(size(spatial)).toBe(size(run(["draw", "panda", `--q=${q}`, ...view, "--out=arm.svg"]).files["arm.svg"] ?? ""));
   for (const arm of ["panda", "rrr"]) {
     await chooseArm(page, arm);
+    await expect.poll(() => shownArm(page)).toBe(arm);
     const png = readFileSync(await (await shared(page, "Picture")).path());
     expect(png.subarray(1, 4).toString()).toBe("PNG");
     expect(png.length).toBeGreaterThan(10_000);

@@ -158,6 +158,12 @@ async function changed(page: Page, before: Buffer): Promise<number> {
 }
 
 const picture = (page: Page) => page.locator("#stage canvas").screenshot();
+/** Whether the picture is what it was; `now` gets what it is. */
+async function unchanged(page: Page, before: Buffer, now: (picture: Buffer) => void): Promise<boolean> {
+  const same = (await changed(page, before)) === 0;
+  now(await picture(page));
+  return same;
+}
 const totals = /\d+ of \d+ positions are reached/;
 
 test("a map is computed, shown as a surface and a slice, and cleared with the arm", async () => {
@@ -169,8 +175,9 @@ test("a map is computed, shown as a surface and a slice, and cleared with the ar
   const [surface, slice] = [page.getByLabel("Surface", { exact: true }), page.getByLabel("Slice", { exact: true })];
   await surface.uncheck();
   await slice.uncheck();
-  await page.waitForTimeout(500);
-  const empty = await picture(page);
+  await expect.poll(() => page.locator(".colours").isVisible()).toBe(false); // nothing has its colours
+  let empty = await picture(page);
+  await expect.poll(() => unchanged(page, empty, (now) => (empty = now))).toBe(true);
   for (const part of [surface, slice]) {
     await part.check();
     await expect.poll(() => changed(page, empty)).toBeGreaterThan(0.1);

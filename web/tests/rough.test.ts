@@ -1,7 +1,7 @@
 import { deflateRawSync } from "node:zlib";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { chooseArm, pages, shownArm } from "./browser.js";
+import { chooseArm, frames, pages, shownArm } from "./browser.js";
 
 const { opened, there } = pages();
 
@@ -148,6 +148,11 @@ test("a pose beyond all numbers is refused, and of two arms dropped the later is
   await x.press("Enter");
   await page.getByText("above 1e100 m").waitFor();
   await page.evaluate(`
+    window.read = 0;
+    const { text } = File.prototype;
+    File.prototype.text = function () {
+      return text.call(this).finally(() => ++window.read);
+    };
     const drop = (name, text) => {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File([text], name));
@@ -156,6 +161,7 @@ test("a pose beyond all numbers is refused, and of two arms dropped the later is
     drop("first.json", " ".repeat(15_000_000) + "{}");
     drop("later.json", "[]");`);
   await page.getByText("later.json").first().waitFor();
-  await page.waitForTimeout(1000);
+  await page.waitForFunction("window.read === 2");
+  await frames(page);
   expect(await page.getByText("first.json").count()).toBe(0);
 });

@@ -15,7 +15,6 @@ test("undo and redo go back and forth, one gesture at a time, by buttons and by 
     const from = await toolAt(page);
     await drag(page, from, { x: from.x + dx, y: from.y + dy });
     states.push(await jointValues(page));
-    await page.waitForTimeout(600);
   }
   await undo?.click();
   expect(await jointValues(page)).toEqual(states[1]);
@@ -33,9 +32,11 @@ test("the browser's Back returns to the section and the arm before", async () =>
   await page.getByRole("link", { name: "Control", exact: true }).click();
   await expect.poll(() => page.url()).toContain("section=control");
   await chooseArm(page, "panda");
-  await expect.poll(() => page.url()).toContain("arm=panda");
+  await expect.poll(() => shownArm(page)).toBe("panda");
+  await expect.poll(() => page.url()).toContain("arm=panda&q="); // the last that is written
   await page.goBack();
   await expect.poll(() => shownArm(page)).toBe("rrr");
+  await expect.poll(() => page.url()).toContain("arm=rrr");
   await page.goBack();
   await page.locator('#sections a[aria-current="page"]', { hasText: "Pose" }).waitFor();
   await page.goForward();
@@ -62,6 +63,31 @@ test("a link and a frame show the same arm in the same configuration", async () 
   await context.close();
 });
 
+test("Share says beside the button that the link is copied", async () => {
+  const page = await opened("#arm=rrr&q=0.25,0.5,0.125");
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.getByRole("button", { name: "Share" }).click();
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByText("Link copied").waitFor();
+  expect(await page.evaluate("navigator.clipboard.readText()")).toBe(await page.locator("#share-link").inputValue());
+});
+
+test("Help links to the documentation where the page stands in it", async () => {
+  const page = await opened("#arm=rrr");
+  await page.getByRole("button", { name: "Help" }).click();
+  await page.getByText("this page (docs/howto/page.md)").waitFor();
+  const context = await there().browser.newContext();
+  const other = await context.newPage();
+  await other.route(there().address, async (route) => {
+    const html = await (await route.fetch()).text();
+    await route.fulfill({ contentType: "text/html", body: html.replace("<body", '<body data-docs="."') });
+  });
+  await other.goto(there().address);
+  await other.getByRole("button", { name: "Help" }).click();
+  expect(await other.getByRole("link", { name: "this page" }).getAttribute("href")).toBe("./howto/page.html");
+  await context.close();
+});
+
 test("units and appearance are in the settings; the page says that it is in English only", async () => {
   const page = await opened("#arm=rrr&q=0.1,0.2,0.3");
   await page.getByRole("button", { name: "Settings" }).click();
@@ -80,14 +106,14 @@ test("units and appearance are in the settings; the page says that it is in Engl
 });
 
 test.each([
-  ["#arm=rrr", "light"],
-  ["#arm=rrr&section=control", "dark"],
-  ["#arm=ur5&frames=1", "dark"],
-  ["#arm=rrr&section=line&waypoints=4,3,0,1,0,0,0;3,4,0,1,0,0,0", "dark"],
-] as const)("%s in %s is accessible", async (hash, colorScheme) => {
+  ["#arm=rrr", "light", /2 solutions/],
+  ["#arm=rrr&section=control", "dark", /Cartesian space: .* reached/],
+  ["#arm=ur5&frames=1", "dark", /8 solutions/],
+  ["#arm=rrr&section=line&waypoints=4,3,0,1,0,0,0;3,4,0,1,0,0,0", "dark", "From the first waypoint"],
+] as const)("%s in %s is accessible", async (hash, colorScheme, complete) => {
   const page = await opened(hash);
   await page.emulateMedia({ colorScheme });
-  await page.waitForTimeout(500);
+  await page.getByText(complete).waitFor();
   expect(await axe(page)).toEqual([]);
 });
 
@@ -98,10 +124,9 @@ test("undo takes back work, not where one looked, and shows where the work was d
   await expect.poll(() => undo.isDisabled()).toBe(false);
   await page.getByRole("link", { name: "Pose", exact: true }).click();
   await page.getByRole("button", { name: "Frames", exact: true }).click();
-  await page.waitForTimeout(600);
   await undo.click();
-  expect(page.url()).toContain("section=line");
-  expect(page.url()).not.toContain("waypoints=");
+  await expect.poll(() => page.url()).toContain("section=line");
+  await expect.poll(() => page.url()).not.toContain("waypoints=");
   expect(await undo.isDisabled()).toBe(true);
   expect(await page.getByRole("button", { name: "Frames", exact: true }).getAttribute("aria-pressed")).toBe("true");
 });
@@ -112,6 +137,7 @@ test("an arm that is refused leaves arm and waypoints; lessons give the arm back
   await chooseArm(page, "RRR:1,x");
   await page.getByRole("alert").first().waitFor();
   await page.keyboard.press("Escape");
+  await expect.poll(() => page.locator(".refusal:visible").count()).toBe(0); // it was about what was typed there
   expect(await shownArm(page)).toBe("ur5");
   await expect.poll(() => page.url()).toContain(`waypoints=${waypoint}`);
   await page.getByRole("link", { name: "Lessons", exact: true }).click();

@@ -29,6 +29,11 @@ export function table(caption: string, header: string[], labels: string[], rows:
   return element("table", {}, ...above, ...head, element("tbody", {}, ...body));
 }
 
+/** A number as a field holds it: never -0. */
+export function typed(value: number, digits: number): string {
+  return shown(value, digits).replace("−", "-");
+}
+
 /** A number with few digits, as `beeline` shows it in texts. */
 export function shown(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return "∞";

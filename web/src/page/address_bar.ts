@@ -10,9 +10,14 @@ export class AddressBar {
   private written: PageState | null = null;
   private turn = 0;
 
+  /** The address has changed by itself: what is about to be written belongs to the one before. */
+  forget(): void {
+    ++this.turn;
+  }
+
   /** The state has come from the address. */
   read(state: PageState): void {
-    ++this.turn; // what is about to be written is older
+    this.forget();
     this.written = state;
   }
 
@@ -32,6 +37,7 @@ export class AddressBar {
     this.written = state;
     // In full, as the frame of a notebook (about:srcdoc) takes other addresses for addresses of the notebook.
     const address = location.href.replace(/#.*|$/, () => hash);
+    if (address === location.href) return; // after the browser's Back: another write could end the next one
     if (step) history.pushState(null, "", address);
     else history.replaceState(null, "", address);
   }

@@ -1,12 +1,12 @@
 import { answer } from "../core/command.js";
-import { sevenOf, toolPose } from "../core/pose.js";
+import { poseError, sevenOf, toolPose } from "../core/pose.js";
 import { Cancelled } from "../core/types.js";
 import { element } from "../elements/element.js";
 import { JacobianPanel } from "../panels/jacobian.js";
 import { JointsPanel } from "../panels/joints.js";
 import { PosePanel } from "../panels/pose.js";
 import { slider } from "../panels/slider.js";
-import { SolutionsPanel, withPresent, type InverseAnswer } from "../panels/solutions.js";
+import { SolutionsPanel, type InverseAnswer } from "../panels/solutions.js";
 import type { PageState, Section } from "../state/page_state.js";
 import type { Holding } from "./holding.js";
 import type { Overlays } from "./overlays.js";
@@ -14,6 +14,7 @@ import { Rest } from "./rest.js";
 import { selfMotion } from "./self_motion.js";
 import type { Services, Shown } from "./section.js";
 
+const samePose = 1e-6; // of the size of the picture
 const longTable = 20; // columns: a longer table is written when the arm rests
 
 /** The arm in numbers, in all sections: joints, pose of the tool, solutions, Jacobian. */
@@ -29,7 +30,8 @@ export class ArmPanel {
   private readonly jacobianPart: HTMLDetailsElement;
   private readonly rest = new Rest();
   private shown: Shown | null = null;
-  private found: number[][] = [];
+  /** The pose whose solutions are listed, and the unit of their numbers. */
+  private listed: { pose: ArrayLike<number>; degrees: boolean } | null = null;
   private asked = 0;
   private answered: Promise<unknown> = Promise.resolve();
   /** The joint velocities of the self-motion's last step. */
@@ -48,8 +50,7 @@ export class ArmPanel {
     this.pose = new PosePanel((pose) => holding.typed(pose, (reason) => this.refuse(reason)));
     this.solutions = new SolutionsPanel(
       (q) => store.set({ q }),
-      (index) =>
-        overlays.point(index === null || index === 0 ? null : (this.found[index] ?? null), store.get().showSolutions),
+      (q) => overlays.point(q, store.get().showSolutions),
     );
     this.jacobian = new JacobianPanel((frame) => store.set({ frame }));
     this.selfMotionRow = element(
@@ -85,6 +86,7 @@ export class ArmPanel {
     this.shown = shown;
     this.selfDirection = [];
     this.forget();
+    this.listed = null;
     this.solutions.clear();
     this.selfMotionRow.hidden = shown.arm.dof <= (shown.arm.planar ? 3 : 6);
     this.pose.describe(shown.arm.planar);
@@ -121,10 +123,18 @@ export class ArmPanel {
     const isLong = arm.dof > longTable;
     if (!isLong) jacobian();
     this.forget();
+    const isListed = this.isListed(q) && this.solutions.mark(q);
     this.rest.then(() => {
       if (isLong) jacobian();
-      if (this.solutionsPart.open) void this.ask(q);
+      if (this.solutionsPart.open && !isListed) void this.ask(q);
     });
+  }
+
+  /** Whether the solutions of this pose of the tool are listed. */
+  private isListed(q: number[]): boolean {
+    const { shown, listed } = this;
+    if (!shown || !listed || listed.degrees !== this.services.store.get().degrees) return false;
+    return Math.hypot(...poseError(toolPose(shown.arm, q), Array.from(listed.pose))) < samePose * shown.picture.size;
   }
 
   /** What was asked before is not shown any more. */
@@ -135,6 +145,7 @@ export class ArmPanel {
 
   private refuse(reason: string): void {
     this.forget();
+    this.listed = null;
     this.solutions.refuse(reason);
   }
 
@@ -143,15 +154,16 @@ export class ArmPanel {
     const asked = ++this.asked;
     await this.answered;
     if (asked !== this.asked || !this.shown) return;
-    const pose = sevenOf(toolPose(this.shown.arm, q));
-    const args = ["ik", "arm.json", `--pose=${pose.join(",")}`, `--seed=${q.join(",")}`, "--all", "--json"];
+    const pose = toolPose(this.shown.arm, q);
+    const args = ["ik", "arm.json", `--pose=${sevenOf(pose).join(",")}`, `--seed=${q.join(",")}`, "--all", "--json"];
     const found = this.services.command(args).then((result) => answer<InverseAnswer>(result));
     this.answered = found.catch(() => undefined);
     try {
       const solutions = await found;
       if (asked !== this.asked) return;
-      this.found = withPresent(solutions.solutions, q);
-      this.solutions.show(solutions, q, this.shown.description.joints, this.services.store.get().degrees);
+      const { degrees } = this.services.store.get();
+      this.solutions.show(solutions, q, this.shown.description.joints, degrees);
+      this.listed = { pose, degrees };
     } catch (error) {
       if (asked === this.asked && !(error instanceof Cancelled)) this.solutions.refuse((error as Error).message);
     }

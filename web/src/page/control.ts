@@ -2,17 +2,18 @@ import { middle, type ArmDescription } from "../core/description.js";
 import { toolPose } from "../core/pose.js";
 import { iconButton } from "../elements/button.js";
 import { element } from "../elements/element.js";
+import { reducedMotion } from "../elements/motion.js";
 import { GainsPanel } from "../panels/gains.js";
 import { StepChart } from "../panels/step_chart.js";
 import type { Ghost } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import { ControlRuns, type ControlKind, type ControlTask } from "./control_runs.js";
-import { reducedMotion } from "./rest.js";
 import type { PageSection, Services, Shown } from "./section.js";
 
 const duration = 2000; // milliseconds of a run, at most
 const glide = 500; // milliseconds from where the arm is to where it starts
 const frame = 30; // milliseconds of a step, at least
+const longest = 0.2; // of a motion, from picture to picture
 
 /** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
  * gains while they move. */
@@ -55,6 +56,7 @@ export class Control implements PageSection {
       this.runs.root,
       element("p", { class: "pair" }, goal, this.back),
       this.gains.root,
+      this.chart.words,
       this.chart.root,
     );
   }
@@ -154,11 +156,13 @@ export class Control implements PageSection {
     });
   }
 
-  /** Calls `show` with fractions of the time from 0 to 1, until another motion begins. */
+  /** Calls `show` with fractions of the time from 0 to 1, until another motion begins. A slow browser shows the way too. */
   private async animate(length: number, turn: number, show: (fraction: number) => void): Promise<void> {
     const begin = performance.now();
+    let next = 0;
     while (turn === this.playing) {
-      const fraction = reducedMotion() ? 1 : Math.min(1, (performance.now() - begin) / length);
+      const fraction = reducedMotion() ? 1 : Math.min(1, next, (performance.now() - begin) / length);
+      next = fraction + longest;
       show(fraction);
       if (fraction === 1) return;
       await new Promise((resolve) => requestAnimationFrame(resolve));

@@ -3,6 +3,7 @@ import { poseOfQuaternion, sevenOf, toolPose } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { branchMap } from "../panels/branch_map.js";
 import { planReport, type LineAnswer } from "../panels/motion_report.js";
+import { reasonInWords, type Wording } from "../panels/reasons.js";
 import { WaypointsPanel } from "../panels/waypoints.js";
 import type { Mark, Trail } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
@@ -32,13 +33,16 @@ export class LineSection implements PageSection {
   private readonly rest = new Rest();
   private shown: Shown | null = null;
   private planned: Trail[] = [];
+  /** What is reported and the map of the branches, in the units of now. */
+  private reported: () => HTMLElement[] = () => [];
+  private map: (() => HTMLElement) | null = null;
   private dragging = false;
   private plannedFor = "";
 
   constructor(private readonly services: Services) {
     const { store } = services;
     this.player = new MotionPlayer(services, () => void this.retime());
-    this.work = new Work(services, (reason) => this.report.replaceChildren(element("p", { class: "refusal" }, reason)));
+    this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
       () => this.toolPose(),
       (waypoints) => store.set({ waypoints }),
@@ -75,7 +79,8 @@ export class LineSection implements PageSection {
     if (changed.has("q") && !this.player.places && !this.recording.places) this.pause();
     if (changed.has("degrees")) {
       this.player.showCurves();
-      this.recording.showCurves();
+      this.write();
+      this.recording.unitsChanged();
     }
     const { waypoints, degrees } = this.services.store.get();
     this.waypoints.show(waypoints, degrees);
@@ -110,7 +115,8 @@ export class LineSection implements PageSection {
     this.plannedFor = "";
     this.player.clear();
     this.planned = [];
-    for (const part of [this.report, this.branches]) part.replaceChildren();
+    this.map = null;
+    this.say(() => []);
   }
 
   /** Other waypoints: the preview follows, the plan once they are dropped. */
@@ -119,8 +125,7 @@ export class LineSection implements PageSection {
     this.clear();
     this.draw();
     if (!this.waypoints.enough) {
-      if (!this.waypoints.empty)
-        this.report.replaceChildren(element("p", { class: "quiet" }, "One more waypoint makes a line."));
+      if (!this.waypoints.empty) this.say(() => [element("p", { class: "quiet" }, "One more waypoint makes a line.")]);
     } else if (!this.dragging) this.rest.then(() => void this.plan(null));
   }
 
@@ -157,16 +162,14 @@ export class LineSection implements PageSection {
     this.plannedFor = poses.text;
     const start = chosen ?? this.heldStart();
     const how = start ? [`--from=${start.join(",")}`] : [];
+    const first = start ? 0 : 1; // with --from the path begins where the arm stands
     const args = ["line", "arm.json", `--through=${poses.name}`, `--rate=${rate}`, "--json"];
     const files = { [poses.name]: poses.text };
     await this.work.run(async (progress, current) => {
       const result = await this.services.command([...args, ...how, "--out=motion.csv"], files, progress);
       if (!current()) return;
       const line = answer<LineAnswer>(result);
-      this.report.replaceChildren(
-        ...(note === "" ? [] : [element("p", { class: "quiet" }, note)]),
-        planReport(line, this.shown?.description.joints ?? []),
-      );
+      this.say(() => [...(note === "" ? [] : [element("p", { class: "quiet" }, note)]), this.reportOf(line, first)]);
       const csv = result.files["motion.csv"];
       if (csv !== undefined) {
         this.player.show("motion.csv", csv);
@@ -181,24 +184,58 @@ export class LineSection implements PageSection {
       if (!current()) return;
       const best = all.find(({ status }) => status === "reached");
       if (line.status !== "reached" && chosen === null && best)
-        return void this.plan(best.start, `The elbow that is held cannot follow: ${line.reason}. Another one can.`);
+        return void this.plan(
+          best.start,
+          `The elbow that is held cannot follow. ${reasonInWords(line, { ...this.wording, first })} Another one can.`,
+        );
       const begin = csv === undefined ? null : this.player.start;
       if (all.length > 0)
-        this.branches.replaceChildren(branchMap(all, Math.max(1, line.waypoints - 1), begin, (q) => void this.plan(q)));
+        this.map = () => branchMap(all, Math.max(1, line.waypoints - 1), begin, this.wording, (q) => void this.plan(q));
+      this.write();
     });
   }
 
-  /** Gives the motion new times, the shortest within the joint limits. */
+  /** Gives the motion new times, the shortest within the joint limits, and proves it again. */
   private async retime(): Promise<void> {
     const text = this.player.text();
     if (text === null) return;
+    const poses = this.waypoints.asFile;
     await this.work.run(async (progress, current) => {
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
       const result = await this.services.command(args, { "motion.csv": text }, progress);
       if (!current()) return;
-      this.report.replaceChildren(planReport(answer<LineAnswer>(result), this.shown?.description.joints ?? []));
+      const retimed = answer<LineAnswer>(result);
+      this.say(() => [this.reportOf(retimed)]);
       const csv = result.files["retimed.csv"];
-      if (csv !== undefined) this.player.show("motion.csv", csv);
+      if (csv === undefined) return;
+      this.player.show("motion.csv", csv);
+      const check = ["check", "arm.json", "motion.csv", `--through=${poses.name}`, "--json"];
+      const files = { "motion.csv": csv, [poses.name]: poses.text };
+      const proof = answer<LineAnswer>(await this.services.command(check, files, progress));
+      if (!current()) return;
+      const isProved = proof.status === "passed";
+      const report = isProved ? { ...proof, status: retimed.status } : retimed;
+      const why = (): string => `Not proved with these times. ${reasonInWords(proof, this.wording)}`;
+      this.say(() => [...(isProved ? [] : [element("p", { class: "over" }, why())]), this.reportOf(report)]);
     });
+  }
+
+  private get wording(): Wording {
+    return { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
+  }
+
+  private reportOf(line: LineAnswer, first = 1): HTMLElement {
+    return planReport(line, this.shown?.description.joints ?? [], { ...this.wording, first });
+  }
+
+  /** Shows a report, which is written again in other units. */
+  private say(report: () => HTMLElement[]): void {
+    this.reported = report;
+    this.write();
+  }
+
+  private write(): void {
+    this.report.replaceChildren(...this.reported());
+    this.branches.replaceChildren(...(this.map ? [this.map()] : []));
   }
 }

@@ -1,7 +1,7 @@
 import { cartesianRows } from "../core/cartesian.js";
 import { poseOfRpy, toolPosition } from "../core/pose.js";
+import { reducedMotion } from "../elements/motion.js";
 import type { Mark, Trail } from "../scene/picture.js";
-import { reducedMotion } from "./rest.js";
 import type { Services, Shown } from "./section.js";
 
 /** Figure 1.9 of the chapter: eq. 1.6 from this start through three poses, x, y, degrees. */

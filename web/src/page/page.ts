@@ -85,8 +85,8 @@ export class Page {
   private readonly rest = new Rest(settled);
   private readonly welcome: HTMLElement;
   private readonly live = element("span", { role: "status", class: "live", hidden: true });
-  private readonly undo = iconButton("undo", "Undo", "Undo (Ctrl Z)", () => this.go(this.history.undo()));
-  private readonly redo = iconButton("redo", "Redo", "Redo (Ctrl Shift Z)", () => this.go(this.history.redo()));
+  private readonly undo = iconButton("undo", "Undo", "Undo (Ctrl Z)", () => this.go("undo"));
+  private readonly redo = iconButton("redo", "Redo", "Redo (Ctrl Shift Z)", () => this.go("redo"));
   private shown: Shown | null = null;
   /** The part of the state that belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal" | "waypoints"> | null = null;
@@ -141,6 +141,7 @@ export class Page {
     this.links = new Map(sections.map((name) => [name, this.link(name)]));
     this.build();
     store.subscribe((_, changed) => this.changed(changed));
+    document.defaultView?.addEventListener("popstate", () => this.address.forget());
     document.defaultView?.addEventListener("hashchange", ({ newURL }) => void this.readAddress(new URL(newURL).hash));
     document.addEventListener("keydown", (event) => this.key(event));
   }
@@ -192,6 +193,7 @@ export class Page {
     place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
     place("sections").replaceChildren(...this.links.values());
+    place("stage").addEventListener("pointerdown", () => this.record(), { capture: true }); // another gesture begins
     place("bar").replaceChildren(
       this.chooser.button,
       this.undo,
@@ -246,13 +248,20 @@ export class Page {
   /** Notes a state to go back to, once the hand rests. */
   private note(): void {
     this.rest.then(() => {
-      if (this.holding.holds) return this.note();
-      this.history.record(this.store.get());
-      this.showHistory();
+      if (this.holding.holds) this.note();
+      else this.record();
     });
   }
 
-  private go(state: PageState | null): void {
+  private record(): void {
+    if (this.holding.holds) return;
+    this.history.record(this.store.get());
+    this.showHistory();
+  }
+
+  private go(step: "undo" | "redo"): void {
+    this.record(); // what was done a moment ago
+    const state = this.history[step]();
     if (!state) return;
     this.holding.forget();
     const { section, lesson } = state; // where the work was done
@@ -269,7 +278,7 @@ export class Page {
     const typing = (event.target as Element).matches?.("input:not([type=range]), textarea, select");
     if (typing || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     event.preventDefault();
-    this.go(event.shiftKey ? this.history.redo() : this.history.undo());
+    this.go(event.shiftKey ? "redo" : "undo");
   }
 
   /** Reads an arm and shows it; the one before stays where it is refused. */

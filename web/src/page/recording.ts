@@ -1,11 +1,11 @@
 import { answer } from "../core/command.js";
 import { tooLarge } from "../core/limits.js";
 import { element } from "../elements/element.js";
+import { reducedMotion } from "../elements/motion.js";
 import { exceedsLimits, planReport, type LineAnswer } from "../panels/motion_report.js";
 import { Recorder, type Recorded } from "../panels/recorder.js";
 import type { Trail } from "../scene/picture.js";
 import { MotionPlayer } from "./motion_player.js";
-import { reducedMotion } from "./rest.js";
 import type { Services, Shown } from "./section.js";
 import { Work } from "./work.js";
 
@@ -24,6 +24,7 @@ export class Recording {
   private readonly recorder: Recorder;
   private readonly work: Work;
   private shown: Shown | null = null;
+  private found: LineAnswer | null = null;
   private text: { name: string; content: string } | null = null;
 
   /** `line`: the waypoints of the line; null: there is none. `begins` is called before a motion is shown, `drawn` when
@@ -94,8 +95,9 @@ export class Recording {
     this.player.pause();
   }
 
-  showCurves(): void {
+  unitsChanged(): void {
     this.player.showCurves();
+    if (this.found) this.write(this.found);
   }
 
   private clear(): void {
@@ -104,6 +106,7 @@ export class Recording {
     this.text = null;
     this.compare.hidden = true;
     this.trails = [];
+    this.found = null;
     this.report.replaceChildren();
   }
 
@@ -145,9 +148,15 @@ export class Recording {
   }
 
   private judge(found: LineAnswer): void {
-    this.report.replaceChildren(planReport(found, this.shown?.description.joints ?? []));
+    this.found = found;
+    this.write(found);
     this.compare.hidden = this.line() === null;
     if (exceedsLimits(found)) this.draw("refused");
+  }
+
+  private write(found: LineAnswer): void {
+    const wording = { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
+    this.report.replaceChildren(planReport(found, this.shown?.description.joints ?? [], wording));
   }
 
   private draw(tone: Trail["tone"]): void {

@@ -15,8 +15,3 @@ export class Rest {
     clearTimeout(this.timer);
   }
 }
-
-/** Whether the user wants little motion. */
-export function reducedMotion(): boolean {
-  return matchMedia("(prefers-reduced-motion: reduce)").matches;
-}

@@ -83,6 +83,25 @@ const keys = [
   ["Ctrl Z, Ctrl Shift Z", "undo and redo"],
 ] as const;
 
+const documents = [
+  ["the chapter with code", "chapter"],
+  ["this page", "howto/page"],
+  ["what Beeline cannot do", "limitations"],
+] as const;
+
+/** Where the documentation speaks of this: links in the built documentation, which tells the page its place; elsewhere
+ * the names of files. */
+function documentation(): HTMLElement {
+  const place = document.body.dataset["docs"];
+  const link = (title: string, path: string): HTMLElement =>
+    element("a", { href: `${place}/${path}.html`, target: "_top" }, title); // the page stands in a frame there
+  const parts = documents.flatMap(([title, path], i) => [
+    i === 0 ? "" : ", ",
+    place === undefined ? `${title} (docs/${path}.md)` : link(title, path),
+  ]);
+  return element("p", { class: "quiet" }, "In the documentation: ", ...parts, ".");
+}
+
 /** What can be done by hand and by keys. */
 export function helpDialog(): HTMLDialogElement {
   const rows = keys.flatMap(([what, does]) => [element("dt", {}, what), element("dd", {}, does)]);
@@ -96,11 +115,6 @@ export function helpDialog(): HTMLDialogElement {
       "All is computed in this page, by the C++ core of Beeline; nothing is sent anywhere. The lessons follow Dellaert, " +
         "“Serial Link Manipulators”. The page is in English only.",
     ),
-    element(
-      "p",
-      { class: "quiet" },
-      "In the documentation: the chapter with code (docs/chapter.md), this page (docs/howto/page.md), what Beeline cannot " +
-        "do (docs/limitations.md).",
-    ),
+    documentation(),
   );
 }

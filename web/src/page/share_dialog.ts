@@ -13,13 +13,23 @@ export class ShareDialog {
   private readonly link = element("input", { id: "share-link", readonly: true });
   private readonly frame = element("textarea", { id: "share-frame", readonly: true, rows: 3 });
   private readonly says = element("p", { role: "status", class: "quiet" });
+  /** Beside the buttons that copy. */
+  private readonly copied: HTMLElement[] = [];
 
   constructor(
     private readonly services: Services,
     private readonly shown: () => Shown | null,
   ) {
-    const copy = (from: HTMLInputElement | HTMLTextAreaElement, what: string): HTMLElement =>
-      element("button", { type: "button", onclick: () => void this.copy(from, what) }, `Copy ${what}`);
+    const copy = (from: HTMLInputElement | HTMLTextAreaElement, what: string): HTMLElement => {
+      const says = element("span", { role: "status", class: "good" });
+      this.copied.push(says);
+      const button = element(
+        "button",
+        { type: "button", onclick: () => void this.copy(from, what, says) },
+        `Copy ${what}`,
+      );
+      return element("p", { class: "pair" }, button, says);
+    };
     const save = (word: string, what: string, make: () => Promise<void>): HTMLElement =>
       element(
         "p",
@@ -31,18 +41,18 @@ export class ShareDialog {
       "Share",
       "small",
       element("p", {}, element("label", { for: "share-link" }, "A link to the arm as it stands"), this.link),
-      element("p", { class: "pair" }, copy(this.link, "link")),
+      copy(this.link, "link"),
       save("Picture", "A PNG of what is seen", () => this.savePicture()),
       save("Drawing", "An SVG as beeline draw makes it", () => this.saveDrawing()),
       save("One file", "The page with arm and core, which opens from a disk without a network", () => this.savePage()),
       element("p", {}, element("label", { for: "share-frame" }, "A frame for another page"), this.frame),
-      element("p", { class: "pair" }, copy(this.frame, "frame")),
+      copy(this.frame, "frame"),
       this.says,
     );
   }
 
   async open(): Promise<void> {
-    this.says.textContent = "";
+    for (const place of [this.says, ...this.copied]) place.textContent = "";
     const hash = await addressOf(this.services.store.get());
     const address = location.href.replace(/#.*|$/, () => `#${hash}`);
     const fits = hash.length <= longestAddress;
@@ -56,13 +66,14 @@ export class ShareDialog {
     this.root.showModal();
   }
 
-  private async copy(from: HTMLInputElement | HTMLTextAreaElement, what: string): Promise<void> {
+  private async copy(from: HTMLInputElement | HTMLTextAreaElement, what: string, says: HTMLElement): Promise<void> {
     from.select();
+    for (const place of this.copied) place.textContent = "";
     try {
       await navigator.clipboard.writeText(from.value);
-      this.says.textContent = `The ${what} is copied.`;
+      says.textContent = `${what === "link" ? "Link" : "Frame"} copied`;
     } catch {
-      this.says.textContent = `The ${what} is selected: copy it with Ctrl C.`;
+      says.textContent = `The ${what} is selected: copy it with Ctrl C.`;
     }
   }
 

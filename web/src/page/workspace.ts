@@ -193,8 +193,9 @@ export class Workspace implements PageSection {
     const tiles = state.showSlice ? { grid, values, normal, index, most: largest(grid, state.measure) } : null;
     this.services.draw({ tiles });
     this.showPosition();
-    if (planar || !state.showSurface) this.services.draw({ surface: null });
-    else void this.drawSurface();
+    if (!planar && state.showSurface) return void this.drawSurface();
+    ++this.drawing; // a surface that is on its way is not drawn any more
+    this.services.draw({ surface: null });
   }
 
   /** Asks for the surface once the one before is there, so that none pile up while a slider moves. */

@@ -62,6 +62,7 @@ export class ArmChooser {
     this.dialog = dialog("Choose an arm", "arms", form, this.place, this.gallery.count, this.gallery.root, this.own());
     this.button.addEventListener("click", () => this.open());
     this.dialog.addEventListener("close", () => {
+      if (this.message.className === "refusal") this.message.textContent = ""; // of what was typed there
       this.notes.prepend(this.message);
       this.notes.append(this.question);
     });

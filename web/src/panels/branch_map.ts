@@ -1,14 +1,14 @@
 import { element, shown } from "../elements/element.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons.js";
 
 /** One way to follow the path, from one solution of inverse kinematics at its first pose. */
-export interface Branch {
+export interface Branch extends Reason {
   start: number[];
   status: string;
   /** How far it follows the path: whole lines, with a fraction of the next. */
   path_parameter: number;
   limit_margin: number;
   inverse_condition: number;
-  reason: string;
 }
 
 const singular = 1e-4; // inverse condition: a smaller one has no meaning as a number
@@ -20,9 +20,10 @@ export function branchMap(
   branches: Branch[],
   lines: number,
   current: number[] | null,
+  wording: Wording,
   chosen: (start: number[]) => void,
 ): HTMLElement {
-  const rows = branches.map((branch, i) => row(branch, i, lines, isAt(branch.start, current), chosen));
+  const rows = branches.map((branch, i) => row(branch, i, lines, isAt(branch.start, current), wording, chosen));
   return element(
     "section",
     { "aria-label": "Branches", class: "branches" },
@@ -45,6 +46,7 @@ function row(
   index: number,
   lines: number,
   pressed: boolean,
+  wording: Wording,
   chosen: (start: number[]) => void,
 ): HTMLElement {
   const whole = branch.status === "reached";
@@ -66,6 +68,6 @@ function row(
     { type: "button", disabled: !whole, "aria-pressed": String(pressed), onclick: () => chosen(branch.start) },
     `Branch ${index + 1}`,
   );
-  const text = whole ? margins : `ends after ${shown(percent, 0)} % of the path: ${branch.reason}`;
+  const text = whole ? margins : `ends after ${shown(percent, 0)} % of the path. ${reasonInWords(branch, wording)}`;
   return element("li", {}, button, bar, element("span", { class: "quiet" }, text));
 }

@@ -1,5 +1,5 @@
 import type { JointDescription } from "../core/description.js";
-import { element, shown } from "../elements/element.js";
+import { element, shown, typed } from "../elements/element.js";
 import { unitOf, type Unit } from "../elements/units.js";
 import { jointColour } from "../scene/colours.js";
 import { slide, slider } from "./slider.js";
@@ -52,7 +52,7 @@ export class JointsPanel {
     this.rows.forEach(({ range, number, unit }, i) => {
       const value = (q[i] ?? 0) * unit.factor;
       slide(range, value);
-      if (document.activeElement !== number) number.value = value.toFixed(unit.digits);
+      if (document.activeElement !== number) number.value = typed(value, unit.digits);
     });
   }
 
@@ -74,7 +74,7 @@ export class JointsPanel {
     const take = (from: HTMLInputElement): void => {
       if (from.value === "") return;
       const value = Math.min(upper * unit.factor, Math.max(lower * unit.factor, Number(from.value)));
-      number.value = value.toFixed(unit.digits);
+      number.value = typed(value, unit.digits);
       slide(range, value);
       const k = this.rows.findIndex((row) => row.range === range);
       this.changed(this.q.with(k, value / unit.factor));

@@ -1,12 +1,13 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
-import type { Branch } from "./branch_map.js";
 import { element, shown, table } from "../elements/element.js";
+import { unitOf } from "../elements/units.js";
+import type { Branch } from "./branch_map.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
-export interface LineAnswer {
+export interface LineAnswer extends Reason {
   status: string;
-  reason: string;
   duration?: number | null;
   samples?: number;
   waypoints: number;
@@ -52,13 +53,18 @@ export function exceedsLimits({ limits = {} }: LineAnswer): boolean {
 }
 
 /** Status, reason, deviation measured and proved, use of the limits. What exceeds a limit is red, and not reached. */
-export function planReport(answer: LineAnswer, joints: JointDescription[]): HTMLElement {
+export function planReport(answer: LineAnswer, joints: JointDescription[], wording: Wording): HTMLElement {
   const time = answer.duration == null ? "" : `, ${shown(answer.duration, 2)} s`;
   const exceeds = exceedsLimits(answer);
-  const status = exceeds && answer.status === "reached" ? "exceeds the limits" : answer.status;
-  const good = status === "reached";
+  const good = !exceeds && ["reached", "passed"].includes(answer.status);
+  const status = exceeds && answer.status === "reached" ? "exceeds the limits" : answer.status.replaceAll("_", " ");
   const parts: HTMLElement[] = [
-    element("p", {}, element("strong", { class: good ? "good" : "over" }, status), `${time}. ${answer.reason}`),
+    element(
+      "p",
+      {},
+      element("strong", { class: good ? "good" : "over" }, status),
+      `${time}. ${reasonInWords(answer, wording)}`,
+    ),
   ];
   const proof = proofInWords(answer);
   if (good && proof !== "") parts.unshift(element("p", { class: "proof" }, proof));
@@ -91,7 +97,7 @@ export function planReport(answer: LineAnswer, joints: JointDescription[]): HTML
     );
     used.forEach(({ fraction }, i) => made.tBodies[0]?.rows[i]?.classList.toggle("over", fraction > 1 + rounding));
     tables.push(element("div", { class: "wide" }, made));
-    const assumedHere = assumptions(used, joints);
+    const assumedHere = assumptions(used, joints, wording.degrees);
     if (assumedHere !== "") parts.push(element("p", { class: "quiet" }, assumedHere));
   }
   const folded = element("details", { open: exceeds }, element("summary", {}, "Deviation and limits"), ...tables);
@@ -105,14 +111,19 @@ function proofInWords({ deviation_bound: bound }: LineAnswer): string {
 }
 
 /** Which limits are not published for the arm, and what is assumed instead. */
-function assumptions(used: { name: string; joint: string; assumed?: boolean }[], joints: JointDescription[]): string {
+function assumptions(
+  used: { name: string; joint: string; assumed?: boolean }[],
+  joints: JointDescription[],
+  degrees: boolean,
+): string {
   const assumed = used.filter((use) => use.assumed === true);
   if (assumed.length === 0) return "";
   const values = assumed.flatMap(({ name, joint }) => {
     const { assumed: here, type } = joints.find((one) => one.name === joint) ?? {};
     const value = name === "velocity" || name === "acceleration" ? here?.[name] : undefined;
-    const unit = `${type === "prismatic" ? "m" : "rad"}/s${name === "acceleration" ? "²" : ""}`;
-    return value === undefined ? [] : `${shown(value, 2).replace(/\.?0+$/, "")} ${unit}`;
+    const unit = unitOf(type ?? "revolute", degrees);
+    const per = name === "acceleration" ? "/s²" : "/s";
+    return value === undefined ? [] : `${shown(value * unit.factor, 2).replace(/\.?0+$/, "")} ${unit.name}${per}`;
   });
   const names = new Intl.ListFormat("en").format(assumed.map(({ name }) => name));
   return `No limits of ${names} are published for this arm; ${values.join(" and ")} ${values.length > 1 ? "are" : "is"} assumed.`;

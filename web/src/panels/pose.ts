@@ -1,5 +1,5 @@
 import { poseNumbers, poseOfRpy } from "../core/pose.js";
-import { element, shown } from "../elements/element.js";
+import { element, shown, typed } from "../elements/element.js";
 
 interface Coordinate {
   name: string;
@@ -99,8 +99,7 @@ export class PosePanel {
       if (waits) field.setAttribute("aria-invalid", "true");
       else field.removeAttribute("aria-invalid");
       const value = (this.waiting.get(index) ?? this.values[index] ?? 0) * this.factor(index);
-      const text = value.toFixed(angle ? 2 : 4).replace(/^-(0\.0+)$/, "$1");
-      if (document.activeElement !== field) field.value = text;
+      if (document.activeElement !== field) field.value = typed(value, angle ? 2 : 4);
     });
   }
 }

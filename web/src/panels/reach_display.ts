@@ -1,7 +1,7 @@
 import { cellOf, centreOf, largest, measures, type Measure, type ReachMap } from "../core/reach.js";
 import { gradient } from "../scene/colour_scale.js";
 import type { PageState } from "../state/page_state.js";
-import { element, shown } from "../elements/element.js";
+import { element, typed } from "../elements/element.js";
 import { measureText, shapeOf } from "./reach_measures.js";
 
 /** The part of the state that this panel owns. */
@@ -34,6 +34,7 @@ export class ReachDisplay {
   private readonly slider = element("input", { type: "range", "aria-label": "Position of the slice, slider" });
   private readonly at = element("input", { type: "number", step: "any", "aria-label": "Position of the slice" });
   private readonly surfaceRow: HTMLElement;
+  private readonly colours: HTMLElement;
   private readonly plane: HTMLElement;
   private readonly sliceLabel = element("label", { for: "reach-tiles" }, "Slice");
 
@@ -60,9 +61,10 @@ export class ReachDisplay {
       this.level,
       this.levelText,
     );
+    this.colours = element("figure", { class: "colours" }, scale, this.numbers, this.caption);
     this.root.append(
       element("div", { class: "choice" }, label("Measure of a position", this.measure), this.measure),
-      element("figure", { class: "colours" }, scale, this.numbers, this.caption),
+      this.colours,
       this.surfaceRow,
       element("div", { class: "shown" }, this.tiles, this.sliceLabel, this.slider, this.plane),
     );
@@ -81,6 +83,7 @@ export class ReachDisplay {
     );
     this.caption.textContent = shape.caption;
     this.surfaceRow.hidden = planar;
+    this.colours.hidden = !state.showSlice && (planar || !state.showSurface); // nothing has these colours
     this.surface.checked = state.showSurface;
     this.level.step = state.measure === "branches" ? String(1 / most) : "0.01";
     this.level.value = String(state.level);
@@ -102,6 +105,6 @@ export class ReachDisplay {
     this.slider.max = String(centreOf(axis, axis.cells - 1));
     this.slider.step = String(axis.step);
     this.slider.value = String(at);
-    if (document.activeElement !== this.at) this.at.value = shown(at, 3).replace("−", "-");
+    if (document.activeElement !== this.at) this.at.value = typed(at, 3);
   }
 }

@@ -1,5 +1,5 @@
 import { measures, type ReachMap } from "../core/reach.js";
-import { element, shown } from "../elements/element.js";
+import { element, typed } from "../elements/element.js";
 import { measureText, shapeOf } from "./reach_measures.js";
 
 const names = ["x", "y", "z"];
@@ -54,7 +54,7 @@ export class ReachPosition {
   show(map: ReachMap, point: number[] | null, p: number | null, orientations: string, planar: boolean): void {
     this.height.hidden = planar;
     this.fields.forEach((field, k) => {
-      if (document.activeElement !== field) field.value = point ? shown(point[k] ?? 0, 3).replace("−", "-") : "";
+      if (document.activeElement !== field) field.value = point ? typed(point[k] ?? 0, 3) : "";
     });
     const reached = p !== null && !Number.isNaN(map.values.branches[p]);
     this.go.disabled = !reached;

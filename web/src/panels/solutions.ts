@@ -19,22 +19,29 @@ export interface InverseAnswer {
 
 const same = 1e-6;
 
-/** The solutions of an answer with the present joint values first, which a sample of infinitely many may lack. */
-export function withPresent(solutions: number[][], q: number[]): number[][] {
-  const isPresent = (other: number[]): boolean => other.every((value, k) => Math.abs(value - (q[k] ?? 0)) < same);
-  return [q, ...solutions.filter((other) => !isPresent(other))];
+/** Whether two lists of joint values are one configuration. */
+function isSame(a: number[], b: number[]): boolean {
+  return a.every((value, k) => Math.abs(value - (b[k] ?? 0)) < same);
 }
 
-/** All solutions of inverse kinematics for the tool's pose; a click goes there. */
+/** The solutions of an answer with the present joint values first, which a sample of infinitely many may lack. */
+export function withPresent(solutions: number[][], q: number[]): number[][] {
+  return [q, ...solutions.filter((other) => !isSame(other, q))];
+}
+
+/** All solutions of inverse kinematics for the tool's pose, the present one first; a click goes there, and the list stays
+ * as it is. */
 export class SolutionsPanel {
   readonly root = element("section", { class: "solutions", "aria-label": "Inverse kinematics" });
   private readonly status = element("p", { role: "status" });
   private readonly list = element("ol");
+  private items: { q: number[]; button: HTMLButtonElement }[] = [];
+  private present = 0;
 
-  /** `pointed` gets the index of the solution under the mouse or with the focus, 0 the present one; null: none. */
+  /** `pointed` gets the solution under the mouse or with the focus; null: none, or the present one. */
   constructor(
     private readonly chosen: (q: number[]) => void,
-    private readonly pointed: (index: number | null) => void,
+    private readonly pointed: (q: number[] | null) => void,
   ) {
     this.root.append(this.status, this.list);
   }
@@ -43,12 +50,28 @@ export class SolutionsPanel {
   show(answer: InverseAnswer, q: number[], joints: JointDescription[], degrees: boolean): void {
     this.status.textContent = inWords(answer);
     const rows = answer.solutions.length === 0 ? [] : withPresent(answer.solutions, q);
-    this.list.replaceChildren(...rows.map((row, index) => this.item(row, index, joints, degrees)));
+    this.items = rows.map((row, index) => ({ q: row, button: this.button(row, index, joints, degrees) }));
+    this.list.replaceChildren(...this.items.map(({ button }) => element("li", {}, button)));
+    this.mark(q);
+  }
+
+  /** Marks the solution of the list where the arm is now; false: it is at none of them. */
+  mark(q: number[]): boolean {
+    const index = this.items.findIndex((item) => isSame(item.q, q));
+    if (index < 0) return false;
+    this.present = index;
+    this.items.forEach(({ button }, i) => {
+      if (i === index) button.setAttribute("aria-current", "true");
+      else button.removeAttribute("aria-current");
+      button.title = i === index ? "The arm is here now" : "Go there";
+    });
+    return true;
   }
 
   /** Says why the pose that was asked for is not reached. */
   refuse(reason: string): void {
     this.status.textContent = reason;
+    this.items = [];
     this.list.replaceChildren();
   }
 
@@ -56,25 +79,25 @@ export class SolutionsPanel {
     this.refuse("");
   }
 
-  private item(q: number[], index: number, joints: JointDescription[], degrees: boolean): HTMLElement {
+  private button(q: number[], index: number, joints: JointDescription[], degrees: boolean): HTMLButtonElement {
     const text = q.map((value, k) => {
       const unit = unitOf(joints[k]?.type ?? "revolute", degrees);
       return shown(value * unit.factor, unit.name === "°" ? 1 : 3);
     });
-    const button = element(
+    const point = (): void => this.pointed(index === this.present ? null : q);
+    const leave = (): void => this.pointed(null);
+    return element(
       "button",
       {
         type: "button",
-        ...(index === 0 ? { "aria-current": "true", title: "The arm is here now" } : { title: "Go there" }),
         onclick: () => this.chosen(q),
-        onmouseenter: () => this.pointed(index),
-        onmouseleave: () => this.pointed(null),
-        onfocus: () => this.pointed(index),
-        onblur: () => this.pointed(null),
+        onmouseenter: point,
+        onmouseleave: leave,
+        onfocus: point,
+        onblur: leave,
       },
       text.join(", "),
     );
-    return element("li", {}, button);
   }
 }
 

@@ -13,7 +13,8 @@ const usual = 60; // steps: the same for all gains that converge, so that charts
 /** The errors of the joints over the steps of PID control, one curve a joint. */
 export class StepChart {
   readonly root = element("figure", { class: "curves" });
-  private readonly words = element("p", { class: "response" });
+  /** What the response means, or why it diverges: stands apart, where it is seen without scrolling. */
+  readonly words = element("p", { class: "response" });
   private readonly holder = element("div", { role: "img" });
   private readonly legend = element("ul", { class: "legend", "aria-label": "Curves" });
   private plot: uPlot | null = null;
@@ -22,7 +23,7 @@ export class StepChart {
 
   constructor() {
     this.root.append(element("figcaption", {}, "Step response: errors of the joints"));
-    this.root.append(this.holder, this.legend, this.words);
+    this.root.append(this.holder, this.legend);
     new ResizeObserver(() => {
       if (this.root.clientWidth > 0) this.plot?.setSize({ width: this.root.clientWidth, height });
     }).observe(this.root);

@@ -1,4 +1,7 @@
 import { children, set, svg } from "../elements/svg.js";
+import { subscript } from "../elements/units.js";
+import { jointColour } from "./colours.js";
+import { shortening } from "./picture.js";
 
 export type Pixel = readonly [number, number];
 /** A point that texts should not cover, and how far around it, pixels. */
@@ -13,7 +16,11 @@ export interface Label {
   /** Of the middle of the text from the point, pixels; and the preferred angle, rad, y up. */
   away: number;
   angle: number;
-  kind: "frame" | "angle" | "pose" | "waypoint";
+  kind: "frame" | "angle" | "pose" | "waypoint" | "column";
+  /** A CSS colour. */
+  colour?: string;
+  /** What a hand takes hold of with it: an attribute data-grab. */
+  grab?: string;
 }
 
 /** In pixels, from its upper left corner. */
@@ -29,6 +36,7 @@ const letter = 7.2; // pixels
 const height = 16;
 const kept = 0.6; // of an overlap: a label does not jump for less
 const nearest = 3; // pixels around an obstacle
+const shortest = 8; // pixels of an arrow that is named
 /** Pixels by which a label is moved away from its point, and what that costs. */
 const farther = [
   { by: 0, cost: 0 },
@@ -41,12 +49,14 @@ const farther = [
 export class Labels {
   readonly root = svg("g", { class: "labels", "aria-hidden": "true" });
   private places = new Map<string, number>();
+  private written: { label: Label; box: Box }[] = [];
 
   /** Returns the boxes of the texts. */
   place(labels: Label[], obstacles: Obstacle[], bounds: Box): Box[] {
     const taken: Box[] = [];
     const texts = children(this.root, labels.length, () => svg("text"));
     const places = new Map<string, number>();
+    this.written = [];
     labels.forEach((label, i) => {
       const costs = Array.from({ length: farther.length * directions }, (_, k) =>
         costOf(boxOf(label, k), k, obstacles, taken, bounds),
@@ -57,16 +67,25 @@ export class Labels {
       places.set(label.key, best);
       const box = boxOf(label, best);
       taken.push(box);
+      this.written.push({ label, box });
       const text = texts[i] as SVGElement;
       set(text, {
         x: (box.x + box.width / 2).toFixed(1),
         y: (box.y + box.height / 2 + 4.5).toFixed(1),
         class: `${label.kind}-text`,
+        style: label.colour === undefined ? "" : `fill: ${label.colour}`,
       });
+      if (label.grab === undefined) text.removeAttribute("data-grab");
+      else text.setAttribute("data-grab", label.grab);
       if (text.textContent !== label.text) text.textContent = label.text;
     });
     this.places = places;
     return taken;
+  }
+
+  /** The key of the label of a kind at a pixel. */
+  at(pixel: Pixel, kind: Label["kind"]): string | null {
+    return this.written.find(({ label, box }) => label.kind === kind && isInside(pixel, box, 4))?.label.key ?? null;
   }
 }
 
@@ -131,4 +150,21 @@ export function thinned(pixels: Pixel[]): Pixel[] {
   if (pixels.length < shownOfPath / 3) return along(pixels);
   const every = Math.ceil(pixels.length / shownOfPath);
   return pixels.filter((_, i) => i % every === 0);
+}
+
+/** The numbers of the joints at the tips of the columns of the Jacobian, each in the colour of its joint; none at those
+ * that are too short. `from`: the pixel of the tool. */
+export function columnLabels(
+  columns: number[][] | null,
+  tool: number[],
+  pixel: (point: number[]) => Pixel,
+  from: Pixel,
+): Label[] {
+  return (columns ?? []).flatMap((column, k): Label[] => {
+    const at = pixel(tool.map((value, i) => value + shortening * (column[i] ?? 0)));
+    const [dx, dy] = [at[0] - from[0], from[1] - at[1]];
+    if (Math.hypot(dx, dy) < shortest) return [];
+    const text = `J${subscript(k + 1)}`;
+    return [{ key: text, text, at, away: 6, angle: Math.atan2(dy, dx), kind: "column", colour: jointColour(k) }];
+  });
 }

@@ -37,5 +37,7 @@ async function documentWithParts(): Promise<string> {
  * says. The Python module and `beeline view --save` make the same. */
 export async function pageAsDocument(address: string): Promise<string> {
   const text = asOpened ?? (await documentWithParts());
-  return text.replace(/(<script type="text\/plain" id="saved-state">)[^<]*/, (_, begin: string) => begin + address);
+  return text
+    .replace(/(<body[^>]*) data-docs="[^"]*"/, "$1") // the documentation is not beside the file
+    .replace(/(<script type="text\/plain" id="saved-state">)[^<]*/, (_, begin: string) => begin + address);
 }

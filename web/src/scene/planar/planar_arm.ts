@@ -40,8 +40,11 @@ export class PlanarArm {
   private readonly joints = svg("g");
   private readonly grips = svg("g");
 
-  /** `tone`: of a ghost; the arm itself has none. */
-  constructor(private readonly tone = "") {
+  /** `tone`: of a ghost; the arm itself has none, and `names` of its joints. */
+  constructor(
+    private readonly tone = "",
+    private readonly names: string[] = [],
+  ) {
     this.root.setAttribute("class", tone === "" ? "arm" : `arm ghost ${tone}`);
     if (tone === "") {
       this.support.append(svg("path", { class: "link" }), svg("path", { class: "hatch" }));
@@ -74,7 +77,11 @@ export class PlanarArm {
     this.placeSupport(view.pixel(skeleton.base), unit);
     const wide = Math.max(24, 2.4 * unit * linkWidth);
     const grips = children(this.grips, links.length - 1, (k) =>
-      svg("path", { class: "grip", "data-grab": `joint ${k}`, style: `--joint: ${jointColour(k)}` }),
+      svg(
+        "path",
+        { class: "grip", "data-grab": `joint ${k}`, style: `--joint: ${jointColour(k)}` },
+        svg("title", {}, this.names[k] ?? ""),
+      ),
     );
     grips.forEach((grip, k) => {
       const { enter, leave, kind } = skeleton.joints[k] as Skeleton["joints"][number];

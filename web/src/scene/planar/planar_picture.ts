@@ -17,7 +17,7 @@ import {
 import { Angles } from "./angles.js";
 import { Axes } from "./axes.js";
 import { Frames, tips, triad } from "./frames.js";
-import { along, Labels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
+import { along, columnLabels, Labels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
 import { linkLines, linkWidth, PlanarArm, sizeFor } from "./planar_arm.js";
 import { PlaneHand } from "./plane_hand.js";
 import { Columns, heightOf, PlaneTiles, Trails, VelocityEllipse, Waypoints } from "./plane_marks.js";
@@ -38,7 +38,7 @@ export class PlanarPicture implements Picture {
   private readonly clip = svg("rect");
   private readonly tiles = new PlaneTiles();
   private readonly ghosts = svg("g");
-  private readonly arm = new PlanarArm();
+  private readonly arm: PlanarArm;
   private readonly trails = new Trails();
   private readonly frames = new Frames();
   private readonly toolFrame = svg("g", { class: "frames" });
@@ -68,6 +68,10 @@ export class PlanarPicture implements Picture {
     this.size = size;
     this.bones = arm.skeleton(new Array<number>(arm.dof).fill(0));
     this.callout = new Callout(holder);
+    this.arm = new PlanarArm(
+      "",
+      description.joints.map(({ name }) => name),
+    );
     const inside = svg("g", { "clip-path": "url(#plot)" });
     inside.append(
       this.tiles.root,
@@ -121,8 +125,12 @@ export class PlanarPicture implements Picture {
   }
 
   show(q: number[], poses: Float64Array[]): void {
+    const seesTool = (): boolean => this.view.shows(extentOf([this.bones.tool], 0));
+    const wasSeen = this.poses.length > 0 && seesTool();
     [this.q, this.poses] = [q, poses];
     this.bones = this.parts.arm.skeleton(q);
+    // Where the view was moved, it goes back to the whole arm when a number takes the tool out of it.
+    if (!this.atHome && wasSeen && !("grabbed" in this.root.dataset) && !seesTool()) this.home();
     this.changed();
   }
 
@@ -236,12 +244,14 @@ export class PlanarPicture implements Picture {
     this.ellipse.place(marks.ellipsoid, at, view);
     this.waypoints.place(marks.waypoints, view);
     this.placeHandle(tool);
-    const numbers = marks.waypoints.map(({ pose, label }): Label => {
+    const numbers = marks.waypoints.map(({ pose, label, held }, i): Label => {
       const at = view.pixel(pose.slice(12, 14));
-      return { key: `waypoint ${label}`, text: label, at, away: 10, angle: 0.8, kind: "waypoint" };
+      const grab = held ? { grab: `waypoint ${i}` } : {};
+      return { key: `waypoint ${label}`, text: label, at, away: 10, angle: 0.8, kind: "waypoint", ...grab };
     });
     const angles = marks.moving ? [] : values;
-    this.placeLabels([...numbers, this.poseLabel(tool), ...angles, ...frames.labels], frames.obstacles);
+    const columns = columnLabels(marks.columns, at, (point) => view.pixel(point), view.pixel(at));
+    this.placeLabels([...numbers, this.poseLabel(tool), ...angles, ...columns, ...frames.labels], frames.obstacles);
   }
 
   /** Writes the labels, and the sentence at the tool, clear of the arm, its handle and what is drawn beside it. */
@@ -309,8 +319,8 @@ export class PlanarPicture implements Picture {
       svg("path", { class: "stem" }),
       svg("circle", { class: "ring", r: 13 }),
       svg("circle", { class: "knob", r: 5 }),
-      svg("circle", { class: "grip", r: grip, "data-grab": "turn" }),
-      svg("circle", { class: "grip", r: 20, "data-grab": "tool" }),
+      svg("circle", { class: "grip", r: grip, "data-grab": "turn" }, svg("title", {}, "turn about z")),
+      svg("circle", { class: "grip", r: 20, "data-grab": "tool" }, svg("title", {}, "move the tool in x and y")),
     );
   }
 

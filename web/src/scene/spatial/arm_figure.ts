@@ -28,6 +28,7 @@ export const drawOrder = { ground: -3, shadow: -2, ghosts: -1 };
 
 const along = new Vector3(0, 1, 0); // the axis of three's cylinders
 const ghostOpacity = { fill: 0.25, rim: 0.75 };
+const lightness = 0.5; // of the joint's colour in a link that the mouse points at
 
 /** The sizes of an arm with a reach and a number of joints, m. */
 function sizesOf(reach: number, joints: number): { tube: number; rim: number } {
@@ -63,6 +64,9 @@ export class ArmFigure extends Group {
   private readonly foot = new MeshLambertMaterial();
   private readonly ink: MeshBasicMaterial;
   private readonly bands: (MeshLambertMaterial | MeshBasicMaterial)[];
+  /** Of the link that the mouse points at. */
+  private readonly glow = new MeshLambertMaterial();
+  private lit: number | null = null;
   private covered: boolean[] = [];
   /** Of the tubes, m. */
   readonly radius: number;
@@ -114,7 +118,7 @@ export class ArmFigure extends Group {
       this.symbols.push(symbol);
       this.add(symbol);
     });
-    this.tubes.forEach((part, i) => (part.userData["joint"] = Math.ceil(i / 2) - 1));
+    this.tubes.forEach((part, i) => (part.userData["joint"] = jointAt(i)));
     if (ghost === null) this.stand(radius, rim);
     else this.order(ghost.index);
     this.paint();
@@ -159,6 +163,21 @@ export class ArmFigure extends Group {
     this.white.color = colour("--joint-fill");
     this.ink.color = colour("--ink");
     this.bands.forEach((band, k) => (band.color = colour(jointColour(k))));
+    this.glow.color = this.link.color.clone().lerp(colour(jointColour(this.lit ?? 0)), lightness);
+  }
+
+  /** Shows the link and the symbol of its joint, which turns it, in the joint's colour; null: none. Returns whether
+   * it looks different now. */
+  light(joint: number | null): boolean {
+    if (joint === this.lit) return false;
+    this.lit = joint;
+    this.paint();
+    const dress = (part: Group, k: number, plain: Material): void => {
+      (part.children[0] as Mesh).material = k === joint ? this.glow : plain;
+    };
+    for (const parts of [this.tubes, this.bends]) parts.forEach((part, i) => dress(part, jointAt(i), this.link));
+    this.symbols.forEach((symbol, k) => dress(symbol, k, this.white));
+    return true;
   }
 
   /** Makes a ghost of another tone. */
@@ -216,7 +235,7 @@ export class ArmFigure extends Group {
     this.traverse((part) => {
       if (part instanceof Mesh) (part.geometry as BufferGeometry).dispose();
     });
-    for (const material of [this.link, this.white, this.foot, this.ink, ...this.bands]) material.dispose();
+    for (const material of [this.link, this.white, this.foot, this.ink, this.glow, ...this.bands]) material.dispose();
     return this.removeFromParent();
   }
 
@@ -224,6 +243,11 @@ export class ArmFigure extends Group {
     for (let i = 0; i < count; ++i) list.push(make());
     this.add(...list);
   }
+}
+
+/** The joint that tube i of the centre line moves with; -1 for the base. */
+function jointAt(i: number): number {
+  return Math.ceil(i / 2) - 1;
 }
 
 /** Lays a cylinder of unit height from a to b. */

@@ -8,6 +8,7 @@ import {
   LineBasicMaterial,
   LineDashedMaterial,
   Matrix4,
+  type Material,
   Points,
   PointsMaterial,
   Vector3,
@@ -17,13 +18,18 @@ import type { Trail } from "../picture.js";
 
 const axisColours = ["--axis-x", "--axis-y", "--axis-z"];
 
-/** The axes of a frame, thin: x red, y green, z blue. */
+/** The axes of a frame, thin: x red, y green, z blue. Drawn over the links, most of which have their frames inside. */
 export function triad(length: number): Group {
   const group = new Group();
   const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
   axes.forEach((axis, i) => {
     const colour = new Color(resolved(axisColours[i] ?? ""));
-    group.add(new ArrowHelper(axis, new Vector3(), length, colour, 0.2 * length, 0.09 * length));
+    const arrow = new ArrowHelper(axis, new Vector3(), length, colour, 0.2 * length, 0.09 * length);
+    for (const part of [arrow.line, arrow.cone]) {
+      (part.material as Material).depthTest = false;
+      part.renderOrder = 1;
+    }
+    group.add(arrow);
   });
   group.matrixAutoUpdate = false;
   return group;

@@ -16,9 +16,25 @@ export class Overlay {
   );
   private readonly ring = svg("circle", { class: "ring", r: 13 });
   private readonly bar = svg("g", { class: "scale-bar" }, svg("path"), svg("text"));
+  private readonly held = svg("circle", { class: "held", r: 13 });
+  private readonly hint = svg("text", { class: "hint-text" });
 
   constructor(private readonly stage: Stage) {
-    this.root.append(this.ring, this.labels.root, ...this.axes, this.bar);
+    this.root.append(this.ring, this.labels.root, ...this.axes, this.bar, this.held, this.hint);
+    this.point("", [0, 0], null);
+  }
+
+  /** Writes a word beside the mouse, and draws a ring around what it points at; none where it is null. */
+  point(word: string, [x, y]: Pixel, ring: Pixel | null): void {
+    set(this.hint, { x: (x + 14).toFixed(1), y: (y - 12).toFixed(1) });
+    this.hint.textContent = word;
+    this.held.style.display = ring ? "" : "none";
+    if (ring) set(this.held, { cx: ring[0].toFixed(1), cy: ring[1].toFixed(1) });
+  }
+
+  /** The label of this kind that is written at a pixel. */
+  labelAt(pixel: Pixel, kind: Label["kind"]): string | null {
+    return this.labels.at(pixel, kind);
   }
 
   /** `handle`: the pixel of the tool, where it can be taken hold of; `obstacles`: what labels should not cover. Returns

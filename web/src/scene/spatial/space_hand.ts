@@ -1,21 +1,28 @@
 import { Plane, Raycaster, Vector2, Vector3, Matrix4 } from "three";
 import type { Skeleton } from "../../core/types.js";
 import type { Hand } from "../picture.js";
+import type { Pixel } from "../labels.js";
 import type { ArmFigure } from "./arm_figure.js";
+import type { Pointed } from "./hover.js";
 import type { Stage } from "./stage.js";
 
 /** What the hand needs of the picture. */
 export interface Held {
   stage: Stage;
   figure: ArmFigure;
-  /** Whether the arrows at the tool have been taken. */
+  /** Whether the arrows at the tool have been taken, and what the one does that the mouse points at. */
   handleTaken(): boolean;
+  handlePointed(): string;
   canHold(): boolean;
   pose(): ArrayLike<number>;
   poses(): ArrayLike<number>[];
   skeleton(): Skeleton;
   q(): number[];
   waypoints(): number[][];
+  /** The waypoint whose label is at a pixel; -1: none. */
+  waypointLabelled(pixel: Pixel): number;
+  /** The mouse points at something, or at nothing, at this pixel. */
+  pointed(what: Pointed | null, mouse: Pixel): void;
   clicked(event: PointerEvent): void;
 }
 
@@ -31,6 +38,7 @@ export class SpaceHand {
   private drag: Drag | null = null;
   private pressed: { x: number; y: number; id: number } | null = null;
   private fingers = 0;
+  private hovering: PointerEvent | null = null;
 
   constructor(
     private readonly holder: HTMLElement,
@@ -42,6 +50,7 @@ export class SpaceHand {
     // Before the listeners of the camera, which this may stop.
     holder.addEventListener("pointerdown", this.press, { capture: true });
     canvas.addEventListener("pointermove", this.move);
+    canvas.addEventListener("pointerleave", () => held.pointed(null, [0, 0]));
     for (const end of ["pointerup", "pointercancel"] as const) canvas.addEventListener(end, this.release);
     canvas.addEventListener("keydown", this.key);
     canvas.addEventListener("dblclick", () => held.stage.home());
@@ -58,32 +67,72 @@ export class SpaceHand {
     ++this.fingers;
     this.pressed = { x: event.clientX, y: event.clientY, id: event.pointerId };
     if (this.fingers > 1 || this.held.handleTaken()) return;
-    this.drag = this.begin(event);
+    const pointed = this.under(event);
+    this.drag = pointed && this.begin(event, pointed);
     if (!this.drag) return;
+    if (pointed?.what !== "link") this.held.pointed(null, [0, 0]); // a ring would stay behind
     this.held.stage.controls.enabled = false;
     this.held.stage.canvas.setPointerCapture(event.pointerId);
     this.held.stage.canvas.dataset["grabbed"] = "";
     this.hand.pressed();
   };
 
-  private begin(event: PointerEvent): Drag | null {
-    if (!this.held.canHold()) return null;
+  /** What is under the mouse or the finger. */
+  private under(event: PointerEvent): Pointed | null {
+    const { held } = this;
+    if (!held.canHold()) return null;
     const reach = event.pointerType === "touch" ? near.touch : near.mouse;
-    const isNear = (pose: ArrayLike<number>): boolean => {
-      const [x, y] = this.held.stage.pixel(new Vector3(pose[12], pose[13], pose[14]));
-      const { left, top } = this.holder.getBoundingClientRect();
-      return Math.hypot(event.clientX - left - x, event.clientY - top - y) <= reach;
-    };
-    const waypoints = this.held.waypoints();
-    const index = waypoints.findIndex(isNear);
-    if (index >= 0)
-      return this.dragPose(waypoints[index] ?? [], event, (pose, released) =>
-        this.hand.waypoint(index, pose, released),
-      );
-    const pose = this.held.pose();
-    if (isNear(pose))
-      return this.dragPose(Array.from(pose), event, (to, released) => void (released || this.hand.tool(to)));
-    return this.dragLink(event);
+    const [mx, my] = this.pixelOf(event);
+    const pixel = (pose: ArrayLike<number>): Pixel => held.stage.pixel(new Vector3(pose[12], pose[13], pose[14]));
+    const isNear = ([x, y]: Pixel): boolean => Math.hypot(mx - x, my - y) <= reach;
+    const places = held.waypoints().map(pixel);
+    const nearest = places.findIndex(isNear);
+    const index = nearest < 0 ? held.waypointLabelled([mx, my]) : nearest;
+    if (index >= 0) return { what: "waypoint", index, at: places[index] ?? [mx, my] };
+    const at = pixel(held.pose());
+    if (isNear(at)) return { what: "tool", at };
+    const joint = this.hit(event)?.joint;
+    return joint === undefined ? null : { what: "link", joint };
+  }
+
+  private begin(event: PointerEvent, pointed: Pointed): Drag | null {
+    switch (pointed.what) {
+      case "waypoint": {
+        const { index } = pointed;
+        const pose = this.held.waypoints()[index] ?? [];
+        return this.dragPose(pose, event, (to, released) => this.hand.waypoint(index, to, released));
+      }
+      case "tool":
+        return this.dragPose(
+          Array.from(this.held.pose()),
+          event,
+          (to, released) => void (released || this.hand.tool(to)),
+        );
+      case "link":
+        return this.dragLink(event);
+      default:
+        return null;
+    }
+  }
+
+  private pixelOf(event: PointerEvent): Pixel {
+    const { left, top } = this.holder.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  /** Shows what the mouse points at, once a picture: a finger points at nothing. */
+  private hover(event: PointerEvent): void {
+    if (event.pointerType === "touch" || event.buttons !== 0) return;
+    const isWaiting = this.hovering !== null;
+    this.hovering = event;
+    if (isWaiting) return;
+    requestAnimationFrame(() => {
+      const { hovering, held } = this;
+      this.hovering = null;
+      if (!hovering || !held.stage.canvas.isConnected) return;
+      const does = held.canHold() ? held.handlePointed() : "";
+      held.pointed(does === "" ? this.under(hovering) : { what: "handle", does }, this.pixelOf(hovering));
+    });
   }
 
   private ray(event: PointerEvent): Raycaster {
@@ -107,13 +156,20 @@ export class SpaceHand {
     };
   }
 
+  /** The nearest link below the mouse, by its joint. */
+  private hit(event: PointerEvent): { joint: number; point: Vector3 } | null {
+    for (const { object, point } of this.ray(event).intersectObject(this.held.figure, true)) {
+      const joint = this.held.figure.jointOf(object);
+      if (joint !== null) return { joint, point };
+    }
+    return null;
+  }
+
   /** Turns or slides the joint of the link below the finger, so that the grasped point follows the finger. */
   private dragLink(from: PointerEvent): Drag | null {
-    const [hit] = this.ray(from)
-      .intersectObject(this.held.figure, true)
-      .filter(({ object }) => this.held.figure.jointOf(object) !== null);
-    const k = hit ? this.held.figure.jointOf(hit.object) : null;
-    if (!hit || k === null) return null;
+    const hit = this.hit(from);
+    if (!hit) return null;
+    const k = hit.joint;
     const frame = (): Matrix4 => new Matrix4().fromArray(Array.from(this.held.poses()[k + 1] ?? []));
     const grasped = hit.point.clone().applyMatrix4(frame().invert());
     return (event, released) => {
@@ -140,6 +196,7 @@ export class SpaceHand {
 
   private readonly move = (event: PointerEvent): void => {
     if (event.pointerId === this.pressed?.id) this.drag?.(event, false);
+    this.hover(event);
   };
 
   private readonly release = (event: PointerEvent): void => {

@@ -3,7 +3,7 @@ import type { Skeleton } from "../../core/types.js";
 import { shown } from "../../elements/element.js";
 import { Callout } from "../callout.js";
 import { onTheme } from "../colours.js";
-import { along, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
+import { along, columnLabels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
 import type { PathFile } from "../mesh_files.js";
 import {
   hasSolutions,
@@ -17,6 +17,7 @@ import {
 import { pngOf } from "./space_image.js";
 import { ArmFigure } from "./arm_figure.js";
 import { VelocityEllipsoid } from "./ellipsoid.js";
+import { Hover } from "./hover.js";
 import { Arrows, putAt, trail, triad } from "./marks.js";
 import { Overlay } from "./overlay.js";
 import { ReachMesh } from "./reach_mesh.js";
@@ -91,16 +92,25 @@ export class SpatialPicture implements Picture {
   }
 
   private held(): ConstructorParameters<typeof SpaceHand>[1] {
+    const names = this.parts.description.joints.map(({ name }) => name);
+    const hover = new Hover(this.stage.canvas, this.figure, this.overlay, names, () => this.stage.changed());
+    const held = (): Marks["waypoints"] => this.marks.waypoints.filter((mark) => mark.held);
     return {
       stage: this.stage,
       figure: this.figure,
       handleTaken: () => this.handle.taken,
+      handlePointed: () => this.handle.pointed,
       canHold: () => this.marks.handle,
       pose: () => this.poses.at(-1) ?? [],
       poses: () => this.poses,
       skeleton: () => this.bones,
       q: () => this.q,
-      waypoints: () => this.marks.waypoints.filter(({ held }) => held).map(({ pose }) => pose),
+      waypoints: () => held().map(({ pose }) => pose),
+      waypointLabelled: (pixel) => {
+        const label = this.overlay.labelAt(pixel, "waypoint");
+        return held().findIndex((mark) => mark.label === label);
+      },
+      pointed: (what, mouse) => hover.show(what, mouse),
       clicked: (event) => {
         const point = this.marks.tiles ? this.tiles.at(this.stage, event) : null;
         if (point) this.parts.hand.tile(point.toArray());
@@ -110,6 +120,7 @@ export class SpatialPicture implements Picture {
 
   show(q: number[], poses: Float64Array[]): void {
     const isFirst = this.poses.length === 0;
+    const wasSeen = !isFirst && this.stage.sees(new Vector3(...this.bones.tool));
     [this.q, this.poses] = [q, poses];
     this.bones = this.parts.arm.skeleton(q);
     if (isFirst) this.home();
@@ -120,6 +131,8 @@ export class SpatialPicture implements Picture {
     this.moved();
     this.placeColumns();
     this.stage.armChanged();
+    const isHeld = this.handle.dragged || "grabbed" in this.stage.canvas.dataset;
+    if (wasSeen && !isHeld && !this.stage.sees(new Vector3(...this.bones.tool))) this.stage.follow();
   }
 
   mark(change: Partial<Marks>): void {
@@ -368,6 +381,7 @@ export class SpatialPicture implements Picture {
         angle: 0.8,
         kind: "waypoint",
       });
+    labels.push(...columnLabels(this.marks.columns, tool.toArray(), (point) => this.pixel(point), at));
     if (!this.marks.frames || this.poses.length > 40) return labels;
     const places = new Map<string, number[]>();
     this.poses.slice(0, -1).forEach((pose, i) => {

@@ -10,6 +10,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element } from "../../elements/element.js";
+import { reducedMotion } from "../../elements/motion.js";
 import { onTheme, resolved } from "../colours.js";
 import { drawOrder } from "./arm_figure.js";
 import { FloorShadow } from "./floor_shadow.js";
@@ -24,6 +25,7 @@ const noPicture =
 const azimuth = -50;
 const elevation = 25;
 const radian = Math.PI / 180;
+const glide = 400; // milliseconds of the camera to where it sees the whole arm
 
 function rendererOrNull(): WebGLRenderer | null {
   try {
@@ -46,6 +48,8 @@ export class Stage {
   private grid: GridHelper | null = null;
   private waiting = false;
   private disposed = false;
+  /** Where the camera was when it began to follow the arm; null: it is at rest. */
+  private following: { begin: number; target: Vector3; offset: Vector3 } | null = null;
   private readonly endTheme: () => void;
   private readonly resize: ResizeObserver;
 
@@ -67,7 +71,9 @@ export class Stage {
     this.canvas.addEventListener("webglcontextlost", this.lose);
     this.canvas.addEventListener("webglcontextrestored", this.restore);
     this.controls = new OrbitControls(this.camera, this.canvas);
+    this.canvas.style.cursor = ""; // the page's styles have it
     this.controls.addEventListener("change", () => this.changed());
+    this.controls.addEventListener("start", () => (this.following = null)); // a hand has the camera
     const sun = new DirectionalLight(0xffffff, 1.1);
     sun.position.set(2 * size, -3 * size, 5 * size);
     this.scene.add(new AmbientLight(0xffffff, 2.3), sun);
@@ -113,6 +119,7 @@ export class Stage {
 
   /** Puts the camera where the whole arm is seen. */
   home(): void {
+    this.following = null;
     const level = Math.cos(elevation * radian);
     const direction = new Vector3(
       level * Math.cos(azimuth * radian),
@@ -135,6 +142,40 @@ export class Stage {
     controls.update();
     this.changed();
   }
+
+  /** Whether a point is in the picture. */
+  sees(point: Vector3): boolean {
+    this.camera.updateMatrixWorld();
+    return point
+      .clone()
+      .project(this.camera)
+      .toArray()
+      .every((value) => Math.abs(value) <= 1);
+  }
+
+  /** Moves the camera in a moment to where it sees the whole arm; its direction stays. */
+  follow(): void {
+    if (this.following) return;
+    const { camera, controls } = this;
+    const target = controls.target.clone();
+    this.following = { begin: performance.now(), target, offset: camera.position.clone().sub(target) };
+    this.glide();
+  }
+
+  private readonly glide = (): void => {
+    if (!this.following || this.disposed) return;
+    const { begin, target, offset } = this.following;
+    const time = reducedMotion() ? 1 : Math.min(1, (performance.now() - begin) / glide);
+    const part = time * time * (3 - 2 * time);
+    const { centre, radius } = this.whole();
+    const far = offset.length() + part * (this.distanceFor(radius) - offset.length());
+    this.controls.target.lerpVectors(target, centre, part);
+    this.camera.position.copy(this.controls.target).add(offset.clone().setLength(far));
+    this.controls.update();
+    this.changed();
+    if (time < 1) requestAnimationFrame(this.glide);
+    else this.following = null;
+  };
 
   /** Azimuth and elevation of the camera, degrees. */
   viewer(): { azimuth: number; elevation: number } {

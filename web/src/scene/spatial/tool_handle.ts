@@ -57,6 +57,19 @@ export class ToolHandle {
     this.controls.getHelper().visible = visible;
   }
 
+  get dragged(): boolean {
+    return this.held;
+  }
+
+  /** What the arrow or ring does that the mouse points at; empty: it points at none. */
+  get pointed(): string {
+    const { axis } = this.controls;
+    if (axis === null || !this.controls.enabled) return "";
+    if (this.controls.getMode() === "translate") return axis.toLowerCase();
+    if (axis === "XYZE") return "turn freely";
+    return axis === "E" ? "turn in the plane of the screen" : `turn about ${axis.toLowerCase()}`;
+  }
+
   /** Whether the mouse points at one of its arrows or rings, or holds it. */
   get taken(): boolean {
     return this.held || (this.controls.enabled && this.controls.axis !== null);
