@@ -83,7 +83,7 @@ double mount_in_millimetres(const Pose& world_T_base) {
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit) {
   if (unit.millimetres || distance == 0) return;
   warn(
-      fmt::format("{}: a position {} m away is rather in millimetres; --millimetres reads "
+      fmt::format("{}: a position {} m away is probably in millimetres; --millimetres reads "
                   "millimetres",
                   option, number(distance)));
 }

@@ -140,8 +140,8 @@ class Arm {
   Reach reach_;
 };
 
-/// Whether a position is rather in millimetres: farther from the sphere's centre than ten times its
-/// radius, and within it if read in millimetres.
+/// Whether a position is probably in millimetres: farther from the sphere's centre than ten times
+/// its radius, and within it if read in millimetres.
 bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position);
 
 /// Returns the arm of a Denavit-Hartenberg table: one joint for each row, named joint1, joint2 and
