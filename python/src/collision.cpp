@@ -49,12 +49,12 @@ void bind_scene(nb::module_& m) {
       m,
       [](nb::handle path, nb::handle hold, nb::handle package) {
         const std::string file = path_from(path, "path");
-        Scene scene = read_scene(file, shape_options(hold, package));
-        if (!scene.links_without_shapes.empty()) {
+        Scene cell = read_scene(file, shape_options(hold, package));
+        if (!cell.links_without_shapes.empty()) {
           warn_of_input(file + ": links with <visual> and without <collision> are no obstacles: " +
-                        listed(scene.links_without_shapes));
+                        listed(cell.links_without_shapes));
         }
-        return scene;
+        return cell;
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
       nb::arg("package") = nb::dict());
