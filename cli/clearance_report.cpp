@@ -177,8 +177,8 @@ std::string ClearanceReport::text() const {
   }
   if (proof && !proof.pair.names[0].empty()) {
     text += fmt::format("closest       {}: {} m at {} s, {} m are required\n",
-                        pair_text(proof.pair.names), shown(proof.pair.upper),
-                        shown(proof.time), shown(proof.pair.clearance));
+                        pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
+                        shown(proof.pair.clearance));
   }
   text += fmt::format("pairs         {} of {} and {}", proof.pairs,
                       counted(static_cast<std::int64_t>(scene->links.size()), "link"),
