@@ -210,8 +210,8 @@ enum class ReasonField {
   none_kept,
   overshoots,
   at_singularity,
-  in_millimetres,  ///< whether the position is rather in millimetres than in metres
-  in_degrees,      ///< whether the joint value is rather in degrees than in radians
+  in_millimetres,  ///< whether the position is probably in millimetres
+  in_degrees,      ///< whether the joint value is probably in degrees
 };
 std::string name(ReasonField field);
 ReasonField reason_field_named(std::string_view name);  ///< throws Error for another name

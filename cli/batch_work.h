@@ -39,7 +39,7 @@ struct BatchCounts {
   double large_angle = 0;  ///< the first beyond a revolution
   std::int64_t large_angle_row = 0;
   std::optional<PoseForm> large_angle_form = {};
-  double far_distance = 0;  ///< of the first pose that is rather in millimetres, m; 0: none is
+  double far_distance = 0;  ///< of the first pose that is probably in millimetres, m; 0: none is
   std::int64_t far_row = 0;
   Ending ending = Ending::complete;  ///< of the last block
 

@@ -94,6 +94,7 @@ std::string fault_text(const Reason& reason) {
 std::string reason_text(const CheckedMotion& checked) {
   const std::string fault = fault_text(checked.verification.reason);
   if (!checked.clearance || checked.clearance->proof) return fault;
+  if (checked.clearance->proof.reason == checked.verification.reason) return fault;
   return (fault.empty() ? "" : fault + "; ") + checked.clearance->reason_text();
 }
 

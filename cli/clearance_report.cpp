@@ -43,14 +43,28 @@ std::string held_text(const std::map<std::string, double>& held) {
   return listed(texts);
 }
 
-/// Lines of the values of held joints: of the arm, and of each scene.
-std::string held_lines(const CheckedScene& scene) {
-  std::string text;
-  if (!scene.held.empty()) text += fmt::format("held          {}\n", held_text(scene.held));
-  for (const auto& [path, held] : scene.scenes_held) {
-    text += fmt::format("held          {} ({})\n", held_text(held), path);
+std::string pairs_text(const std::vector<NamedPair>& pairs) {
+  std::vector<std::string> texts;
+  for (const NamedPair& pair : pairs) texts.push_back(pair_text(pair));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// The pairs that may touch: each allowed pair, pairs of the SRDF file, and neighbours.
+std::vector<SceneLine> exempted_lines(const CheckedScene& scene) {
+  std::vector<SceneLine> lines;
+  for (const NamedPair& pair : scene.allowed_pairs) {
+    lines.push_back({"may touch", pair_text(pair)});
   }
-  return text;
+  if (!scene.srdf_pairs.empty()) {
+    lines.push_back({"may touch", "by " + scene.srdf + ": " + pairs_text(scene.srdf_pairs)});
+  }
+  const std::vector<NamedPair> neighbours = scene.model.neighbour_pairs();
+  if (!scene.self_collision) {
+    lines.push_back({"may touch", "by --no-self: all pairs of links"});
+  } else if (!neighbours.empty()) {
+    lines.push_back({"may touch", "at a joint: " + pairs_text(neighbours)});
+  }
+  return lines;
 }
 
 /// The bodies with meshes, each once.
@@ -62,13 +76,13 @@ std::vector<std::string> bodies_with_meshes(const CheckedScene& scene) {
   return bodies;
 }
 
-std::string meshes_text(const CheckedScene& scene) {
+SceneLine meshes_line(const CheckedScene& scene) {
   double padding = 0;
   for (const MeshHull& hull : scene.mesh_hulls) padding = std::max(padding, hull.padding);
   const std::string grown =
       padding > 0 ? fmt::format(", grown by at most {} m", shown(rounded_up(padding, 2))) : "";
-  return fmt::format("meshes        taken as their convex hulls{}: {}\n", grown,
-                     listed(bodies_with_meshes(scene)));
+  return {"meshes", fmt::format("taken as their convex hulls{}: {}", grown,
+                                listed(bodies_with_meshes(scene)))};
 }
 
 /// The clause of a collision that names which of the two bodies are hulls of meshes.
@@ -127,34 +141,58 @@ std::string ClearanceReport::reason_text() const {
          "; if this contact is meant, exempt it by" + allow_options(*this);
 }
 
+bool ClearanceReport::checks_nothing() const {
+  return proof.pairs == 0 && scene->model.apart_count() == 0;
+}
+
+std::string ClearanceReport::guarantee() const {
+  if (proof.pairs == 0) return "no pair of bodies meets within the joint limits";
+  const std::string least = shown(rounded_down(proof.least_distance, 6));
+  if (proof.pairs == 1) return fmt::format("the pair that counts keeps at least {} m", least);
+  return fmt::format("each of the {} pairs that count keeps at least {} m", proof.pairs, least);
+}
+
+std::vector<SceneLine> ClearanceReport::conditions() const {
+  std::vector<SceneLine> lines = exempted_lines(*scene);
+  if (!scene->held.empty()) lines.push_back({"held", held_text(scene->held)});
+  for (const auto& [path, held] : scene->scenes_held) {
+    lines.push_back({"held", held_text(held) + " (" + path + ")"});
+  }
+  if (!scene->mesh_hulls.empty()) lines.push_back(meshes_line(*scene));
+  if (!scene->links_without_shapes.empty()) {
+    lines.push_back({"no shapes", listed(scene->links_without_shapes)});
+  }
+  for (const auto& [path, links] : scene->scenes_without_shapes) {
+    lines.push_back({"no shapes", listed(links) + " (" + path + ")"});
+  }
+  return lines;
+}
+
 std::string ClearanceReport::text() const {
   std::string text;
-  if (proof && scene->model.pair_count() > 0) {
-    text +=
-        fmt::format("clearance     kept at all times, proved; all bodies are at least {} m apart\n",
-                    shown(rounded_down(proof.least_distance, 6)));
-    if (!proof.pair.names[0].empty()) {
-      text += fmt::format("closest       {}: {} m at {} s, {} m are required\n",
-                          pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
-                          shown(proof.pair.clearance));
-    }
+  if (proof && checks_nothing()) {
+    text += "clearance     nothing was checked: no pair of bodies counts\n";
+  } else if (proof) {
+    text += fmt::format("clearance     kept at all times, proved; {}\n", guarantee());
   }
-  text += fmt::format("pairs         {} of {} and {}", scene->model.pair_count(),
+  if (proof && !proof.pair.names[0].empty()) {
+    text += fmt::format("closest       {}: {} m at {} s, {} m are required\n",
+                        pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
+                        shown(proof.pair.clearance));
+  }
+  text += fmt::format("pairs         {} of {} and {}", proof.pairs,
                       counted(static_cast<std::int64_t>(scene->links.size()), "link"),
                       counted(static_cast<std::int64_t>(scene->obstacles.size()), "obstacle"));
   const std::size_t apart = scene->model.apart_count();
-  if (apart > 0) text += fmt::format("; {} more never meet within the joint limits, proved", apart);
+  if (proof.pairs > scene->model.pair_count()) {
+    text +=
+        fmt::format("; {} of them only outside the joint limits, which the motion leaves", apart);
+  } else if (apart > 0) {
+    text += fmt::format("; {} more never meet within the joint limits, proved", apart);
+  }
   text += "\n";
-  for (const NamedPair& pair : scene->allowed_pairs) {
-    text += fmt::format("may touch     {}\n", pair_text(pair));
-  }
-  if (!scene->srdf_pairs.empty()) {
-    std::vector<std::string> pairs;
-    for (const NamedPair& pair : scene->srdf_pairs) pairs.push_back(pair_text(pair));
-    text += fmt::format("may touch     by {}: {}\n", scene->srdf, fmt::join(pairs, ", "));
-  }
-  text += held_lines(*scene);
-  if (!scene->mesh_hulls.empty()) text += meshes_text(*scene);
+  for (const SceneLine& line : conditions())
+    text += fmt::format("{:<14}{}\n", line.label, line.text);
   return text;
 }
 
@@ -176,8 +214,11 @@ Json ClearanceReport::document() const {
       {"begin", undecided ? Json(proof.begin) : Json()},
       {"end", undecided ? Json(proof.end) : Json()}};
   document.add("too_close", json_pairs(too_close));
-  document.add("pairs", scene->model.pair_count());
-  document.add("apart_pairs", scene->model.apart_count());
+  document.add("nothing_checked", checks_nothing());
+  document.add("pairs", proof.pairs);
+  document.add("apart_pairs", scene->model.pair_count() + scene->model.apart_count() - proof.pairs);
+  document.add("self_collision", scene->self_collision);
+  document.add("neighbour_pairs", json_pairs(scene->model.neighbour_pairs()));
   document.add("links", scene->links);
   document.add("obstacles", scene->obstacles);
   document.add("allowed_pairs", json_pairs(scene->allowed_pairs));
@@ -188,6 +229,9 @@ Json ClearanceReport::document() const {
   document.add("scenes_held", scenes_held);
   document.add("mesh_hulls", json_hulls(scene->mesh_hulls));
   document.add("links_without_shapes", scene->links_without_shapes);
+  Json scenes_without = Json::object();
+  for (const auto& [path, links] : scene->scenes_without_shapes) scenes_without.add(path, links);
+  document.add("scenes_without_shapes", scenes_without);
   document.add("reason", reason_text());
   document.add(reason_members(proof.reason));
   return document;

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -92,16 +92,20 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
   std::vector<std::string> others;
   if (!scene.scenes.empty()) others.push_back("from the obstacles of " + listed(scene.scenes));
   if (!scene.no_self) others.emplace_back("between the links");
-  const double least = clearance.proof.least_distance;
-  const std::string apart =
-      std::isfinite(least)
-          ? fmt::format(", whose bodies are at least {} m apart", shown(rounded_down(least, 6)))
-          : "";
-  return {fmt::format("Clearance of {} m{} {}: proved at all times for {}{}",
-                      number(clearance.clearance),
-                      clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
-                      fmt::join(others, " and "), motion, apart),
-          "Repeat this proof: " + *arguments.command_line};
+  const std::string proved =
+      clearance.checks_nothing()
+          ? "nothing was checked, as no pair of bodies counts"
+          : fmt::format("proved at all times for {}; {}", motion, clearance.guarantee());
+  std::vector<std::string> remarks{
+      fmt::format("Clearance of {} m{} {}: {}", number(clearance.clearance),
+                  clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
+                  fmt::join(others, " and "), proved)};
+  for (SceneLine& line : clearance.conditions()) {
+    line.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line.label[0])));
+    remarks.push_back(line.label + ": " + line.text);
+  }
+  remarks.push_back("Repeat this proof: " + *arguments.command_line);
+  return remarks;
 }
 
 /// Proves that the motion of a file keeps its clearance, and adds that to the comments.
@@ -285,7 +289,8 @@ constexpr const char* export_description =
     "otherwise nothing is written, and the status is collides or not_decided. A ros2 message "
     "is proved as it is played, of other forms the motion from which their setpoints are "
     "taken, of a program the planned motion. Comments in the file name the scenes, the "
-    "clearance and the command that repeats the proof.\n\n"
+    "clearance, the pairs that may touch, held joints, links without shapes, and the command "
+    "that repeats the proof.\n\n"
     "With --rate the last sample is up to one period later than the trajectory's. Files are "
     "in radians and metres, files of rapid and krl in degrees; --degrees applies to --tcp "
     "and --mount, and to recordings with an angle more than a revolution outside its limits "

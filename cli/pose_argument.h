@@ -42,11 +42,11 @@ double distance_in_millimetres(const Arm& arm, const Pose& pose);
 /// distance from this frame.
 double offset_in_millimetres(const Arm& arm, const Pose& pose);
 
-/// The distance of the base from the world's origin, m, if it is rather in millimetres: beyond 100
-/// m; else 0.
+/// The distance of the base from the world's origin, m, if it is probably in millimetres: beyond
+/// 100 m; else 0.
 double mount_in_millimetres(const Pose& world_T_base);
 
-/// Warns on stderr that positions read with `option` are rather in millimetres, as one of them is
+/// Warns on stderr that positions read with `option` are probably in millimetres, as one of them is
 /// this far away; of distance 0 nothing.
 void warn_of_distance(const std::string& option, double distance, const UnitArgument& unit);
 

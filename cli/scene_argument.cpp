@@ -155,8 +155,10 @@ Error no_shapes(const std::string& option, const std::string& arm) {
                "`beeline show ARM --out FILE.json` writes without them");
 }
 
-/// The links that move and have no shapes.
-std::vector<std::string> links_without(const Arm& arm, const std::vector<LinkShapes>& shapes) {
+/// The links of an arm without shapes: those that move, bodies without shapes in its file, and
+/// links of a URDF file that are only visible.
+std::vector<std::string> links_without(const Arm& arm, const ArmShapes& read) {
+  const std::vector<LinkShapes>& shapes = read.links;
   std::vector<std::string> names;
   for (std::size_t i = 1; i <= arm.joints().size(); ++i) {
     const bool has_shapes = std::any_of(shapes.begin(), shapes.end(), [&](const LinkShapes& body) {
@@ -165,7 +167,28 @@ std::vector<std::string> links_without(const Arm& arm, const std::vector<LinkSha
     const Joint& joint = arm.joints()[i - 1];
     if (!has_shapes) names.push_back(joint.link.empty() ? "after " + joint.name : joint.link);
   }
+  std::vector<std::string> others = read.links_without_shapes;
+  for (const LinkShapes& body : shapes) {
+    const bool is_named = body.link > 0 && body.at_proximal_joint;  // above
+    if (body.shapes.empty() && !is_named) others.push_back(body.name);
+  }
+  for (const std::string& name : others) {
+    if (!is_among(names, name)) names.push_back(name);
+  }
   return names;
+}
+
+void warn_about(const CheckedScene& scene, const std::vector<std::string>& far) {
+  if (!far.empty()) {
+    warn("obstacles farther away than ten times the arm's reach, probably in millimetres: " +
+         listed(far));
+  }
+  if (!scene.links_without_shapes.empty()) {
+    warn("links without shapes are not checked: " + listed(scene.links_without_shapes));
+  }
+  for (const auto& [path, links] : scene.scenes_without_shapes) {
+    warn(path + ": links with <visual> and without <collision> are no obstacles: " + listed(links));
+  }
 }
 
 }  // namespace
@@ -253,6 +276,11 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
   std::vector<SceneFile> files = read_scene_files(scenes, reading);
   const ArmShapes shapes = shapes_of(arm_argument, arm, reading);
   auto scenes_held = held_in(files, hold_of_all, shapes.held);
+  std::map<std::string, std::vector<std::string>> scenes_without_shapes;
+  for (const SceneFile& file : files) {
+    if (file.scene.links_without_shapes.empty()) continue;
+    scenes_without_shapes[file.path] = file.scene.links_without_shapes;
+  }
   std::vector<std::string> links;
   for (const LinkShapes& body : shapes.links) links.push_back(body.name);
   std::vector<std::string> known = links;
@@ -271,6 +299,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .model = CollisionModel(arm, shapes.links, scene, options),
       .links = links,
       .obstacles = {known.begin() + static_cast<std::ptrdiff_t>(links.size()), known.end()},
+      .self_collision = !no_self,
       .obstacles_have_clearances =
           std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
                       [](const Obstacle& obstacle) { return obstacle.clearance.has_value(); }),
@@ -279,21 +308,15 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .srdf_pairs = shapes.allowed_pairs,
       .held = shapes.held,
       .scenes_held = std::move(scenes_held),
-      .links_without_shapes = links_without(arm, shapes.links)};
+      .links_without_shapes = links_without(arm, shapes),
+      .scenes_without_shapes = std::move(scenes_without_shapes)};
   for (const LinkShapes& body : shapes.links) {
     add_mesh_hulls(body.name, body.shapes, checked.mesh_hulls);
   }
   for (const Obstacle& obstacle : scene.obstacles) {
     add_mesh_hulls(obstacle.name, obstacle.shapes, checked.mesh_hulls);
   }
-  const std::vector<std::string> far = far_obstacles(arm, scene);
-  if (!far.empty()) {
-    warn("obstacles farther away than ten times the arm's reach, rather in millimetres: " +
-         listed(far));
-  }
-  if (!checked.links_without_shapes.empty()) {
-    warn("links without shapes are not checked: " + listed(checked.links_without_shapes));
-  }
+  warn_about(checked, far_obstacles(arm, scene));
   return checked;
 }
 
@@ -304,6 +327,7 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   ClearanceReport report{.scene = &scene,
                          .clearance = clearance.value_or(CollisionOptions().clearance),
                          .proof = prove_clearance(scene.model, motion, options)};
+  if (report.checks_nothing()) warn("no pair of bodies counts: nothing was checked");
   if (report.proof.status != ClearanceStatus::collides) return report;
   constexpr std::size_t most_listed = 100;
   report.too_close.push_back(report.proof.pair.names);

@@ -21,29 +21,44 @@ struct MeshHull {
   double padding = 0;        ///< distance by which the hull is grown, m
 };
 
-/// An arm with its shapes among obstacles, as the options of SceneArgument give it, with what a
-/// report says of it.
+/// An arm with its shapes among obstacles, as the options of SceneArgument give it, and the facts
+/// about it that reports list.
 struct CheckedScene {
   CollisionModel model;
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
+  bool self_collision = true;                           ///< false: --no-self
   bool obstacles_have_clearances = false;     ///< whether an obstacle has a clearance of its own
   std::vector<NamedPair> allowed_pairs = {};  ///< by --allow and the scenes
   std::string srdf = {};                      ///< the file of --srdf; empty: none
-  std::vector<NamedPair> srdf_pairs = {};     ///< which that file exempts
+  std::vector<NamedPair> srdf_pairs = {};     ///< pairs that this file exempts
   std::map<std::string, double> held = {};    ///< see ArmShapes::held
   /// See Scene::held, by the path of the scene.
   std::map<std::string, std::map<std::string, double>> scenes_held = {};
   std::vector<MeshHull> mesh_hulls = {};
-  std::vector<std::string> links_without_shapes = {};  ///< which are not checked
+  std::vector<std::string> links_without_shapes = {};  ///< of the arm: they are not checked
+  /// See Scene::links_without_shapes, by the path of the scene.
+  std::map<std::string, std::vector<std::string>> scenes_without_shapes = {};
+};
+
+/// A line of a report: `label`, such as "may touch", and its text.
+struct SceneLine {
+  std::string label, text;
 };
 
 /// Whether a motion keeps its clearance.
 struct ClearanceReport {
   const CheckedScene* scene = nullptr;
-  double clearance = 0;  ///< that is kept without another one of an obstacle
+  double clearance = 0;  ///< distance to keep, m, except from obstacles with their own
   ClearanceProof proof = {};
   std::vector<NamedPair> too_close = {};  ///< at the time of a collision, at most 100
 
+  /// Whether no pair of bodies counts, so that the proof says nothing.
+  bool checks_nothing() const;
+  /// Returns what is proved: "each of the 12 pairs that count keeps at least 0.05 m".
+  std::string guarantee() const;
+  /// Returns the exemptions and assumptions of the proof: pairs that may touch, held joints, meshes
+  /// and links without shapes.
+  std::vector<SceneLine> conditions() const;
   /// Returns the status of a motion that is refused.
   MotionStatus refusal() const;
   /// Returns the sentence of the reason, with the option that exempts the pairs.

@@ -16,11 +16,6 @@ void check_options(const ClearanceOptions& options) {
     throw Error("", "resolution",
                 " of " + number(options.resolution) + "; it must be from 1e-6 to 1");
   }
-  if (!(options.beyond >= 0 && options.beyond <= max_shape_size)) {
-    throw Error("", "beyond",
-                " of " + number(options.beyond) + " m; it must be from 0 to " +
-                    number(max_shape_size) + " m");
-  }
 }
 
 Reason reason_of(const ClearanceProof& proof, Ending ending) {
@@ -58,8 +53,12 @@ std::ostream& operator<<(std::ostream& out, ClearanceStatus status) { return out
 std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
   out << name(proof.status);
   if (!proof) return out << ": " << proof.reason;
-  if (std::isinf(proof.least_distance)) return out << ", no pairs";
-  out << ", at least " << number(rounded_down(proof.least_distance, 6)) << " m apart";
+  if (std::isinf(proof.least_distance)) return out << ", but no pair of bodies counts";
+  if (proof.pairs == 0) return out << ", no pair meets within the position limits";
+  out << (proof.pairs == 1 ? ", the pair that counts keeps at least "
+                           : ", each of the " + std::to_string(proof.pairs) +
+                                 " pairs that count keeps at least ")
+      << number(rounded_down(proof.least_distance, 6)) << " m";
   if (proof.pair.names[0].empty()) return out;
   return out << "; nearest " << proof.pair.names[0] << " and " << proof.pair.names[1] << " at "
              << number(proof.time) << " s";
@@ -75,6 +74,7 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
   if (options.closest && proof)
     internal::find_closest_approach(model, tubes, options, budget, proof);
   if (!proof) proof.least_distance = ClearanceProof().least_distance;
+  proof.pairs = internal::counted_pairs(model, tubes);
   proof.reason = reason_of(proof, budget.ending());
   return proof;
 }

@@ -30,8 +30,6 @@ struct ClearanceOptions {
   /// Distance to the clearance below which a pair is not decided, as a fraction of the clearance,
   /// 1e-6 to 1.
   double resolution = 0.01;
-  /// Distance by which the clearances are raised, m, 0 or more: what is proved then.
-  double beyond = 0;
   /// Whether a motion that is clear is examined for its closest approach: `pair` and `time` are
   /// set, and `least_distance` is raised to within 2 % of their distance where that can be proved.
   bool closest = false;
@@ -40,10 +38,11 @@ struct ClearanceOptions {
 
 /// The proof that a motion keeps its clearance, or the first place where it does not.
 struct ClearanceProof {
-  ClearanceStatus status = ClearanceStatus::clear;  ///< answer
+  ClearanceStatus status = ClearanceStatus::not_decided;  ///< answer
   Reason reason = {};  ///< bodies, time, place and distance; none if `status` is clear
-  /// Lower bound of the distances of all pairs at all times, m, rounded down, if `status` is clear;
-  /// infinite without pairs. -infinity, which bounds nothing, for any other status.
+  /// Lower bound of the distances of all pairs that count, at all times, m, rounded down, if
+  /// `status` is clear; infinite without pairs. -infinity, which bounds nothing, for any other
+  /// status.
   double least_distance = -std::numeric_limits<double>::infinity();
   /// The pair that is too close, or that is not decided. If `status` is clear, the pair of the
   /// closest approach that was found, with ClearanceOptions::closest; else without names.
@@ -52,12 +51,16 @@ struct ClearanceProof {
   double begin = 0;       ///< everything before this time is proved, s
   double end = 0;         ///< end of the first time that is not decided, s
   std::size_t parts = 0;  ///< number of parts of the motion that were examined
+  /// Number of pairs that count: CollisionModel::pair_count(), and CollisionModel::apart_count()
+  /// if the motion leaves the position limits.
+  std::size_t pairs = 0;
 
   /// Returns whether the motion is proved to keep its clearance.
   explicit operator bool() const { return status == ClearanceStatus::clear; }
 };
 
-/// Prints `clear, at least 0.05 m apart`, or the status with its reason.
+/// Prints `clear, each of the 12 pairs that count keeps at least 0.05 m`, or the status with its
+/// reason.
 std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof);
 
 /// Proves or refutes that each pair of the model keeps its clearance at all times of the motion
@@ -77,7 +80,7 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
                                const ClearanceOptions& options = {});
 
 /// The least distance beyond the clearance, over time, of the pairs that count
-/// (CollisionModel::pair_count()).
+/// (ClearanceProof::pairs).
 struct ClearanceOverTime {
   std::vector<double> times = {};  ///< begin of the first part, then the end of each, s, (m + 1,)
   /// Distance that each pair is proved to keep beyond its clearance at all times of a part, m,
@@ -91,10 +94,10 @@ struct ClearanceOverTime {
   Ending ending = Ending::complete;
 };
 
-/// Bounds the distances in each of some hundred parts of a motion as prove_clearance() does, and
-/// samples them five times in each. A sampled distance only proposes the bound to be proved: the
-/// largest of some, from half a percent below it. Without parts for a model without pairs. Throws
-/// Error where prove_clearance() does.
+/// Divides a motion into some hundred parts. In each part, samples the distances at five times and
+/// proves a lower bound of them at all times, as prove_clearance() does. The bound is tried half a
+/// percent below the least sampled distance, then at lower values; it never rests on the samples.
+/// The result has no parts if no pair counts. Throws Error where prove_clearance() does.
 ClearanceOverTime clearance_over_time(const CollisionModel& model, const Trajectory& trajectory,
                                       const Budget& budget = {});
 

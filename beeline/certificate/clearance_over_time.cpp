@@ -4,6 +4,7 @@
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/certificate/internal/clearance_search.h>
+#include <beeline/collision/internal/nearest_pair.h>
 
 namespace beeline {
 namespace {
@@ -24,7 +25,10 @@ std::optional<double> common_clearance(const internal::CollisionBodies& bodies) 
 class OverTime {
  public:
   OverTime(const CollisionModel& model, const MotionTubes& tubes, internal::BudgetMeter& budget)
-      : model_(model), tubes_(tubes), budget_(budget) {
+      : model_(model),
+        tubes_(tubes),
+        budget_(budget),
+        apart_(internal::apart_pairs_of(model, tubes)) {
     const std::vector<double>& times = tubes.trajectory().times;
     longest_ = fraction_of_part * (times.back() - times.front());
     found_.clearance = common_clearance(model.bodies());
@@ -79,7 +83,8 @@ class OverTime {
     double found = std::numeric_limits<double>::infinity(), distance = 0;
     for (int i = 0; i < samples; ++i) {
       const double time = i + 1 == samples ? to : from + (to - from) * i / (samples - 1);
-      const BodyDistance pair = nearest_pair(model_, sample(tubes_.trajectory(), time).position);
+      const BodyDistance pair =
+          internal::nearest_pair(model_, sample(tubes_.trajectory(), time).position, apart_);
       const double excess = pair.upper - pair.clearance;
       if (i > 0 || found_.sampled.empty()) {  // the first is the last of the part before
         found_.sample_times.push_back(time);
@@ -109,15 +114,16 @@ class OverTime {
 
   template <class Place>
   bool proves(const Place& place, double bound) {
-    const ClearanceOptions options{.beyond = bound};
+    const ClearanceOptions options;
     const ClearanceProof proof =
-        ClearanceSearch(model_.bodies(), tubes_, options, budget_, true).run(place);
+        ClearanceSearch(model_.bodies(), tubes_, options, budget_, bound, true).run(place);
     return proof.status == ClearanceStatus::clear;
   }
 
   const CollisionModel& model_;
   const MotionTubes& tubes_;
   internal::BudgetMeter& budget_;
+  internal::ApartPairs apart_;
   double longest_ = 0, largest_clearance_ = 0;
   ClearanceOverTime found_;
 };
@@ -127,9 +133,9 @@ class OverTime {
 ClearanceOverTime clearance_over_time(const CollisionModel& model, const Trajectory& trajectory,
                                       const Budget& budget) {
   const Trajectory adapted = internal::adapted_motion(model, trajectory);
-  if (model.pair_count() == 0) return {};
   internal::BudgetMeter meter(budget);
   const MotionTubes tubes(adapted.size() > 0 ? adapted : trajectory);
+  if (internal::counted_pairs(model, tubes) == 0) return {};
   return OverTime(model, tubes, meter).run();
 }
 

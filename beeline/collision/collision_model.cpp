@@ -12,13 +12,6 @@ namespace {
 
 using internal::CollisionBodies;
 
-void check_clearance(double clearance, const std::string& of) {
-  if (clearance > 0 && clearance <= max_shape_size) return;
-  throw Error::of("clearance", of + " of " + number(clearance) +
-                                   " m; it must be above 0 and at most " + number(max_shape_size) +
-                                   " m");
-}
-
 /// The names of all bodies: links are 0, 1, ..., obstacles follow.
 class Names {
  public:
@@ -76,13 +69,14 @@ void add_obstacles(CollisionBodies& bodies) {
   for (std::size_t i = 0; i < bodies.scene.obstacles.size(); ++i) {
     const Obstacle& obstacle = bodies.scene.obstacles[i];
     const double clearance = obstacle.clearance.value_or(bodies.clearance);
-    check_clearance(clearance, "\"" + obstacle.name + "\" has a clearance");
+    try {
+      check_clearance(clearance);
+      if (obstacle.shapes.empty()) throw Error("an obstacle has no shape");
+      for (const Shape& shape : obstacle.shapes) check_shape(shape);
+    } catch (const Error& error) {
+      throw in_body(obstacle.name, error);
+    }
     for (const Shape& shape : obstacle.shapes) {
-      try {
-        check_shape(shape);
-      } catch (const Error& error) {
-        throw in_body(obstacle.name, error);
-      }
       const CollisionBodies::ObstacleBody body{
           moved(Rotation::Identity(), -bodies.motion.origin(), internal::convex_body(shape)), i,
           clearance};
@@ -127,6 +121,11 @@ LinkPairs set_allowed(CollisionBodies& bodies, const std::vector<NamedPair>& pai
   return of_links;
 }
 
+/// Whether two bodies are at the same joint, which moves the later one.
+bool share_joint(const LinkShapes& later, const LinkShapes& earlier) {
+  return later.link == earlier.link + 1 && later.at_proximal_joint && earlier.at_distal_joint;
+}
+
 void add_self_pairs(CollisionBodies& bodies, const LinkPairs& allowed) {
   const auto is_allowed = [&](std::size_t a, std::size_t b) {
     return allowed.contains({std::min(a, b), std::max(a, b)});
@@ -136,10 +135,7 @@ void add_self_pairs(CollisionBodies& bodies, const LinkPairs& allowed) {
       const auto& later = bodies.link_bodies[a];
       const auto& earlier = bodies.link_bodies[b];
       if (later.carried.frame <= earlier.carried.frame) continue;
-      const bool share_joint = later.carried.frame == earlier.carried.frame + 1 &&
-                               bodies.links[later.link_shapes].at_proximal_joint &&
-                               bodies.links[earlier.link_shapes].at_distal_joint;
-      if (share_joint) continue;
+      if (share_joint(bodies.links[later.link_shapes], bodies.links[earlier.link_shapes])) continue;
       if (!is_allowed(later.link_shapes, earlier.link_shapes)) bodies.self_pairs.push_back({a, b});
     }
   }
@@ -149,7 +145,7 @@ void add_self_pairs(CollisionBodies& bodies, const LinkPairs& allowed) {
 
 CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links,
                                const Scene& scene, const CollisionOptions& options) {
-  check_clearance(options.clearance, "a clearance");
+  check_clearance(options.clearance);
   auto bodies = std::make_unique<CollisionBodies>(arm, links, scene, options.clearance);
   add_links(*bodies);
   add_obstacles(*bodies);
@@ -163,6 +159,17 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
 CollisionModel::CollisionModel(CollisionModel&&) noexcept = default;
 CollisionModel& CollisionModel::operator=(CollisionModel&&) noexcept = default;
 CollisionModel::~CollisionModel() = default;
+
+std::vector<NamedPair> CollisionModel::neighbour_pairs() const {
+  std::vector<NamedPair> pairs;
+  for (const LinkShapes& earlier : bodies_->links) {
+    for (const LinkShapes& later : bodies_->links) {
+      if (earlier.shapes.empty() || later.shapes.empty()) continue;
+      if (share_joint(later, earlier)) pairs.push_back({earlier.name, later.name});
+    }
+  }
+  return pairs;
+}
 
 std::size_t CollisionModel::apart_count() const { return bodies_->apart_pairs.size(); }
 

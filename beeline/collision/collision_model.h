@@ -50,9 +50,9 @@ struct BodyDistance {
 /// a configuration or a motion exceeds the limits.
 class CollisionModel {
  public:
-  /// Throws Error for a shape that is not valid (check_shape()), a half-space that a link carries,
-  /// a name that is empty or given twice, a link that the arm does not have, an allowed pair with
-  /// an unknown name, and a clearance that is not above 0.
+  /// Throws Error for a shape or a clearance that is not valid (check_shape(), check_clearance()),
+  /// a half-space that a link carries, an obstacle without shapes, a name that is empty or given
+  /// twice, a link that the arm does not have, and an allowed pair with an unknown name.
   CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links, const Scene& scene = {},
                  const CollisionOptions& options = {});
   CollisionModel(CollisionModel&&) noexcept;
@@ -60,9 +60,13 @@ class CollisionModel {
   ~CollisionModel();
 
   const Arm& arm() const;
-  std::size_t pair_count() const;  ///< number of pairs of bodies that count
-  /// Returns the number of pairs of bodies of the arm that count only outside the position limits.
+  /// Returns the number of pairs that count: pairs of a link's shape and an obstacle's, or of two
+  /// links' shapes.
+  std::size_t pair_count() const;
+  /// Returns the number of pairs of two links' shapes that count only outside the position limits.
   std::size_t apart_count() const;
+  /// Returns the pairs of bodies of the arm that share a joint and, for this reason, do not count.
+  std::vector<NamedPair> neighbour_pairs() const;
 
   const internal::CollisionBodies& bodies() const { return *bodies_; }
 

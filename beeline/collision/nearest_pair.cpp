@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <beeline/collision/internal/collision_bodies.h>
+#include <beeline/collision/internal/nearest_pair.h>
 
 namespace beeline {
 namespace {
@@ -43,12 +44,12 @@ BodyDistance with_gradient(const CollisionBodies& bodies, const ConfigurationRef
 /// The distances of an arm's bodies at one configuration.
 class Distances {
  public:
-  Distances(const CollisionBodies& bodies, const ConfigurationRef& q)
+  Distances(const CollisionBodies& bodies, const ConfigurationRef& q, internal::ApartPairs apart)
       : bodies_(bodies), motion_(bodies.motion) {
     const Configuration none = Configuration::Zero(bodies.arm.dof());
     motion_.set({q, none, none});
     for (const auto& link : bodies.link_bodies) placed_.push_back(in_world(motion_, link.carried));
-    keeps_apart_ = bodies.keeps_apart(q);
+    keeps_apart_ = apart == internal::ApartPairs::outside_limits && bodies.keeps_apart(q);
   }
 
   /// Calls `found` for each pair whose distance may exceed its clearance by less than `within`,
@@ -71,7 +72,7 @@ class Distances {
  private:
   using Found = std::function<void(const FoundPair&)>;
 
-  struct Pair {
+  struct PlacedPair {
     std::size_t first;         // index of the link's body
     const ConvexBody* second;  // in the world's axes
     std::size_t frame;         // of the second
@@ -83,7 +84,7 @@ class Distances {
     return motion_.rounding(link.carried.frame, magnitude(link.carried.body));
   }
 
-  void visit_pair(const Pair& pair, double within, const Found& found) const {
+  void visit_pair(const PlacedPair& pair, double within, const Found& found) const {
     const ConvexBody& first = placed_[pair.first];
     const Vector3 between = pair.second->centre - first.centre;
     if (between.norm() - first.bound - pair.second->bound > pair.clearance + within) return;
@@ -133,10 +134,19 @@ class Distances {
 }  // namespace
 
 BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q) {
+  return internal::nearest_pair(model, q, internal::ApartPairs::outside_limits);
+}
+
+bool internal::has_pairs(const CollisionModel& model, const ConfigurationRef& q) {
+  return model.pair_count() > 0 || !model.bodies().keeps_apart(q);
+}
+
+BodyDistance internal::nearest_pair(const CollisionModel& model, const ConfigurationRef& q,
+                                    ApartPairs apart) {
   check_configuration(model.arm(), q);
   FoundPair nearest;
   double within = std::numeric_limits<double>::infinity();
-  Distances(model.bodies(), q).visit(within, [&](const FoundPair& pair) {
+  Distances(model.bodies(), q, apart).visit(within, [&](const FoundPair& pair) {
     const double excess = pair.distance.lower - pair.distance.clearance;
     if (excess >= within) return;
     within = excess;
@@ -150,7 +160,8 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
   check_configuration(model.arm(), q);
   std::vector<BodyDistance> pairs;
   double within = 0;
-  Distances(model.bodies(), q).visit(within, [&](const FoundPair& pair) {
+  const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
+  distances.visit(within, [&](const FoundPair& pair) {
     const bool is_close = pair.distance.lower < pair.distance.clearance;
     if (is_close) pairs.push_back(with_gradient(model.bodies(), q, pair));
   });

@@ -62,4 +62,11 @@ void check_shape(const Shape& shape) {
   }
 }
 
+void check_clearance(double clearance) {
+  if (clearance > 0 && clearance <= max_shape_size) return;
+  throw Error::of("clearance", "a clearance of " + number(clearance) +
+                                   " m; it must be above 0 and at most " + number(max_shape_size) +
+                                   " m");
+}
+
 }  // namespace beeline

@@ -48,8 +48,8 @@ struct Shape {
   Body body = Sphere();          ///< body of one kind
   Pose pose = Pose::Identity();  ///< pose of the body in the frame of its link, or in the world
   double padding = 0;  ///< distance by which the body is grown in all directions, m, 0 or more
-  /// Path of the mesh whose convex hull the body is, for reports; empty: of none. The mesh itself
-  /// may be smaller, where it is not convex.
+  /// Path of the mesh if the body is the convex hull of one, for reports; empty if it is not. A
+  /// mesh that is not convex is smaller than its hull.
   std::string hull_of = {};
 };
 
@@ -68,13 +68,16 @@ constexpr double max_shape_size = 1e6;
 /// point.
 void check_shape(const Shape& shape);
 
+/// Throws Error for a clearance that is not above 0 or is above max_shape_size, m.
+void check_clearance(double clearance);
+
 /// The names of two bodies: links or obstacles.
 using NamedPair = std::array<std::string, 2>;
 
 /// A body that stands still in the world.
 struct Obstacle {
   std::string name = {};           ///< unique in a scene
-  std::vector<Shape> shapes = {};  ///< shapes of the body, posed in the world
+  std::vector<Shape> shapes = {};  ///< shapes of the body, posed in the world; at least one
   /// Distance that the arm must keep from it, m, above 0; default: the one of all obstacles.
   std::optional<double> clearance = std::nullopt;
 };
@@ -83,9 +86,12 @@ struct Obstacle {
 struct Scene {
   std::vector<Obstacle> obstacles = {};       ///< obstacles, with unique names
   std::vector<NamedPair> allowed_pairs = {};  ///< pairs of bodies that may touch
-  /// The joints of a URDF file of obstacles, with the values at which they are held, rad or m, for
-  /// reports. The obstacles are where these joints put them; JSON does not have the values.
+  /// Values, rad or m, at which the joints of the scene's URDF file are held, by name, for reports.
+  /// The poses of the shapes include them. JSON files have no joints.
   std::map<std::string, double> held = {};
+  /// Links of the scene's URDF file with `<visual>` and without `<collision>`: they are no
+  /// obstacles. For reports.
+  std::vector<std::string> links_without_shapes = {};
 };
 
 /// The shapes of one body of an arm.

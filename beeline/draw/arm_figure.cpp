@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/collision/internal/nearest_pair.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/animation_frames.h>
 #include <beeline/draw/internal/annotation.h>
@@ -112,8 +113,8 @@ Figure configuration_figure(const Arm& arm, const CollisionModel* model, const C
   if (model != nullptr) {
     add_obstacles(drawing, *model);
     add_link_shapes(drawing, *model, q);
-    if (model->pair_count() > 0) {
-      const BodyDistance nearest = nearest_pair(*model, q);
+    if (has_pairs(*model, q)) {
+      const BodyDistance nearest = beeline::nearest_pair(*model, q);
       add_nearest_pair(drawing, nearest);
       caption += "\n" + nearest_text(nearest);
     }
@@ -131,15 +132,15 @@ std::string add_scene_of_motion(Drawing& drawing, const CollisionModel& model,
                                 const Trajectory& trajectory) {
   add_obstacles(drawing, model);
   add_link_shapes(drawing, model, trajectory.positions.back());
-  if (model.pair_count() == 0) return "";
-  const TimedPair nearest = nearest_sample(model, trajectory);
-  if (nearest.time != trajectory.times.back()) {
-    const Configuration q = sample(trajectory, nearest.time).position;
+  const std::optional<TimedPair> nearest = nearest_sample(model, trajectory);
+  if (!nearest) return "";
+  if (nearest->time != trajectory.times.back()) {
+    const Configuration q = sample(trajectory, nearest->time).position;
     add_arm(drawing, model.arm(), q, {.faded = true, .thin = true});
     add_link_shapes(drawing, model, q, true);
   }
-  add_nearest_pair(drawing, nearest.pair);
-  return "\n" + nearest_text(nearest.pair) + ", at " + number(nearest.time) + " s";
+  add_nearest_pair(drawing, nearest->pair);
+  return "\n" + nearest_text(nearest->pair) + ", at " + number(nearest->time) + " s";
 }
 
 Figure still_motion(const Arm& arm, const CollisionModel* model, const Trajectory& given,
@@ -179,7 +180,7 @@ Animation moving_arm(const Arm& arm, const CollisionModel* model, const Trajecto
             {.frames = options.frames, .tool = !options.jacobian, .thin = model != nullptr});
     if (model != nullptr) {
       add_link_shapes(frame, *model, q);
-      if (model->pair_count() > 0) add_nearest_pair(frame, nearest_pair(*model, q), false);
+      if (has_pairs(*model, q)) add_nearest_pair(frame, beeline::nearest_pair(*model, q), false);
     }
     if (!options.jacobian) return;
     if (arrow_scale == 0) arrow_scale = jacobian_arrow_scale(arm, q);

@@ -144,7 +144,7 @@ class Arm {
 /// what is so far away has no influence on the arm, or its unit is not the metre.
 bool far_from(const Arm::Reach& sphere, double distance);
 
-/// Whether a position is rather in millimetres: far from the sphere, and within it if read in
+/// Whether a position is probably in millimetres: far from the sphere, and within it if read in
 /// millimetres.
 bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position);
 

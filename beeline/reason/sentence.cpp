@@ -57,9 +57,9 @@ std::string others(const ReasonText& reason) {
   }
   if (reason.is(within_pose_tolerance)) text += "; nor was one found within the pose tolerance";
   if (reason.is(in_millimetres)) {
-    text += "; positions are in metres, and these numbers are rather in millimetres";
+    text += "; positions are in metres, and these numbers are probably in millimetres";
   }
-  if (reason.is(in_degrees)) text += "; angles are in radians, and this one is rather in degrees";
+  if (reason.is(in_degrees)) text += "; angles are in radians, and this one is probably in degrees";
   if (reason.is(overshoots)) text += "; the controller overshoots: the gains are too large";
   if (reason.is(at_singularity)) {
     text += "; the arm is at a singularity, where the Jacobian has no motion towards the goal";

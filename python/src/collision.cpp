@@ -48,7 +48,13 @@ void bind_scene(nb::module_& m) {
   define(
       m,
       [](nb::handle path, nb::handle hold, nb::handle package) {
-        return read_scene(path_from(path, "path"), shape_options(hold, package));
+        const std::string file = path_from(path, "path");
+        Scene cell = read_scene(file, shape_options(hold, package));
+        if (!cell.links_without_shapes.empty()) {
+          warn_of_input(file + ": links with <visual> and without <collision> are no obstacles: " +
+                        listed(cell.links_without_shapes));
+        }
+        return cell;
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
       nb::arg("package") = nb::dict());
@@ -109,7 +115,7 @@ void bind_shape_files(nb::module_& m) {
 void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
   const std::vector<std::string> far = far_obstacles(arm, scene);
   if (far.empty()) return;
-  warn_of_input("obstacles farther away than ten times the arm's reach, rather in millimetres: " +
+  warn_of_input("obstacles farther away than ten times the arm's reach, probably in millimetres: " +
                 listed(far));
 }
 
@@ -140,9 +146,18 @@ void bind_model(nb::module_& m) {
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
-                   "Number of pairs of bodies that count.")
+                   "Number of pairs that count: of a link's shape and an obstacle's, or of two "
+                   "links' shapes.")
       .def_prop_ro("apart_count", &CollisionModel::apart_count, getter("apart_count", "int"),
-                   "Number of pairs of links that count only outside the position limits.");
+                   "Number of pairs of two links' shapes that count only outside the position "
+                   "limits.")
+      .def_prop_ro(
+          "neighbour_pairs",
+          [](const CollisionModel& self) {
+            return Value<std::vector<NamedPair>>::to(self.neighbour_pairs());
+          },
+          getter("neighbour_pairs", Value<std::vector<NamedPair>>::type()),
+          "Pairs of bodies of the arm that share a joint and, for this reason, do not count.");
 }
 
 void bind_distances(nb::module_& m) {
@@ -172,7 +187,8 @@ void bind_distances(nb::module_& m) {
   Signature proof(
       "prove_clearance", "ClearanceProof",
       "Proves or refutes that each pair of the model keeps its clearance at all times of "
-      "the motion that the trajectory's columns mean, also between the samples.");
+      "the motion that the trajectory's columns mean, also between the samples. Warns if no pair "
+      "counts, as nothing is checked then.");
   proof.takes("model", "CollisionModel", "The arm among obstacles.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<ClearanceOptions>();
@@ -180,7 +196,12 @@ void bind_distances(nb::module_& m) {
       m,
       [](const CollisionModel& model, const Trajectory& trajectory, const nb::kwargs& keywords) {
         auto asked = options<ClearanceOptions>(keywords);
-        return unlocked(asked.budget, [&] { return prove_clearance(model, trajectory, asked); });
+        ClearanceProof found =
+            unlocked(asked.budget, [&] { return prove_clearance(model, trajectory, asked); });
+        if (found.pairs == 0 && model.apart_count() == 0) {
+          warn_of_input("no pair of bodies counts: nothing was checked");
+        }
+        return found;
       },
       proof, nb::arg("model"), nb::arg("trajectory"), nb::arg("keywords"));
 

@@ -115,7 +115,8 @@ struct Fields<Obstacle> : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle:
 };
 
 template <>
-struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held> {
+struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held,
+                               &Scene::links_without_shapes> {
   static constexpr bool constructible = true;
   static constexpr bool positional = true;
 };
@@ -127,8 +128,8 @@ struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkS
 };
 
 template <>
-struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs> {
-};
+struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs,
+                                   &ArmShapes::links_without_shapes> {};
 
 template <>
 struct Fields<BodyDistance>
@@ -146,14 +147,14 @@ struct Fields<CollisionOptions>
 template <>
 inline constexpr bool reports<ClearanceOptions> = false;
 template <>
-struct Fields<ClearanceOptions> : Members<&ClearanceOptions::resolution, &ClearanceOptions::beyond,
-                                          &ClearanceOptions::closest, &ClearanceOptions::budget> {};
+struct Fields<ClearanceOptions> : Members<&ClearanceOptions::resolution, &ClearanceOptions::closest,
+                                          &ClearanceOptions::budget> {};
 
 template <>
 struct Fields<ClearanceProof>
     : Members<&ClearanceProof::status, &ClearanceProof::reason, &ClearanceProof::least_distance,
               &ClearanceProof::pair, &ClearanceProof::time, &ClearanceProof::begin,
-              &ClearanceProof::end, &ClearanceProof::parts> {};
+              &ClearanceProof::end, &ClearanceProof::parts, &ClearanceProof::pairs> {};
 
 template <>
 struct Fields<ClearanceOverTime>

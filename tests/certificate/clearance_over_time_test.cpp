@@ -65,6 +65,32 @@ TEST(ClearanceOverTime, BoundsTheDistanceInEachPart) {
   EXPECT_GT(parts, 0);
 }
 
+TEST(ClearanceOverTime, HasThePairsThatCountOnlyOutsideTheLimits) {
+  const Arm arm = with_limits(built_in("rrr"), {{"joint2", {.lower = -1, .upper = 1}},
+                                                {"joint3", {.lower = -1, .upper = 1}}});
+  const CollisionModel model(arm, {{"base", 0, {{Sphere{0.1}}}}, {"tip", 3, {{Sphere{0.1}}}}});
+  ASSERT_EQ(model.pair_count(), 0);
+  ASSERT_EQ(model.apart_count(), 1);
+  const auto motion_to = [&](const Configuration& q) {
+    return Trajectory{arm.joint_names(), {0, 1}, {Configuration{{0, 0.9, 0.9}}, q}, {}, {}};
+  };
+  const Trajectory inside = motion_to(Configuration{{0.5, -0.9, 0.9}});
+  EXPECT_TRUE(clearance_over_time(model, inside).proved.empty());
+  EXPECT_EQ(prove_clearance(model, inside).pairs, 0);
+  const Trajectory at_base = motion_to(Configuration{{0, 2.56208, 1.86055}});
+  const ClearanceOverTime colliding = clearance_over_time(model, at_base);
+  ASSERT_FALSE(colliding.proved.empty());
+  EXPECT_LT(colliding.sampled.back(), 0);
+  EXPECT_LT(colliding.proved.back(), 0);
+  EXPECT_GT(colliding.proved.front(), 0.5) << "the pair is known to be far at first";
+  EXPECT_EQ(prove_clearance(model, at_base).pairs, 1);
+  const ClearanceProof outside =
+      prove_clearance(model, motion_to(Configuration{{0, 1.5, 0.9}}), {.closest = true});
+  EXPECT_TRUE(outside);
+  EXPECT_EQ(outside.pair.names, (NamedPair{"tip", "base"}));
+  EXPECT_GT(outside.least_distance, 0.9 * outside.pair.upper);
+}
+
 TEST(ClearanceOverTime, EndsWithItsBudgetAndRefusesWhatDoesNotFit) {
   Random random;
   const Arm arm = built_in("panda");

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/clearance_search.h>
 #include <beeline/certificate/internal/motion_tubes.h>
 #include <beeline/collision/internal/tube_gap.h>
 #include <beeline/kinematics/forward.h>
@@ -140,6 +141,15 @@ void expect_right(const CollisionModel& model, const Trajectory& motion,
   }
 }
 
+/// The proof that the pairs keep their clearance raised by `beyond`, m.
+ClearanceProof proof_beyond(const CollisionModel& model, const Trajectory& motion, double beyond) {
+  if (beyond == 0) return prove_clearance(model, motion);
+  const ClearanceOptions options;
+  const MotionTubes tubes(motion);
+  BudgetMeter budget{Budget()};
+  return ClearanceSearch(model.bodies(), tubes, options, budget, beyond).run();
+}
+
 TEST(Clearance, IsNeverProvedFalsely) {
   Random random;
   int answers[3] = {};
@@ -155,9 +165,10 @@ TEST(Clearance, IsNeverProvedFalsely) {
          .self_collision = random.integer(0, 3) == 0,
          .budget = {.max_work = beyond > 0 ? 0 : 500}});
     if (model.pair_count() == 0) continue;
-    const Trajectory motion = random_motion(random, arm, random_interpolation(random),
-                                            random.integer(1, 10), random.uniform(0, 0.3));
-    const ClearanceProof proof = prove_clearance(model, motion, {.beyond = beyond});
+    const Trajectory motion =
+        random_motion(random, arm, random_interpolation(random),
+                      random.integer(beyond > 0 ? 2 : 1, 10), random.uniform(0, 0.3));
+    const ClearanceProof proof = proof_beyond(model, motion, beyond);
     expect_right(model, motion, proof, beyond);
     ++answers[static_cast<int>(proof.status)];
   }
@@ -322,14 +333,19 @@ TEST(Clearance, EndsWithItsBudget) {
             ClearanceStatus::work_limit);
 }
 
+TEST(Clearance, IsNotProvedWithoutASearch) {
+  EXPECT_FALSE(ClearanceProof());
+  EXPECT_EQ(ClearanceProof().status, ClearanceStatus::not_decided);
+}
+
 TEST(Clearance, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("rrr");
   const CollisionModel model(arm, {{"tip", 3, {{Sphere{0.01}}}}});
   const Trajectory motion{arm.joint_names(), {0}, {Configuration::Zero(3)}, {}, {}};
   EXPECT_TRUE(prove_clearance(model, motion)) << "no pairs";
+  EXPECT_EQ(prove_clearance(model, motion).pairs, 0);
   EXPECT_REFUSED(prove_clearance(model, {}), "no samples");
   EXPECT_REFUSED(prove_clearance(model, motion, {.resolution = 0}), "resolution");
-  EXPECT_REFUSED(prove_clearance(model, motion, {.beyond = -1}), "beyond");
   EXPECT_REFUSED(prove_clearance(model, {{"a"}, {0}, {Configuration::Zero(1)}, {}, {}}), "1");
 }
 

@@ -126,6 +126,24 @@ def test_packages(beeline, build, files, refused):
     assert moved.code == 0, moved.err
 
 
+def test_links_of_a_cell_that_are_only_visible(beeline, written, files):
+    table = """<link name="table"><visual><geometry><box size="9 9 9"/></geometry></visual></link>
+        <joint name="foot" type="fixed"><parent link="floor"/><child link="table"/></joint></robot>"""
+    written("cell.urdf", CELL.format(mirror=1, x=1.5, y=-1.5).replace("</robot>", table))
+    answer = beeline("check", "arm.urdf", "still.csv", *MOVING, "--scene", "cell.urdf")
+    assert answer.code == 0
+    assert "warning: cell.urdf: links with <visual> and without <collision> are no obstacles: table\n" in answer.err
+    assert "no shapes     table (cell.urdf)\n" in answer.out
+    assert check(beeline, "--scene", "cell.urdf")["scenes_without_shapes"] == {"cell.urdf": ["table"]}
+
+
+def test_a_collision_with_several_bodies_is_refused(files, written, refused):
+    for inside in ('<geometry><sphere radius="1"/><box size="1 1 1"/></geometry>',
+                   '<geometry><sphere radius="1"/></geometry><geometry><box size="1 1 1"/></geometry>'):
+        written("arm.urdf", ARM.replace('<geometry><sphere radius="0.01"/></geometry>', inside, 1))
+        refused(3, "check", "arm.urdf", "still.csv", "--self", says=["arm.urdf:2", "link base", "a second"])
+
+
 def test_damaged_meshes(files, refused):
     (files / "parts" / "bar.obj").write_text("v 0 0 0\nf 1 2 3\n")
     refused(3, "check", "arm.urdf", "still.csv", "--self", says=["bar.obj:2", "vertex 2"])

@@ -318,6 +318,6 @@ def test_millimetres_get_a_hint(beeline, tmp_path):
     for offset, hinted in ((100, True), (-120, True), (0.1, False), (-0.05, False)):
         (tmp_path / "program.csv").write_text(relative.format(offset))
         answer = beeline("line", "ur5e", "--mount", "100,0,0", "--through", "program.csv", "--max-work", "1000")
-        assert (f"a position {abs(offset)} m away is rather in millimetres; --millimetres" in answer.err) == hinted
+        assert (f"a position {abs(offset)} m away is probably in millimetres; --millimetres" in answer.err) == hinted
     (tmp_path / "poses.csv").write_text("x,y,z,roll,pitch,yaw\n4,2,3,3.1,0,0\n")
     assert "millimetres" not in beeline("line", "ur5e", "--through", "poses.csv").err

@@ -239,6 +239,7 @@ def test_an_export_is_proved_clear_or_refused(beeline, written, tmp_path, form, 
     assert clear.json["clearance"]["status"] == "clear"
     text = (tmp_path / out).read_text()
     comments = [line for line in text.splitlines() if line.lstrip()[:1] in "#!;"]
+    assert any("May touch: by --no-self: all pairs of links" in line for line in comments)
     assert any("Clearance of 0.02 m from the obstacles of far cell.json: proved" in line for line in comments)
     if form == "ros2":
         assert not beeline("check", "ur5e.json", out, "--scene", "far cell.json").code
@@ -353,6 +354,11 @@ def test_refusals(refused, written, motion, beeline):
     refused(3, "check", arm, motion, "--scene", pairs, says=["pairs.json", "allowed_pairs", "tabel"])
     refused(3, "check", arm, motion, "--scene", written("a.json", scene(ball("a", (9, 9, 9)))), "--scene",
             written("b.json", scene(ball("a", (9, 9, 9)))), says=["b.json", "\"a\""])
+    huge = written("huge.json", scene(ball("a", (9, 9, 9), clearance=2e6)))
+    refused(3, "check", arm, motion, "--scene", huge, says=["huge.json:1", "2e+06 m; it must be above 0 and at most 1e+06 m"])
+    shapeless = written("shapeless.json", scene({"name": "table", "shapes": []}))
+    refused(3, "check", arm, motion, "--scene", shapeless, says=["shapeless.json:1", "obstacles[0].shapes has no shape"])
+    refused(3, "check", arm, motion, "--self", "--tool-shape", written("tool.json", '{"shapes": []}'), says=["no shape"])
     cone = written("cone.urdf", URDF.replace("<sphere radius=\"0.1\"/>", "<cone radius=\"1\"/>"))
     still = written("still.csv", "t,j1,j2\n0,0,0\n1,0,0\n")
     refused(3, "check", cone, still, "--tip", "hand", "--self", says=["cone.urdf:4", "hand", "<cone>", "<mesh>"])
@@ -371,3 +377,5 @@ def test_a_search_ends_with_its_time(beeline, arm, motion, written):
     far = written("far.json", scene(ball("far", (-5, -5, 0))))
     report = check(beeline, arm, motion, "--scene", far, "--time-limit", "0")
     assert report["status"] == "time_limit" and report["code"] == "ended_before_check"
+    answer = beeline("check", arm, motion, *MOVING, "--scene", far, "--time-limit", "1e-9")
+    assert answer.code == 1 and answer.err.count("time limit") == 1, answer.err

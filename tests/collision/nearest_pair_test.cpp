@@ -120,6 +120,11 @@ TEST(NearestPair, LeavesOutPairsThatDoNotCount) {
                             .budget = all_pairs.budget})
                 .pair_count(),
             4);
+  EXPECT_EQ(CollisionModel(arm, links, scene).neighbour_pairs(),
+            (std::vector<NamedPair>{{"link0", "link1"}, {"link1", "link2"}, {"link2", "link3"}}));
+  LinkShapes camera = link(2);
+  camera.at_proximal_joint = camera.at_distal_joint = false;
+  EXPECT_TRUE(CollisionModel(arm, {link(1), camera}).neighbour_pairs().empty());
   const Configuration folded{{0, 3.1, 3.1}};
   EXPECT_EQ(nearest_pair(CollisionModel(arm, links), folded).names, (NamedPair{"link2", "link0"}));
 }
@@ -148,9 +153,13 @@ TEST(CollisionModel, RefusesWhatIsNoModel) {
   EXPECT_REFUSED(model({{"tip", 3, {{Sphere{-1}}}}}), "\"tip\": a sphere has a radius of -1 m");
   EXPECT_REFUSED(model({{"tip", 3, {{HalfSpace{}}}}}), "a half_space is an obstacle");
   EXPECT_REFUSED(model({{"tip", 3, {}}, {"tip", 2, {}}}), "two links or obstacles have the name");
-  EXPECT_REFUSED(model(links, {.obstacles = {{"", {}}}}), "has no name");
-  EXPECT_REFUSED(model(links, {.obstacles = {{"tip", {}}}}), "two links or obstacles");
-  EXPECT_REFUSED(model(links, {.obstacles = {{"table", {}, 0.0}}}), "\"table\" has a clearance");
+  const std::vector<Shape> ball{{Sphere{0.1}}};
+  EXPECT_REFUSED(model(links, {.obstacles = {{"", ball}}}), "has no name");
+  EXPECT_REFUSED(model(links, {.obstacles = {{"tip", ball}}}), "two links or obstacles");
+  EXPECT_REFUSED(model(links, {.obstacles = {{"table", ball, 0.0}}}),
+                 "\"table\": a clearance of 0 m; it must be above 0 and at most 1e+06 m");
+  EXPECT_REFUSED(model(links, {.obstacles = {{"table", {}}}}),
+                 "\"table\": an obstacle has no shape");
   EXPECT_REFUSED(model(links, {}, {.clearance = 0}), "a clearance of 0 m");
   EXPECT_REFUSED(model(links, {}, {.allowed_pairs = {{"tip", "tabel"}}}), "link or obstacle");
   EXPECT_REFUSED(nearest_pair(CollisionModel(arm, {}), Configuration::Zero(3)), "no pair");

@@ -97,7 +97,7 @@ TEST(SceneFigure, OfAMotionIsWithinItsPage) {
       const Trajectory motion = testing::random_motion(random, arm, Interpolation::cubic, 5, 0.3);
       testing::expect_within_page(compose(motion_figure(model, motion)), name);
       EXPECT_FALSE(motion_animation(model, motion).frames.empty());
-      const TimedPair nearest = nearest_sample(model, motion);
+      const TimedPair nearest = nearest_sample(model, motion).value();
       EXPECT_LE(nearest_pair(model, sample(motion, nearest.time).position).lower,
                 nearest_pair(model, motion.positions.front()).lower + 1e-12);
       TimingFigureOptions options;
@@ -118,6 +118,25 @@ TEST(SceneFigure, OfAMotionIsWithinItsPage) {
       }
     }
   }
+}
+
+TEST(SceneFigure, HasThePairsThatCountOnlyOutsideTheLimits) {
+  const Arm arm = with_limits(built_in("rrr"), {{"joint2", {.lower = -1, .upper = 1}},
+                                                {"joint3", {.lower = -1, .upper = 1}}});
+  const CollisionModel model(arm, {{"base", 0, {{Sphere{0.1}}}}, {"tip", 3, {{Sphere{0.1}}}}});
+  ASSERT_EQ(model.pair_count(), 0);
+  const Configuration inside{{0, 0.9, 0.9}}, at_base{{0, 2.56208, 1.86055}};
+  const Trajectory motion{arm.joint_names(), {0, 1}, {inside, at_base}, {}, {}};
+  const std::optional<TimedPair> nearest = nearest_sample(model, motion);
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->time, 1);
+  EXPECT_FALSE(nearest_sample(model, {arm.joint_names(), {0}, {inside}, {}, {}}));
+  const auto svg = [&](const Configuration& q) {
+    return render(arm_figure(model, q), Format::svg);
+  };
+  EXPECT_NE(svg(at_base).find("tip and base overlap"), std::string::npos);
+  EXPECT_EQ(svg(inside).find("tip and base"), std::string::npos);
+  EXPECT_NE(render(motion_figure(model, motion), Format::svg).find("overlap"), std::string::npos);
 }
 
 TEST(SceneFigure, HasAPageOfTheSizeOfTheArmAmongFarAndHugeObstacles) {

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import warnings
 
 import beeline
 import numpy as np
@@ -43,7 +44,7 @@ def test_shapes_compare_and_pickle(body):
 
 def test_scenes_are_written_and_read(tmp_path):
     scene = beeline.Scene(obstacles=[beeline.Obstacle("a", [beeline.Shape(body) for body in BODIES]),
-                                     beeline.Obstacle("b", [], clearance=0.5)], allowed_pairs=[("a", "hand")])
+                                     beeline.Obstacle("b", [beeline.Shape(BODIES[0])], clearance=0.5)], allowed_pairs=[("a", "hand")])
     path = tmp_path / "scene.json"
     path.write_text(beeline.scene_to_json(scene))
     assert beeline.read_scene(path) == scene
@@ -93,7 +94,29 @@ def test_pairs_that_count(arm, links):
     assert (model.pair_count, model.apart_count) == (1, 0)
     assert beeline.CollisionModel(arm, links).apart_count == 1, "the tip is never at joint 2"
     assert beeline.CollisionModel(arm, links, allowed_pairs=[("link1", "link3")], max_work=0).pair_count == 0
-    assert model.arm == arm
+    assert model.arm == arm and model.neighbour_pairs == [("link1", "link2"), ("link2", "link3")]
+
+
+def test_a_proof_about_no_pair_warns(arm, links):
+    still = beeline.at_rest(arm, arm.middle)
+    with pytest.warns(beeline.InputWarning, match="no pair of bodies counts: nothing was checked"):
+        assert beeline.prove_clearance(beeline.CollisionModel(arm, links[:2]), still).pairs == 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert beeline.prove_clearance(beeline.CollisionModel(arm, links, max_work=0), still).pairs == 1
+    with pytest.raises(TypeError, match="beyond"):
+        beeline.prove_clearance(beeline.CollisionModel(arm, links), still, beyond=0.1)
+
+
+def test_links_of_a_cell_that_are_only_visible_warn(tmp_path):
+    path = tmp_path / "cell.urdf"
+    body = "<{0}><geometry><sphere radius='0.1'/></geometry></{0}>"
+    path.write_text(f"""<robot name="cell"><link name="world">{body.format("collision")}</link>
+        <link name="table">{body.format("visual")}</link>
+        <joint name="j" type="fixed"><parent link="world"/><child link="table"/></joint></robot>""")
+    with pytest.warns(beeline.InputWarning, match="no obstacles: table$"):
+        scene = beeline.read_scene(path)
+    assert [obstacle.name for obstacle in scene.obstacles] == ["world"] and scene.links_without_shapes == ["table"]
 
 
 def test_shapes_of_a_file(tmp_path):

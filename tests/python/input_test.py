@@ -111,7 +111,7 @@ def test_proofs_are_printed_in_one_line():
         assert str(proof).startswith(text) and "\n" not in str(proof)
         assert bool(proof) == (proof.least_distance > -np.inf)
     far = beeline.Obstacle("far", [beeline.Shape(beeline.Box([100, 100, 100]), pose=beeline.make_pose([500, 0, 0]))])
-    with pytest.warns(beeline.InputWarning, match="rather in millimetres: far$"):
+    with pytest.warns(beeline.InputWarning, match="probably in millimetres: far$"):
         beeline.CollisionModel(TURNING, [link], beeline.Scene([wall, far]))
 
 
@@ -138,6 +138,6 @@ def test_units_that_numbers_suggest(tmp_path):
     with pytest.warns(beeline.InputWarning, match="an angle of 90 rad"):
         beeline.Arm.from_dh([[0.4, 90, 0, 0]], convention="standard")
     far = beeline.inverse_kinematics(PANDA, beeline.pose_of([500, 0, 500, 3.1, 0, 0]))
-    assert far.reason.fields["in_millimetres"] and far.reason.endswith("rather in millimetres")
+    assert far.reason.fields["in_millimetres"] and far.reason.endswith("probably in millimetres")
     (outside,) = PANDA.limit_violations([90, 0, 0, -2, 0, 1, 0])
-    assert outside.fields["in_degrees"] and outside.endswith("rather in degrees")
+    assert outside.fields["in_degrees"] and outside.endswith("probably in degrees")

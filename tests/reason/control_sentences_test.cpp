@@ -10,7 +10,7 @@ std::vector<Said> said_of_control() {
       {{ReasonCode::joint_outside_limits, outside}, is_outside},
       {{ReasonCode::goal_outside_limits, with(outside, {{in_degrees, true}})},
        "the goal is outside the limits: " + is_outside +
-           "; angles are in radians, and this one is rather in degrees"},
+           "; angles are in radians, and this one is probably in degrees"},
       {{ReasonCode::start_outside_limits, outside}, "the start: " + is_outside},
       {{ReasonCode::step_outside_limits,
         with(outside, {{step, std::size_t{3}}, {overshoots, true}})},

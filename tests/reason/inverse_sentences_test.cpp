@@ -50,7 +50,7 @@ std::vector<Said> said_of_inverse_kinematics() {
        "ur5 rotates"},
       {{ReasonCode::off_slides, with(ur5, {{distance, 0.1}, {in_millimetres, true}})},
        "the position is 0.1 m from the nearest that the prismatic joints of arm ur5 reach, limits "
-       "ignored; positions are in metres, and these numbers are rather in millimetres"},
+       "ignored; positions are in metres, and these numbers are probably in millimetres"},
       {{ReasonCode::poses_unsolved, {{count, std::size_t{2}}, {of, std::size_t{7}}}},
        "2 of 7 poses without a solution: their rows are nan"},
       {{ReasonCode::self_motion, with(ur5, {{branches_complete, true}})},

@@ -19,8 +19,8 @@ Configuration highest_values(const MotionTubes& tubes) {
   return whole.middle + 3 * (whole.half.cwiseAbs() + whole.slack);
 }
 
-/// Whether the whole motion is where the model's pairs keep apart. The coefficients bound it, and
-/// their rounding is far less than the margin.
+}  // namespace
+
 bool keeps_apart(const CollisionBodies& bodies, const MotionTubes& tubes) {
   if (bodies.apart_pairs.empty()) return true;
   for (std::size_t k = 0; k + 1 < tubes.trajectory().size(); ++k) {
@@ -33,18 +33,26 @@ bool keeps_apart(const CollisionBodies& bodies, const MotionTubes& tubes) {
   return true;
 }
 
-}  // namespace
+std::size_t counted_pairs(const CollisionModel& model, const MotionTubes& tubes) {
+  return model.pair_count() + (keeps_apart(model.bodies(), tubes) ? 0 : model.apart_count());
+}
+
+ApartPairs apart_pairs_of(const CollisionModel& model, const MotionTubes& tubes) {
+  return keeps_apart(model.bodies(), tubes) ? ApartPairs::outside_limits : ApartPairs::count;
+}
 
 ClearanceSearch::ClearanceSearch(const CollisionBodies& bodies, const MotionTubes& tubes,
                                  const ClearanceOptions& options, BudgetMeter& budget,
-                                 bool only_counted)
+                                 double beyond, bool only_counted)
     : bodies_(bodies),
       tubes_(tubes),
       options_(options),
       budget_(budget),
+      beyond_(beyond),
       only_counted_(only_counted),
-      tube_test_(bodies, lowest_values(tubes), highest_values(tubes), options.beyond),
+      tube_test_(bodies, lowest_values(tubes), highest_values(tubes), beyond),
       tube_(bodies.arm.dof()) {
+  proof_.status = ClearanceStatus::clear;  // until a part is found that is not
   proof_.least_distance = std::numeric_limits<double>::infinity();
 }
 
@@ -76,7 +84,7 @@ void ClearanceSearch::add_all_pairs() {
     }
   };
   add(bodies_.self_pairs);
-  if ((options_.beyond > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
+  if ((beyond_ > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
     add(bodies_.apart_pairs);  // they are proved to keep the clearance alone, within the limits
   } else if (!bodies_.apart_pairs.empty()) {
     proof_.least_distance = bodies_.clearance;
@@ -201,7 +209,7 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
   const double time = part.middle();
   for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
     const BodyDistance pair = tube_test_.distance(open_[i]);
-    const bool collides = pair.upper < pair.clearance + options_.beyond;
+    const bool collides = pair.upper < pair.clearance + beyond_;
     const bool is_first = proof_.status == ClearanceStatus::clear;
     const bool is_deeper = proof_.status == ClearanceStatus::collides &&
                            pair.lower - pair.clearance < proof_.pair.lower - proof_.pair.clearance;

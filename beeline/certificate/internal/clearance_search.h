@@ -5,6 +5,7 @@
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/certificate/internal/tube_test.h>
+#include <beeline/collision/internal/nearest_pair.h>
 #include <beeline/internal/budget_meter.h>
 
 namespace beeline::internal {
@@ -14,10 +15,12 @@ namespace beeline::internal {
 /// not prove itself.
 class ClearanceSearch {
  public:
-  /// Pairs that keep their clearance everywhere within the limits may be nearer than
-  /// ClearanceOptions::beyond: they are searched then, unless `only_counted`.
+  /// Proves that the pairs keep their clearance raised by `beyond`, m. Pairs that keep their
+  /// clearance everywhere within the limits may be nearer than the raised one: they are searched if
+  /// `beyond` is above 0, unless `only_counted`.
   ClearanceSearch(const CollisionBodies& bodies, const MotionTubes& tubes,
-                  const ClearanceOptions& options, BudgetMeter& budget, bool only_counted = false);
+                  const ClearanceOptions& options, BudgetMeter& budget, double beyond = 0,
+                  bool only_counted = false);
 
   /// A part of an interval between two samples, from time `from` to `to`, and its second half.
   struct Part {
@@ -56,6 +59,7 @@ class ClearanceSearch {
   const MotionTubes& tubes_;
   const ClearanceOptions& options_;
   BudgetMeter& budget_;
+  double beyond_;
   bool only_counted_;
   TubeTest tube_test_;
   std::vector<OpenPair> open_;   ///< a stack
@@ -66,6 +70,16 @@ class ClearanceSearch {
   bool ended_ = false;
   std::size_t undecided_parts_ = 0;
 };
+
+/// Whether the whole motion is where the model's apart_pairs keep their clearance: it is within the
+/// position limits. The coefficients bound it, and their rounding is far less than the margin.
+bool keeps_apart(const CollisionBodies& bodies, const MotionTubes& tubes);
+
+/// ClearanceProof::pairs of a motion.
+std::size_t counted_pairs(const CollisionModel& model, const MotionTubes& tubes);
+
+/// Whether apart_pairs count at all configurations of a motion: it leaves the limits somewhere.
+ApartPairs apart_pairs_of(const CollisionModel& model, const MotionTubes& tubes);
 
 /// Returns the motion that is examined: matched_to() the model's arm, and a second at rest where
 /// the trajectory has one sample. Empty where that is the trajectory as it is. Throws Error for a

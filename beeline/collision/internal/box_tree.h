@@ -19,10 +19,10 @@ AlignedBox box_around(const ConvexBody& body);
 class BoxTree {
  public:
   struct Node {
-    AlignedBox box;
-    double clearance = 0;     ///< the largest of the bodies in it
-    std::uint32_t body = 0;   ///< of a leaf
-    std::uint32_t right = 0;  ///< of an inner node, whose left child follows it; 0: a leaf
+    AlignedBox box;           ///< around all bodies below the node
+    double clearance = 0;     ///< the largest clearance of these bodies, m
+    std::uint32_t body = 0;   ///< index of the body, if the node is a leaf
+    std::uint32_t right = 0;  ///< index of the right child (the left one is the next node); 0: leaf
   };
 
   BoxTree() = default;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <beeline/collision/internal/collision_bodies.h>
+#include <beeline/collision/internal/nearest_pair.h>
 #include <beeline/draw/internal/scene_drawing.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -203,16 +204,18 @@ std::string nearest_text(const BodyDistance& pair) {
   return text + "; " + distance_text(pair.clearance) + " are required";
 }
 
-TimedPair nearest_sample(const CollisionModel& model, const Trajectory& trajectory) {
+std::optional<TimedPair> nearest_sample(const CollisionModel& model, const Trajectory& trajectory) {
   constexpr int steps = 200;
   const double begin = trajectory.times.front(), end = trajectory.times.back();
-  TimedPair nearest;
+  std::optional<TimedPair> nearest;
   for (int i = 0; i <= steps; ++i) {
     const double time = i == steps ? end : begin + (end - begin) * i / steps;
-    BodyDistance pair = nearest_pair(model, sample(trajectory, time).position);
+    const Configuration q = sample(trajectory, time).position;
+    if (!has_pairs(model, q)) continue;
+    BodyDistance pair = beeline::nearest_pair(model, q);
     const auto excess = [](const BodyDistance& of) { return shown_distance(of) - of.clearance; };
-    if (i > 0 && excess(pair) >= excess(nearest.pair)) continue;
-    nearest = {time, std::move(pair)};
+    if (nearest && excess(pair) >= excess(nearest->pair)) continue;
+    nearest = TimedPair{time, std::move(pair)};
   }
   return nearest;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <beeline/collision/collision_model.h>
@@ -29,7 +30,8 @@ struct TimedPair {
   BodyDistance pair;
 };
 
-/// Returns the pair with the least distance beyond its clearance at 201 times of a motion.
-TimedPair nearest_sample(const CollisionModel& model, const Trajectory& trajectory);
+/// Returns the pair with the least distance beyond its clearance at 201 times of a motion; nothing
+/// if no pair counts at any of them.
+std::optional<TimedPair> nearest_sample(const CollisionModel& model, const Trajectory& trajectory);
 
 }  // namespace beeline::internal

@@ -59,7 +59,7 @@ bool keeps_velocity(const Arm& arm, const Trajectory& recording, int k, double u
   return true;
 }
 
-/// Whether the values of coordinate k, of a joint without two limits, are rather degrees.
+/// Whether the values of coordinate k, of a joint without two limits, are probably degrees.
 bool is_rather_in_degrees(const Arm& arm, const Trajectory& recording, int k, bool has_times) {
   double smallest = Limits::none, largest = 0;
   for (const Configuration& q : recording.positions) {

@@ -101,6 +101,9 @@ LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {
   }
   tool.at_proximal_joint = tool.at_distal_joint = false;
   tool.shapes = internal::shapes_from_json(document, document.root());
+  if (tool.shapes.empty()) {
+    document.refuse(document.need(document.root(), "shapes"), "has no shape");
+  }
   for (Shape& shape : tool.shapes) shape.pose = arm.tool() * shape.pose;
   return tool;
 }

@@ -17,11 +17,14 @@ Obstacle obstacle_from_json(const JsonDocument& document, const Json& json) {
   obstacle.name = internal::name_from_json(document, document.need(json, "name"));
   if (const Json* clearance = document.find(json, "clearance")) {
     obstacle.clearance = document.number(*clearance);
-    if (!(*obstacle.clearance > 0 && *obstacle.clearance <= max_shape_size)) {
-      document.refuse(*clearance, "must be above 0 m");
+    try {
+      check_clearance(*obstacle.clearance);
+    } catch (const Error& error) {
+      document.refuse(*clearance, std::string("is ") + error.what());
     }
   }
   obstacle.shapes = internal::shapes_from_json(document, json);
+  if (obstacle.shapes.empty()) document.refuse(document.need(json, "shapes"), "has no shape");
   return obstacle;
 }
 
@@ -69,6 +72,9 @@ std::string scene_to_json(const Scene& scene) {
   bool first = true;
   for (const Obstacle& obstacle : scene.obstacles) {
     internal::check_name(obstacle.name, "the name of an obstacle");
+    if (obstacle.shapes.empty()) {
+      throw Error("the obstacle " + internal::in_quotes(obstacle.name) + " has no shape");
+    }
     text += first ? "\n    {\"name\": " : ",\n    {\"name\": ";
     first = false;
     text += internal::json_string(obstacle.name);

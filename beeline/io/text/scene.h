@@ -37,7 +37,8 @@ struct ShapeOptions {
 ///
 /// In a URDF file of a cell each link with `<collision>` elements is an obstacle of this name, and
 /// its root link is the world. Joints are held at `options.hold` or, without a value, at 0 or the
-/// limit next to 0; mimic joints follow. Shapes and meshes are read as in read_arm_shapes().
+/// limit next to 0; mimic joints follow. Shapes and meshes are read as in read_arm_shapes(). Links
+/// with `<visual>` alone are no obstacles: Scene::links_without_shapes.
 ///
 /// Throws FileError for anything else, with the line and the value, such as
 /// `obstacles[2].shapes[0].box.size`; in a URDF file for a link that is not connected to the root,
@@ -50,8 +51,8 @@ Scene scene_from_json(std::string_view text, const std::string& path);
 Scene scene_from_urdf(std::string_view text, const std::string& path,
                       const ShapeOptions& options = {});
 
-/// Returns the scene as JSON, which reads back exactly. Throws Error for a name that is empty, not
-/// UTF-8, longer than 1000 bytes, or has control characters.
+/// Returns the scene as JSON, which reads back exactly. Throws Error for an obstacle without
+/// shapes, and a name that is empty, not UTF-8, longer than 1000 bytes, or has control characters.
 std::string scene_to_json(const Scene& scene);
 
 /// The shapes of an arm's links, as the file of the arm describes them.
@@ -62,6 +63,8 @@ struct ArmShapes {
   std::map<std::string, double> held = {};
   /// The pairs of these bodies that the SRDF file exempts: they may touch.
   std::vector<NamedPair> allowed_pairs = {};
+  /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
+  std::vector<std::string> links_without_shapes = {};
 };
 
 /// Reads the shapes of the links of the arm that `text` names, see read_arm(). Built-in arms and
@@ -90,10 +93,10 @@ struct ArmShapes {
 ///   - file://PATH, and PATH relative to the folder of the file.
 ///
 /// Throws FileError for a mesh that is not found, not read or malformed, any other shape that is
-/// not read, a link with shapes that is not connected to the arm or is moved by a joint of the arm
-/// beside the chain, a loop of links, and, in an arm file, an unknown joint and a repeated name;
-/// Error for a name in `options.hold` that is not a joint beside the chain, or a value outside its
-/// limits.
+/// not read, a `<collision>` with several geometries, a link with shapes that is not connected to
+/// the arm or is moved by a joint of the arm beside the chain, a loop of links, and, in an arm
+/// file, an unknown joint and a repeated name; Error for a name in `options.hold` that is not a
+/// joint beside the chain, or a value outside its limits.
 ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
                           const ShapeOptions& options = {});
 /// The same from the text of a file; the ending of `path` gives its format.
@@ -102,7 +105,8 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
 
 /// Reads the shapes of a tool, which link n of the arm carries:
 ///     {"name": "gripper", "shapes": [SHAPE, ...]}
-/// posed in the arm's tool frame. The default name is "tool". Throws FileError.
+/// posed in the arm's tool frame. The default name is "tool". Throws FileError, also if there is no
+/// shape.
 LinkShapes read_tool_shapes(const std::string& path, const Arm& arm);
 
 /// Returns the pairs of two of these links that an SRDF file exempts, each once: the pairs of

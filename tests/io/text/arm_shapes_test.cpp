@@ -256,6 +256,8 @@ TEST(ArmShapes, OfAToolAreInItsFrame) {
   EXPECT_EQ(tool.shapes.at(0).pose.translation().z(), 0.75);
   folder.write("tool.json", R"({"shapes": [{"cube": {}}]})");
   EXPECT_REFUSED(read_tool_shapes(path, arm), "cube");
+  folder.write("tool.json", R"({"shapes": []})");
+  EXPECT_REFUSED(read_tool_shapes(path, arm), "has no shape");
 }
 
 /// A body that is fixed to a link elsewhere than at its joints counts with the neighbouring links.

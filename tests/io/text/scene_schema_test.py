@@ -43,7 +43,7 @@ BAD_SHAPES = [
 ]
 GOOD_SCENES = [
     {"obstacles": []},
-    {"obstacles": [{"name": "a", "shapes": []}], "allowed_pairs": [["a", "joint1"]]},
+    {"obstacles": [{"name": "a", "shapes": [BALL]}], "allowed_pairs": [["a", "joint1"]]},
     {"obstacles": [{"name": "a", "shapes": [{"half_space": {}}], "clearance": 0.1}]},
     *({"obstacles": [{"name": "a", "shapes": [shape]}]} for shape in GOOD_SHAPES),
 ]
@@ -52,10 +52,12 @@ BAD_SCENES = [
     {},
     {"obstacles": {}},
     {"obstacles": [{"name": "a"}]},
-    {"obstacles": [{"shapes": []}]},
-    {"obstacles": [{"name": "", "shapes": []}]},
-    {"obstacles": [{"name": "a", "shapes": [], "clearance": 0}]},
-    {"obstacles": [{"name": "a", "shapes": [], "colour": "red"}]},
+    {"obstacles": [{"name": "a", "shapes": []}]},
+    {"obstacles": [{"shapes": [BALL]}]},
+    {"obstacles": [{"name": "", "shapes": [BALL]}]},
+    {"obstacles": [{"name": "a", "shapes": [BALL], "clearance": 0}]},
+    {"obstacles": [{"name": "a", "shapes": [BALL], "clearance": 2e6}]},
+    {"obstacles": [{"name": "a", "shapes": [BALL], "colour": "red"}]},
     {"obstacles": [], "allowed_pairs": [["a"]]},
     {"obstacles": [], "walls": []},
     *({"obstacles": [{"name": "a", "shapes": [shape]}]} for shape in BAD_SHAPES),

@@ -41,7 +41,7 @@ TEST(Scene, ReadsBackAsItWasWritten) {
     Scene scene;
     for (int k = random.integer(0, 5); k > 0; --k) {
       Obstacle obstacle{.name = "obstacle \"" + std::to_string(k) + "\""};
-      for (int s = random.integer(0, 3); s > 0; --s) {
+      for (int s = random.integer(1, 3); s > 0; --s) {
         obstacle.shapes.push_back(
             testing::random_shape(random, random.integer(0, testing::shape_kinds - 1), 1, 2));
       }
@@ -67,9 +67,13 @@ TEST(Scene, RefusesOtherValuesByTheirPlace) {
   EXPECT_REFUSED(scene_of(R"({"name": "a"})"), "shapes");
   EXPECT_REFUSED(scene_of(R"({"name": "", "shapes": []})"), "obstacles[0].name");
   EXPECT_REFUSED(scene_of(R"({"name": "a", "shapes": [], "clearance": 0})"),
-                 "obstacles[0].clearance must be above 0");
-  EXPECT_REFUSED(scene_of(R"({"name": "a", "shapes": []}, {"name": "a", "shapes": []})"),
-                 "obstacles[1]");
+                 "obstacles[0].clearance is a clearance of 0 m; it must be above 0");
+  EXPECT_REFUSED(scene_of(R"({"name": "a", "shapes": [], "clearance": 2e6})"),
+                 "a clearance of 2e+06 m; it must be above 0 and at most 1e+06 m");
+  const std::string ball = R"({"name": "a", "shapes": [{"sphere": {"radius": 1}}]})";
+  EXPECT_REFUSED(scene_of(ball + ", " + ball), "obstacles[1]");
+  EXPECT_REFUSED(scene_of(R"({"name": "a", "shapes": []})"), "obstacles[0].shapes has no shape");
+  EXPECT_REFUSED(scene_to_json({.obstacles = {{"a", {}}}}), "\"a\" has no shape");
   EXPECT_REFUSED(scene_of("", R"(, "allowed_pairs": [["a"]])"), "two names");
   EXPECT_REFUSED(scene_of("", R"(, "walls": [])"), "walls");
   EXPECT_REFUSED(shape_of("{}"), "exactly one of the keys");

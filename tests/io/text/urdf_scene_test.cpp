@@ -97,6 +97,36 @@ TEST(UrdfScene, WhatWouldLoseAnObstacleIsRefused) {
   EXPECT_REFUSED(scene_from_urdf("{}", "cell.urdf"), "cell.urdf");
 }
 
+TEST(UrdfScene, LinksThatAreOnlyVisibleAreReported) {
+  const std::string visual = "<visual><geometry><box size=\"2 2 2\"/></geometry></visual>";
+  const std::string links =
+      cell_link("world", "") + cell_link("table", visual) + cell_link("lamp", visual + ball) +
+      cell_joint("a", "fixed", "world", "table") + cell_joint("b", "fixed", "world", "lamp");
+  const Scene scene = cell_of(links);
+  EXPECT_EQ(scene.obstacles.size(), 1u);
+  EXPECT_EQ(scene.links_without_shapes, std::vector<std::string>{"table"});
+  const ArmShapes arm =
+      arm_shapes_from_text("<robot name=\"r\">" + cell_link("a", visual) + cell_link("b") +
+                               cell_joint("j", "continuous", "a", "b") + "</robot>",
+                           "r.urdf");
+  EXPECT_EQ(arm.links_without_shapes, std::vector<std::string>{"a"});
+}
+
+TEST(UrdfScene, ACollisionHasOneBody) {
+  const auto read = [](const std::string& inside) {
+    return cell_of(cell_link("world", "<collision>\n" + inside + "</collision>"));
+  };
+  const std::string ball_body = "<sphere radius=\"0.1\"/>", box = "<box size=\"1 1 1\"/>";
+  const std::string geometry = "<geometry>" + ball_body + "</geometry>\n";
+  EXPECT_EQ(read(geometry).obstacles.size(), 1u);
+  EXPECT_REFUSED(read("<geometry>" + ball_body + "\n" + box + "</geometry>"),
+                 "cell.urdf:4: link world has <box>, a second body in a <geometry>");
+  EXPECT_REFUSED(read(geometry + "<geometry>" + box + "</geometry>"),
+                 "cell.urdf:4: link world has <geometry>, a second element of this name");
+  EXPECT_REFUSED(read("<origin xyz=\"1 0 0\"/>" + geometry + "<origin xyz=\"2 0 0\"/>"),
+                 "cell.urdf:4: link world has <origin>, a second element of this name");
+}
+
 TEST(UrdfScene, AFileOfOneIsAScene) {
   const testing::TemporaryFolder folder;
   const std::string path =

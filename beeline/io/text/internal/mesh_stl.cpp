@@ -96,7 +96,9 @@ class AsciiStl {
     std::string_view line;
     while (bytes_.next_line(line)) {
       for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-        if (take(word)) break;
+        if (!take(word)) continue;
+        take_name(line);
+        break;
       }
     }
     if (in_solid_) throw FileError(bytes_.path(), 0, "is cut off: its last endsolid is missing");
@@ -131,6 +133,20 @@ class AsciiStl {
     if (facet[next_] == "vertex") coordinates_ = 0;
     next_ = (next_ + 1) % facet.size();
     return false;
+  }
+
+  /// Takes the remainder of a line, the name of a solid. A facet in it would be lost.
+  void take_name(std::string_view line) const {
+    bool after_facet = false;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+      if (after_facet && is(word, "normal")) {
+        throw FileError(
+            bytes_.path(), bytes_.line(),
+            "has a facet in the line of \"solid\" or \"endsolid\", whose remainder is a "
+            "name; begin the facet in a line of its own");
+      }
+      after_facet = is(word, "facet");
+    }
   }
 
   void take_coordinate(std::string_view word) {

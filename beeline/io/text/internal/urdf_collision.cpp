@@ -58,10 +58,28 @@ void read_body(const XmlElements& elements, const std::string& link, const XMLEl
   }
 }
 
+/// Refuses an element beside another one that URDF has once: one of them would be lost.
+void refuse_second(const XmlElements& elements, const std::string& link, const XMLElement* second,
+                   const std::string& what) {
+  if (second == nullptr) return;
+  elements.refuse(second->GetLineNum(), "link " + link + " has " + described(*second) +
+                                            ", a second " + what +
+                                            "; give each its own <collision>");
+}
+
 Shape collision_shape(const XmlElements& elements, const std::string& link,
                       const XMLElement& collision, MeshHulls& meshes) {
   const XMLElement* const geometry = collision.FirstChildElement("geometry");
   const XMLElement* const body = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  const XMLElement* const origin = collision.FirstChildElement("origin");
+  for (const XMLElement* const first : {geometry, origin}) {
+    if (first == nullptr) continue;
+    refuse_second(elements, link, first->NextSiblingElement(first->Name()),
+                  "element of this name in a <collision>");
+  }
+  if (body != nullptr) {
+    refuse_second(elements, link, body->NextSiblingElement(), "body in a <geometry>");
+  }
   if (body == nullptr) {
     elements.refuse(collision.GetLineNum(), "link " + link + " has a <collision> without geometry");
   }
@@ -78,14 +96,13 @@ Shape collision_shape(const XmlElements& elements, const std::string& link,
 
 }  // namespace
 
-std::unordered_map<std::string, std::vector<Shape>> collision_shapes(
-    std::string_view text, const std::string& path,
-    const std::map<std::string, std::string>& package) {
+UrdfShapes collision_shapes(std::string_view text, const std::string& path,
+                            const std::map<std::string, std::string>& package) {
   const XmlElements elements(path);
   MeshHulls meshes(path, package);
   tinyxml2::XMLDocument document;
   parse_xml(document, text, path);
-  std::unordered_map<std::string, std::vector<Shape>> shapes;
+  UrdfShapes shapes;
   const XMLElement* const robot = document.RootElement();
   if (robot == nullptr) return shapes;
   for (const XMLElement* at = robot->FirstChildElement("link"); at != nullptr;
@@ -95,8 +112,10 @@ std::unordered_map<std::string, std::vector<Shape>> collision_shapes(
     const std::string link = with_escaped_bytes(name);
     for (const XMLElement* collision = at->FirstChildElement("collision"); collision != nullptr;
          collision = collision->NextSiblingElement("collision")) {
-      shapes[link].push_back(collision_shape(elements, link, *collision, meshes));
+      shapes.of_link[link].push_back(collision_shape(elements, link, *collision, meshes));
     }
+    const bool is_visible = at->FirstChildElement("visual") != nullptr;
+    if (is_visible && !shapes.of_link.contains(link)) shapes.only_visual.push_back(link);
   }
   return shapes;
 }

@@ -11,12 +11,18 @@
 
 namespace beeline::internal {
 
-/// Reads the `<collision>` elements of the links of a URDF text: the shapes of each link, by its
-/// name, in the link's frame. A mesh becomes its hull, see MeshHulls; `package` gives folders of
-/// packages. Throws FileError for a geometry of another kind than box, cylinder, sphere, capsule
-/// and mesh, for a mesh that cannot be read, and for a size that check_shape() refuses.
-std::unordered_map<std::string, std::vector<Shape>> collision_shapes(
-    std::string_view text, const std::string& path,
-    const std::map<std::string, std::string>& package);
+/// The shapes of the links of a URDF text.
+struct UrdfShapes {
+  /// Shapes of the `<collision>` elements, by the link's name, in the link's frame.
+  std::unordered_map<std::string, std::vector<Shape>> of_link;
+  std::vector<std::string> only_visual;  ///< links with `<visual>` and without `<collision>`
+};
+
+/// Reads them. A mesh becomes its hull, see MeshHulls; `package` gives folders of packages. Throws
+/// FileError for a `<collision>` without exactly one body or with several origins, a geometry of
+/// another kind than box, cylinder, sphere, capsule and mesh, a mesh that cannot be read, and a
+/// size that check_shape() refuses.
+UrdfShapes collision_shapes(std::string_view text, const std::string& path,
+                            const std::map<std::string, std::string>& package);
 
 }  // namespace beeline::internal

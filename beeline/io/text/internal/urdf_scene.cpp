@@ -68,11 +68,11 @@ Scene scene_from_urdf(std::string_view text, const std::string& path, const Shap
   const internal::HeldJoints held(file, {}, options.hold);
   const std::vector<PlacedObstacle> placed = placed_links(file, held);
   auto shapes = internal::collision_shapes(text, path, options.package);
-  Scene scene;
+  Scene scene{.links_without_shapes = std::move(shapes.only_visual)};
   std::vector<bool> is_added(file.joints.size());
   for (std::size_t i = 0; i < file.links.size(); ++i) {
-    const auto found = shapes.find(file.links[i].name);
-    if (found == shapes.end()) continue;
+    const auto found = shapes.of_link.find(file.links[i].name);
+    if (found == shapes.of_link.end()) continue;
     for (Shape& shape : found->second) shape.pose = placed[i].pose * shape.pose;
     scene.obstacles.push_back({.name = file.links[i].name, .shapes = std::move(found->second)});
     for (std::size_t at = i; placed[at].joint && !is_added[*placed[at].joint];

@@ -141,10 +141,10 @@ ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const
   const UrdfFile file = parse_urdf(text, path);
   LinkPlacement placement(file, cut_chain(file, ends), options.hold);
   auto shapes = collision_shapes(text, path, options.package);
-  ArmShapes read;
+  ArmShapes read{.links_without_shapes = std::move(shapes.only_visual)};
   for (std::size_t i = 0; i < file.links.size(); ++i) {
-    const auto found = shapes.find(file.links[i].name);
-    if (found == shapes.end()) continue;
+    const auto found = shapes.of_link.find(file.links[i].name);
+    if (found == shapes.of_link.end()) continue;
     read.links.push_back(placement.body_of(i, std::move(found->second), read.held));
   }
   return read;

@@ -103,6 +103,14 @@ TEST(MeshFile, DamagedFilesAreRefused) {
   EXPECT_REFUSED(mesh_from_text(nan, "a.stl"), "triangle 4 has a coordinate that is not a finite");
   EXPECT_REFUSED(mesh_from_text(beeline::testing::binary_stl({}), "a.stl"), "has no triangles");
   EXPECT_REFUSED(mesh_from_text(beeline::testing::ascii_stl({}), "a.stl"), "has no triangles");
+  const std::string facet =
+      "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n";
+  EXPECT_REFUSED(mesh_from_text("solid a " + facet + facet + "endsolid a\n", "a.stl"),
+                 "a.stl:1: has a facet in the line of \"solid\"");
+  EXPECT_REFUSED(
+      mesh_from_text("solid a\n" + facet + "endsolid a solid b " + facet + "endsolid b\n", "a.stl"),
+      "a.stl:3: has a facet in the line of");
+  EXPECT_EQ(mesh_from_text("solid normal facet\n" + facet + "endsolid", "a.stl").size(), 3u);
   EXPECT_REFUSED(mesh_from_text("solid a\nfacet normal 0 0 1\nouter lop\n", "a.stl"),
                  "a.stl:3: has \"lop\" in the place of \"loop\"");
   EXPECT_REFUSED(
