@@ -49,7 +49,7 @@ void TubeTest::place_body(std::uint32_t i) {
   const double farthest = carried.body.centre.norm() + carried.body.bound;
   placed_[i] = {tube_, frame.origin + frame.rotation * carried.body.centre,
                 motion_.displacement(reach(i), carried.frame, 0),
-                motion_.rounding(carried.frame, farthest)};
+                motion_.rounding(carried.frame, farthest), -1};
 }
 
 void TubeTest::place_bodies(const OpenPair& pair) {
@@ -57,8 +57,12 @@ void TubeTest::place_bodies(const OpenPair& pair) {
   if (pair.with == OpenPair::With::link) place_body(pair.other);
 }
 
-double TubeTest::remainder(std::uint32_t i, std::size_t j) const {
-  return motion_.remainder(reach(i), bodies_.link_bodies[i].carried.frame, j);
+double TubeTest::remainder(std::uint32_t i, std::size_t j) {
+  const std::size_t frame = bodies_.link_bodies[i].carried.frame;
+  if (j > 0) return motion_.remainder(reach(i), frame, j);
+  double& to_base = placed_[i].remainder;
+  if (to_base < 0) to_base = motion_.remainder(reach(i), frame, 0);
+  return to_base;
 }
 
 double TubeTest::clearance(const OpenPair& pair) const {
@@ -105,7 +109,7 @@ TubeTest::Bound TubeTest::bound(OpenPair& pair) {
 }
 
 /// The direction is from the body's centre to the nearest point of the box.
-TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) const {
+TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) {
   const BoxTree::Node& node = bodies_.tree.node(pair.other);
   const Placed& placed = placed_[pair.body];
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
@@ -126,7 +130,7 @@ TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) const {
   return found;
 }
 
-TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) const {
+TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) {
   const bool is_link = pair.with == OpenPair::With::link;
   const Placed& placed = placed_[pair.body];
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;

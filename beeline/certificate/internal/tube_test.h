@@ -64,16 +64,17 @@ class TubeTest {
     Vector3 centre = Vector3::Zero();  ///< of its sphere at the middle
     double displacement = 0;           ///< ChainMotion::displacement() relative to the base
     double rounding = 0;               ///< ChainMotion::rounding()
+    double remainder = -1;             ///< ChainMotion::remainder() to the base; -1: not yet
   };
 
   /// Computes the values of a body for the present tube. Most tubes are tested for a few bodies.
   void place_body(std::uint32_t i);
   void place_bodies(const OpenPair& pair);
   const JointReach& reach(std::uint32_t i) const;
-  double remainder(std::uint32_t i, std::size_t j) const;  ///< relative to frame j, m
+  double remainder(std::uint32_t i, std::size_t j);  ///< relative to frame j, m
 
-  Bound bound_to_node(OpenPair& pair) const;
-  Bound bound_to_body(OpenPair& pair) const;
+  Bound bound_to_node(OpenPair& pair);
+  Bound bound_to_body(OpenPair& pair);
 
   const CollisionBodies& bodies_;
   double beyond_;
