@@ -85,6 +85,9 @@ section "Time-optimal scaling of splines"
 section "A step of the servo"
 "$folder/bench_servo" "${BENCH_STEPS:-1000000}"
 
+section "Collisions"
+scripts/bench_collision.sh || status=1
+
 section "Formulas: operations"
 "$python" -B bench/formula/operations.py build/beeline || status=1
 section "Formulas: forward kinematics and Jacobian"

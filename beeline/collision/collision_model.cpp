@@ -60,6 +60,9 @@ void add_links(CollisionBodies& bodies) {
       const internal::ConvexBody body =
           moved(frame.linear(), frame.translation(), internal::convex_body(shape));
       bodies.link_bodies.push_back({{body, link.link}, i});
+      if (bodies.motion.slides(link.link)) continue;
+      const Configuration any = Configuration::Zero(bodies.arm.dof());
+      bodies.link_bodies.back().reach = bodies.motion.reach(body, link.link, any, any);
     }
   }
 }

@@ -1,7 +1,8 @@
 // Times the certified check of a Panda's motions among obstacles: a line of 1 m with self-collision
-// by the number of obstacles, the margin and the vertices of hulls, and edges of 1 rad, beside the
-// same edges sampled by the same distances. Prints tables in Markdown; microseconds of CPU,
-// medians. Usage: bench_clearance [EDGES]
+// by the number of obstacles, the clearance, the margin and the vertices of hulls, and edges of
+// 1 rad, beside the same edges sampled by the same distances. Prints tables in Markdown;
+// microseconds of CPU on one core, medians; the model's preparation apart. Fails if the parts of a
+// motion allocate memory. Usage: bench_clearance [EDGES]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,8 @@
 #include <beeline/planning/move_along.h>
 
 #include "../inverse/timing.h"
+
+#include <tests/allocations.h>
 
 namespace beeline::bench {
 namespace {
@@ -133,14 +136,46 @@ void print_proof(const CollisionModel& model, const Trajectory& motion) {
   std::printf(" %s | %zu | %.1f |\n", name(proof.status).c_str(), proof.parts, time);
 }
 
-void by_obstacles(const Robot& robot, const Trajectory& line) {
-  std::printf("| obstacles | answer | parts | µs |\n|---|---|---|---|\n");
+/// Returns the scene with 100 boxes, and prints the table by the number of obstacles.
+Scene by_obstacles(const Robot& robot, const Trajectory& line) {
+  std::printf("| obstacles | model, ms | answer | parts | µs |\n|---|---|---|---|---|\n");
+  Scene hundred;
   for (const std::size_t count : {1U, 10U, 100U, 1000U, 10000U}) {
     Engine engine(count);
-    const CollisionModel model = robot.among(boxes(robot, line, count, 0.02, engine), 5e-3);
-    std::printf("| %zu |", count);
+    const Scene scene = boxes(robot, line, count, 0.02, engine);
+    if (count == 100) hundred = scene;
+    const double start = cpu_microseconds();
+    const CollisionModel model = robot.among(scene, 5e-3);
+    std::printf("| %zu | %.1f |", count, 1e-3 * (cpu_microseconds() - start));
     print_proof(model, line);
   }
+  return hundred;
+}
+
+void by_clearance(const Robot& robot, const Trajectory& line, const Scene& scene) {
+  std::printf("\n| clearance, mm, 100 boxes at 20 | answer | parts | µs |\n|---|---|---|---|\n");
+  for (const double clearance : {0.01, 0.1, 1.0, 5.0, 15.0}) {
+    std::printf("| %g |", clearance);
+    print_proof(robot.among(scene, 1e-3 * clearance), line);
+  }
+}
+
+/// Counts the allocations of two proofs, of which the second needs many more parts. Their numbers
+/// differ by what deeper levels of the search need, not by a number for each part.
+bool allocates_for_parts(const Robot& robot, const Trajectory& line, const Scene& scene) {
+  const CollisionModel model = robot.among(scene, 5e-3);
+  const double least = prove_clearance(model, line, {.closest = true}).pair.upper;
+  const auto counted = [&](double beyond) {
+    const long before = allocations;
+    const ClearanceProof proof = prove_clearance(model, line, {.beyond = beyond});
+    return std::pair(allocations - before, proof.parts);
+  };
+  const auto [few, few_parts] = counted(0);
+  const auto [more, more_parts] = counted(0.999 * (least - 5e-3));
+  std::printf("\nAllocations: %ld for %zu parts, %ld for %zu parts.\n", few, few_parts, more,
+              more_parts);
+  constexpr long deeper_levels = 60;
+  return more - few > deeper_levels;
 }
 
 /// A plate below the hand, which the line passes at the clearance and a margin.
@@ -169,7 +204,7 @@ void by_margin(const Robot& robot, const Trajectory& line) {
 void by_vertices(const Trajectory& line) {
   std::printf(
       "\n| vertices of a link's hull, 100 boxes | answer | parts | µs |\n|---|---|---|---|\n");
-  for (const int vertices : {0, 20, 50, 100, 200}) {
+  for (const int vertices : {0, 8, 20, 50, 100, 200, 500}) {
     const Robot robot(vertices);
     Engine engine(7);
     const CollisionModel model = robot.among(boxes(robot, line, 100, 0.02, engine), 5e-3);
@@ -224,12 +259,14 @@ void edges(const Robot& robot, int count) {
 int main(int argc, char** argv) {
   using namespace beeline::bench;
   const int count = argc > 1 ? std::max(1, std::atoi(argv[1])) : 1000;
+  stay_on_one_core();
   const Robot robot;
   const beeline::Trajectory line = line_of_one_metre(robot.arm);
   std::printf("The line has %zu samples.\n\n", line.size());
-  by_obstacles(robot, line);
+  const beeline::Scene hundred = by_obstacles(robot, line);
+  by_clearance(robot, line, hundred);
   by_margin(robot, line);
   by_vertices(line);
   edges(robot, count);
-  return 0;
+  return BEELINE_COUNTS_ALLOCATIONS && allocates_for_parts(robot, line, hundred) ? 1 : 0;
 }

@@ -18,21 +18,44 @@ double box_rounding(const AlignedBox& box) {
 TubeTest::TubeTest(const CollisionBodies& bodies, const Configuration& lower,
                    const Configuration& upper, double beyond)
     : bodies_(bodies), beyond_(beyond), motion_(bodies.motion), placed_(bodies.link_bodies.size()) {
-  for (const auto& link : bodies.link_bodies) {
-    reach_.push_back(motion_.reach(link.carried.body, link.carried.frame, lower, upper));
+  for (std::size_t i = 0; i < bodies.link_bodies.size(); ++i) {
+    const auto& link = bodies.link_bodies[i];
+    if (!link.reach.of.empty()) continue;
+    reach_.resize(bodies.link_bodies.size());
+    reach_[i] = motion_.reach(link.carried.body, link.carried.frame, lower, upper);
   }
 }
 
 void TubeTest::place(const JointTube& tube) {
   motion_.set(tube);
-  for (std::size_t i = 0; i < placed_.size(); ++i) {
-    const CarriedBody& carried = bodies_.link_bodies[i].carried;
-    const ChainMotion::Frame& frame = motion_.frame(carried.frame);
-    placed_[i] = {frame.origin + frame.rotation * carried.body.centre,
-                  motion_.remainder(reach_[i], carried.frame, 0),
-                  motion_.displacement(reach_[i], carried.frame, 0),
-                  motion_.rounding(carried.frame, magnitude(carried.body))};
-  }
+  ++tube_;
+}
+
+const JointReach& TubeTest::reach(std::uint32_t i) const {
+  const JointReach& constant = bodies_.link_bodies[i].reach;
+  return constant.of.empty() ? reach_[i] : constant;
+}
+
+void TubeTest::place_body(std::uint32_t i) {
+  if (placed_[i].tube == tube_) return;
+  const CarriedBody& carried = bodies_.link_bodies[i].carried;
+  const ChainMotion::Frame& frame = motion_.frame(carried.frame);
+  placed_[i] = {tube_, frame.origin + frame.rotation * carried.body.centre,
+                motion_.displacement(reach(i), carried.frame, 0),
+                motion_.rounding(carried.frame, magnitude(carried.body)), -1};
+}
+
+void TubeTest::place_bodies(const OpenPair& pair) {
+  place_body(pair.body);
+  if (pair.with == OpenPair::With::link) place_body(pair.other);
+}
+
+double TubeTest::remainder(std::uint32_t i, std::size_t j) {
+  const std::size_t frame = bodies_.link_bodies[i].carried.frame;
+  if (j > 0) return motion_.remainder(reach(i), frame, j);
+  double& to_base = placed_[i].remainder;
+  if (to_base < 0) to_base = motion_.remainder(reach(i), frame, 0);
+  return to_base;
 }
 
 double TubeTest::clearance(const OpenPair& pair) const {
@@ -49,7 +72,7 @@ double TubeTest::clearance(const OpenPair& pair) const {
 
 double TubeTest::displacement(const OpenPair& pair) const {
   if (pair.with != OpenPair::With::link) return placed_[pair.body].displacement;
-  return motion_.displacement(reach_[pair.body], bodies_.link_bodies[pair.body].carried.frame,
+  return motion_.displacement(reach(pair.body), bodies_.link_bodies[pair.body].carried.frame,
                               bodies_.link_bodies[pair.other].carried.frame);
 }
 
@@ -73,12 +96,13 @@ bool TubeTest::is_coarse(const OpenPair& pair) const {
          node.box.half.norm() + node.clearance >= placed_[pair.body].displacement;
 }
 
-TubeTest::Bound TubeTest::bound(OpenPair& pair) const {
+TubeTest::Bound TubeTest::bound(OpenPair& pair) {
+  place_bodies(pair);
   return pair.with == OpenPair::With::node ? bound_to_node(pair) : bound_to_body(pair);
 }
 
 /// The direction is from the body's centre to the nearest point of the box.
-TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) const {
+TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) {
   const BoxTree::Node& node = bodies_.tree.node(pair.other);
   const Placed& placed = placed_[pair.body];
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
@@ -88,24 +112,24 @@ TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) const {
   const double distance = towards.norm();
   if (!(distance > 0)) return found;
   found.distance = distance - carried.body.bound - placed.displacement - rounding(pair);
-  if (found.proves() || distance <= placed.remainder + found.required) return found;
+  if (found.proves()) return found;
+  const double remainder = this->remainder(pair.body, 0);
+  if (distance <= remainder + found.required) return found;
   pair.direction = towards / distance;
   const double lowest =
       pair.direction.dot(node.box.centre) - pair.direction.cwiseAbs().dot(node.box.half);
-  const double highest = highest_along(motion_, carried, 0, pair.direction, placed.remainder);
+  const double highest = highest_along(motion_, carried, 0, pair.direction, remainder);
   found.distance = std::max(found.distance, lowest - highest - rounding(pair));
   return found;
 }
 
-TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) const {
+TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) {
   const bool is_link = pair.with == OpenPair::With::link;
   const Placed& placed = placed_[pair.body];
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
   const CarriedBody* const earlier = is_link ? &bodies_.link_bodies[pair.other].carried : nullptr;
   const ConvexBody* const obstacle = is_link ? nullptr : &bodies_.obstacle_bodies[pair.other].body;
   const std::size_t j = is_link ? earlier->frame : 0;
-  const double remainder =
-      is_link ? motion_.remainder(reach_[pair.body], carried.frame, j) : placed.remainder;
   Bound found{-std::numeric_limits<double>::infinity(), clearance(pair) + beyond_};
 
   // Spheres around both.
@@ -115,6 +139,7 @@ TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) const {
   found.distance = apart - bounds - displacement(pair) - rounding(pair);
   if (found.proves()) return found;
 
+  const double remainder = this->remainder(pair.body, j);
   const Rotation& axes = motion_.frame(j).rotation;
   const auto try_direction = [&](const Vector3& n) {
     const double lowest = is_link ? lowest_along(motion_, *earlier, n) : -support(*obstacle, -n);
@@ -133,7 +158,8 @@ TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) const {
   return found;
 }
 
-BodyDistance TubeTest::distance(const OpenPair& pair) const {
+BodyDistance TubeTest::distance(const OpenPair& pair) {
+  place_bodies(pair);
   const bool is_link = pair.with == OpenPair::With::link;
   const auto& link = bodies_.link_bodies[pair.body];
   const ConvexBody first = in_world(motion_, link.carried);

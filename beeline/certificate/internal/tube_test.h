@@ -37,8 +37,9 @@ class TubeTest {
     double distance = 0, required = 0;
     bool proves() const { return distance >= required; }
   };
-  /// Keeps the best direction in the pair.
-  Bound bound(OpenPair& pair) const;
+  /// Keeps the best direction in the pair. displacement(), rounding() and is_coarse() require that
+  /// bound() or distance() was called for the pair in this tube.
+  Bound bound(OpenPair& pair);
 
   /// The distance that the bodies of a pair must keep, m; of a node the largest of its obstacles.
   double clearance(const OpenPair& pair) const;
@@ -54,25 +55,33 @@ class TubeTest {
   bool is_coarse(const OpenPair& pair) const;
 
   /// Returns the pair at the middle of the tube.
-  BodyDistance distance(const OpenPair& pair) const;
+  BodyDistance distance(const OpenPair& pair);
 
  private:
   /// A body of the arm over the tube, in the world's axes.
   struct Placed {
+    std::size_t tube = 0;              ///< number of the tube; the values are of it
     Vector3 centre = Vector3::Zero();  ///< of its sphere at the middle
-    double remainder = 0;              ///< ChainMotion::remainder() relative to the base
-    double displacement = 0;           ///< ChainMotion::displacement() likewise
+    double displacement = 0;           ///< ChainMotion::displacement() relative to the base
     double rounding = 0;               ///< ChainMotion::rounding()
+    double remainder = -1;             ///< ChainMotion::remainder() to the base; -1: not yet
   };
 
-  Bound bound_to_node(OpenPair& pair) const;
-  Bound bound_to_body(OpenPair& pair) const;
+  /// Computes the values of a body for the present tube. Most tubes are tested for a few bodies.
+  void place_body(std::uint32_t i);
+  void place_bodies(const OpenPair& pair);
+  const JointReach& reach(std::uint32_t i) const;
+  double remainder(std::uint32_t i, std::size_t j);  ///< relative to frame j, m
+
+  Bound bound_to_node(OpenPair& pair);
+  Bound bound_to_body(OpenPair& pair);
 
   const CollisionBodies& bodies_;
   double beyond_;
   ChainMotion motion_;
-  std::vector<JointReach> reach_;  ///< of each of link_bodies
-  std::vector<Placed> placed_;     ///< likewise
+  std::size_t tube_ = 0;           ///< number of tubes so far
+  std::vector<JointReach> reach_;  ///< of those of link_bodies that have none, at their index
+  std::vector<Placed> placed_;     ///< of each of link_bodies
 };
 
 }  // namespace beeline::internal

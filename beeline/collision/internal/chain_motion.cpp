@@ -74,6 +74,12 @@ void ChainMotion::set(const JointTube& tube) {
   }
 }
 
+bool ChainMotion::slides(std::size_t i) const {
+  const auto& links = chain_of(*arm_).links;
+  return std::any_of(links.begin(), links.begin() + static_cast<std::ptrdiff_t>(i),
+                     [](const Chain::Link& link) { return link.d_per_q != 0; });
+}
+
 JointReach ChainMotion::reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
                               const Eigen::VectorXd& upper) const {
   const Chain& chain = chain_of(*arm_);

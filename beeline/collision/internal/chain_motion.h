@@ -44,6 +44,9 @@ class ChainMotion {
   const Pose& link_frame(std::size_t i) const { return link_frames_[i]; }
   const Vector3& origin() const { return world_origin_; }  ///< of link 0, in the world
 
+  /// Whether the reach of bodies on frame i depends on the configuration.
+  bool slides(std::size_t i) const;
+
   /// Computes the reach of a body that frame i carries. Joints that slide are between the values
   /// `lower` and `upper` of their coordinates.
   JointReach reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,

@@ -24,6 +24,8 @@ struct CollisionBodies {
   struct LinkBody {
     CarriedBody carried;
     std::size_t link_shapes = 0;  ///< index of its LinkShapes
+    /// The reach for all configurations; empty if joints in front of the body slide.
+    JointReach reach = {};
   };
   std::vector<LinkBody> link_bodies;
 

@@ -133,7 +133,7 @@ enum class PoseNoteKind {
   no_header,             ///< the table has no header; its columns are read as `columns`
   likely_degrees,        ///< an angle of `value` rad is more than a revolution
   long_rotation_vector,  ///< a rotation vector of `value` rad is more than a revolution
-  likely_millimetres,    ///< a position `value` m away is rather in millimetres
+  likely_millimetres,    ///< a position `value` m away is probably in millimetres
 };
 std::string name(PoseNoteKind kind);
 
@@ -147,7 +147,7 @@ struct PoseNote {
 
 /// Returns the notes on poses that were read in this format: on a missing header and on the largest
 /// angle and, with the sphere of Arm::reach() of the arm that is to reach the poses, on the first
-/// position that is rather in millimetres:
+/// position that is probably in millimetres:
 ///     for (const PoseNote& note : notes_on(poses, format, arm.reach())) {
 ///       std::cerr << sentence(note, "poses.csv") << '\n';
 ///     }

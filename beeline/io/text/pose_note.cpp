@@ -59,7 +59,7 @@ std::string sentence(const PoseNote& note, const std::string& where, OptionStyle
              " rad is more than a revolution; rx, ry, rz are in radians" +
              (command ? ", also with --degrees" : "");
     case PoseNoteKind::likely_millimetres:
-      return where + ": a position " + number(note.value) + " m away is rather in millimetres; " +
+      return where + ": a position " + number(note.value) + " m away is probably in millimetres; " +
              (command ? "--millimetres" : "millimetres=True") + " reads millimetres";
   }
   return "";

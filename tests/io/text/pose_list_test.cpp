@@ -220,7 +220,7 @@ TEST(PoseNotes, SayWhatTheNumbersSuggest) {
   const std::string far = header + "0,0,0,0,0,0\n0,500,0,0,0,0\n0,600,0,0,0,0\n";
   EXPECT_EQ(notes(far, {}), Said());
   EXPECT_EQ(notes(far, {}, reach),
-            Said{"likely_millimetres a.csv: a position 500 m away is rather in millimetres; "
+            Said{"likely_millimetres a.csv: a position 500 m away is probably in millimetres; "
                  "millimetres=True reads millimetres"});
   EXPECT_EQ(notes(far, {.millimetres = true}, reach), Said());
   EXPECT_EQ(
