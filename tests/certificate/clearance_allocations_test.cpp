@@ -4,6 +4,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/allocations.h>
+#include <tests/certificate/raised_clearance.h>
 #include <tests/certificate/random_motion.h>
 #include <tests/collision/random_model.h>
 
@@ -30,7 +31,7 @@ TEST(Clearance, DoesNotAllocateForItsParts) {
     // Close to the closest approach, many parts are needed.
     const auto counted = [&](double beyond) {
       const long before = allocations;
-      const ClearanceProof proof = prove_clearance(model, motion, {.beyond = beyond});
+      const ClearanceProof proof = testing::proof_beyond(model, motion, beyond);
       most_parts = std::max(most_parts, proof.parts);
       return std::pair(allocations - before, proof);
     };

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <beeline/certificate/clearance.h>
-#include <beeline/certificate/internal/clearance_search.h>
 #include <beeline/certificate/internal/motion_tubes.h>
 #include <beeline/collision/internal/tube_gap.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
+#include <tests/certificate/raised_clearance.h>
 #include <tests/certificate/random_motion.h>
 #include <tests/collision/random_model.h>
 #include <tests/refusal.h>
@@ -141,15 +141,6 @@ void expect_right(const CollisionModel& model, const Trajectory& motion,
   }
 }
 
-/// The proof that the pairs keep their clearance raised by `beyond`, m.
-ClearanceProof proof_beyond(const CollisionModel& model, const Trajectory& motion, double beyond) {
-  if (beyond == 0) return prove_clearance(model, motion);
-  const ClearanceOptions options;
-  const MotionTubes tubes(motion);
-  BudgetMeter budget{Budget()};
-  return ClearanceSearch(model.bodies(), tubes, options, budget, beyond).run();
-}
-
 TEST(Clearance, IsNeverProvedFalsely) {
   Random random;
   int answers[3] = {};
@@ -168,7 +159,8 @@ TEST(Clearance, IsNeverProvedFalsely) {
     const Trajectory motion =
         random_motion(random, arm, random_interpolation(random),
                       random.integer(beyond > 0 ? 2 : 1, 10), random.uniform(0, 0.3));
-    const ClearanceProof proof = proof_beyond(model, motion, beyond);
+    const ClearanceProof proof =
+        beyond > 0 ? testing::proof_beyond(model, motion, beyond) : prove_clearance(model, motion);
     expect_right(model, motion, proof, beyond);
     ++answers[static_cast<int>(proof.status)];
   }

@@ -212,12 +212,11 @@ TEST(ReasonData, SayAllOfTheSentencesOfClearances) {
     const Arm arm = random_arm_of(random);
     const CollisionModel model(arm, testing::random_link_shapes(random, arm, 0.1),
                                testing::random_scene(random, arm, 20, 0.3, 2),
-                               {.self_collision = false});
+                               {.clearance = random.uniform(0.001, 0.1), .self_collision = false});
     const Configuration q = random.configuration(arm);
     const Trajectory motion{
         arm.joint_names(), {0, 1}, {q, q + 0.1 * (random.configuration(arm) - q)}, {}, {}};
-    ClearanceOptions options{.resolution = random.uniform(0.01, 1),
-                             .beyond = random.uniform(0, 0.1)};
+    ClearanceOptions options{.resolution = random.uniform(0.01, 1)};
     if (random.integer(0, 3) == 0) options.budget.max_work = random.integer(0, 3);
     const ClearanceProof proof = prove_clearance(model, motion, options);
     EXPECT_EQ(static_cast<bool>(proof), !proof.reason);
