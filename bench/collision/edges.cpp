@@ -1,7 +1,8 @@
 // Certifies straight joint motions of 1 rad ("edges") of an arm in many scenes, beside coal, which
 // samples the same edges every 0.05 rad, and compares the answers with a referee: the least of
 // coal's distances along the edge, whose ten least samples are refined. Prints tables in Markdown,
-// microseconds of CPU, and writes the edges and answers as lines of JSON for hpp_edges.py.
+// microseconds of CPU, and writes the edges and answers as lines of JSON for hpp_edges.py. Fails if
+// coal refutes an answer.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -192,7 +193,8 @@ void print_times(const char* what, const std::vector<double>& times) {
               1e6 / mean);
 }
 
-void run(const Options& options) {
+/// Returns whether coal refutes no answer.
+bool run(const Options& options) {
   std::mt19937_64 engine(options.seed);
   const ShapedArm arm = read_shaped_arm(options.arm);
   std::vector<Problem> problems = options.problems.empty()
@@ -223,7 +225,7 @@ void run(const Options& options) {
   print_times("all, certified", sums.certified[3]);
   if (!has_coal()) {
     std::printf("\nLeft out: coal, whose wheel is not installed.\n");
-    return;
+    return true;
   }
   print_times("clear, coal's samples every 0.05 rad", sums.sampling_clear);
   print_times("all, coal's samples", sums.sampling);
@@ -256,10 +258,9 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     stay_on_one_core();
-    run(options);
+    return run(options) ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
-  return 0;
 }

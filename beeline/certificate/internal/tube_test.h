@@ -80,7 +80,7 @@ class TubeTest {
   double beyond_;
   ChainMotion motion_;
   std::size_t tube_ = 0;           ///< number of tubes so far
-  std::vector<JointReach> reach_;  ///< of those of link_bodies that have none, at their index
+  std::vector<JointReach> reach_;  ///< of each of link_bodies that has none itself, at its index
   std::vector<Placed> placed_;     ///< of each of link_bodies
 };
 
