@@ -59,10 +59,9 @@ void bind_verify(nb::module_& m) {
          const nb::kwargs& keywords) {
         const auto ends = Value<MovingEnds>::from(moving, "moving");
         Budget budget = options<BudgetOptions>(keywords).budget;
-        return Value<std::optional<JointFault>>::to(
-            unlocked(budget, [&] {
-              return first_joint_fault(arm, matched_to(arm, trajectory), ends, budget);
-            }));
+        return Value<std::optional<JointFault>>::to(unlocked(budget, [&] {
+          return first_joint_fault(arm, matched_to(arm, trajectory), ends, budget);
+        }));
       },
       fault, nb::arg("arm"), nb::arg("trajectory"),
       nb::arg("moving") = nb::make_tuple(false, false), nb::arg("keywords"));

@@ -77,8 +77,8 @@ TEST(ClearanceRounding, IncludesTheWholeMotionAboutAPeak) {
     Shape point{Sphere{0}};
     point.pose.translation().x() = static_cast<double>(peak + clearance * random.uniform(0, 1));
     if (Wide(point.pose.translation().x()) - peak >= clearance) continue;
-    const CollisionModel model(arm, {{"tip", 1, {{Sphere{0}}}}}, {.obstacles = {{"point", {point}}}},
-                               {.clearance = clearance});
+    const CollisionModel model(arm, {{"tip", 1, {{Sphere{0}}}}},
+                               {.obstacles = {{"point", {point}}}}, {.clearance = clearance});
     EXPECT_FALSE(prove_clearance(model, motion)) << number(size) << " m, case " << i;
   }
 }

@@ -279,11 +279,8 @@ TEST(Clearance, DecidesJumpsForEachObstacle) {
     }
     const CollisionModel model(arm, links, scene);
     for (const double time : {0.0, 1e9}) {
-      const Trajectory jump{arm.joint_names(),
-                            {time, std::nextafter(time, 2e9)},
-                            {begin, end},
-                            {},
-                            {}};
+      const Trajectory jump{
+          arm.joint_names(), {time, std::nextafter(time, 2e9)}, {begin, end}, {}, {}};
       const ClearanceProof proof = prove_clearance(model, jump);
       if (in_the_way) {
         EXPECT_EQ(proof.status, ClearanceStatus::collides);

@@ -38,8 +38,8 @@ ConvexBody moved(const Rotation& rotation, const Vector3& translation, ConvexBod
 /// have any length. For a half-space it is finite only in the direction of its normal.
 double support(const ConvexBody& body, const Vector3& direction);
 
-/// A bound of the numbers of which support() is the sum, m. `bound` is none where the origin and the
-/// vertices of a hull are far from each other.
+/// A bound of the numbers of which support() is the sum, m. `bound` is none where the origin and
+/// the vertices of a hull are far from each other.
 double magnitude(const ConvexBody& body);
 
 /// A bound of the rounding of support() for a unit direction, m.
