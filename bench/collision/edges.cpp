@@ -234,6 +234,7 @@ bool run(const Options& options) {
       "distance there is above the clearance: %zu. Collides, and missed by coal's samples: "
       "%zu.\n",
       sums.refuted, sums.unconfirmed, sums.missed);
+  return sums.refuted + sums.unconfirmed == 0;
 }
 
 }  // namespace
