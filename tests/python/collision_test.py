@@ -73,6 +73,23 @@ def test_a_motion_is_clear_or_collides(arm, links, rng):
                 assert proof.reason.fields["other_body"] == "ball" and proof.time <= time + 0.05
 
 
+def test_joints_of_a_motion_are_matched_by_name(arm, links, rng):
+    motion = beeline.move_joints(arm, [0, 0, 0], [1, 0.2, 0]).trajectory
+    ball = beeline.Obstacle("ball", [beeline.Shape(beeline.Sphere(0.1), at(*tip(arm, [0.5, 0.1, 0])))])
+    model = beeline.CollisionModel(arm, links, beeline.Scene([ball]))
+    order = rng.permutation(3)
+    names = [motion.joint_names[k] for k in order]
+    other = beeline.Trajectory(names, motion.times, motion.positions[:, order], motion.velocities[:, order], motion.accelerations[:, order])
+    assert beeline.prove_clearance(model, motion).time == beeline.prove_clearance(model, other).time
+    assert beeline.prove_clearance(model, other).status == "collides"
+    foreign = beeline.Trajectory(["x", "y", "z"], motion.times, motion.positions, motion.velocities, motion.accelerations)
+    for function in (beeline.prove_clearance, beeline.clearance_over_time):
+        with pytest.raises(beeline.Error, match="x"):
+            function(model, foreign)
+    with pytest.raises(beeline.Error, match="x"):
+        beeline.first_joint_fault(arm, foreign)
+
+
 def test_the_gradient_of_the_nearest_pair(arm, links):
     far = beeline.Obstacle("far", [beeline.Shape(beeline.Sphere(0.5), at(2, 9, 1))])
     model = beeline.CollisionModel(arm, links, beeline.Scene(obstacles=[far]), self_collision=False)

@@ -104,7 +104,7 @@ def test_proofs_are_printed_in_one_line():
     wall = beeline.Obstacle("wall", [beeline.Shape(beeline.Box([0.1, 1, 1]), pose=beeline.make_pose([2, 0, 0]))])
     link = beeline.LinkShapes("tip", 3, [beeline.Shape(beeline.Sphere(0.05))])
     motion = beeline.move_joints(TURNING, [0.1, 0.2, 0.3], [0.4, 0.2, 0.3])
-    for gap, text in ((2, "clear, at least "), (0.68, "collides: ")):
+    for gap, text in ((2, "clear, the pair that counts keeps at least "), (0.68, "collides: ")):
         shape = beeline.Shape(beeline.Box([0.1, 2, 2]), pose=beeline.make_pose([gap, 0, 0]))
         model = beeline.CollisionModel(TURNING, [link], beeline.Scene([beeline.Obstacle("wall", [shape])]))
         proof = beeline.prove_clearance(model, motion.trajectory)
