@@ -266,8 +266,8 @@ TEST(ControlJoints, ReportsAJumpWhereTheMotionDoesNotStartAtRest) {
     EXPECT_EQ(!motion.start_jump.joint.empty(), moves) << i;
     ++(moves ? jumps : rests);
   }
-  EXPECT_GT(jumps, 10);
-  EXPECT_GT(rests, 10);
+  EXPECT_GT(jumps, testing::cases(100) / 20);
+  EXPECT_GT(rests, testing::cases(100) / 20);
 }
 
 TEST(JointOvershoot, IsTheLargestDistanceBeyondTheGoalRelativeToTheDistanceToIt) {

@@ -87,7 +87,7 @@ TEST(OutsideThePlane, ARowOfABatchIsNamed) {
     poses.col(i) = (i == 3 ? moved_out(random, pose) : pose).matrix().reshaped();
   }
   const Eigen::MatrixXd seeds = middle_configuration(arm);
-  EXPECT_REFUSED(batch_inverse(arm, poses, seeds, q), "pose 4 is outside the plane");
+  EXPECT_REFUSED(batch_inverse(arm, poses, seeds, q), "pose 4 of 5: the pose is outside the plane");
   EXPECT_NO_THROW(batch_inverse(arm, poses, seeds, q, {.task = Task::planar()}));
   poses(14, 3) = std::numeric_limits<double>::quiet_NaN();  // has no solution
   EXPECT_NO_THROW(batch_inverse(arm, poses, seeds, q));

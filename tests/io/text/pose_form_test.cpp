@@ -175,7 +175,7 @@ TEST(PoseForm, DefectsOfMatricesAreNamed) {
   EXPECT_REFUSED(read("1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2"),
                  "the matrix ends in the row 0, 0, 0, 2; it must be 0, 0, 0, 1");
   EXPECT_REFUSED(read("1,0,0,0,0,1,0,0,0,0,1,0,0,0"), "has 14 numbers; poses are");
-  EXPECT_REFUSED(poses_from_csv("m11,m12\n1,0\n", "a.csv"), "column m13, m14, m21, m22");
+  EXPECT_REFUSED(poses_from_csv("m11,m12\n1,0\n", "a.csv"), "columns m13, m14, m21, m22");
   EXPECT_REFUSED(poses_from_csv("x,y,z,A,B\n1,0,0,0,0\n", "a.csv"), "column C is missing");
   EXPECT_REFUSED(poses_from_csv("x,y,z,A,B,C,qw\n1,0,0,0,0,0,1\n", "a.csv"),
                  "column qw does not belong to x, y, z, A, B, C");

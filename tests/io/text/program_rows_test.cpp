@@ -94,7 +94,8 @@ TEST(ProgramRows, MistakesAreNamedWithTheirLine) {
   EXPECT_REFUSED(rows_of(head), "p.csv: has a header but no rows");
   EXPECT_REFUSED(rows_of("motion,x,y\n"), "no rows");
   EXPECT_REFUSED(rows_of("motion,x,x,y\nline,1,1,1\n"), "p.csv:1: column \"x\" is given twice");
-  EXPECT_REFUSED(rows_of("motion,x,z\nline,1,1\n"), "p.csv:1: column y");
+  EXPECT_REFUSED(rows_of("motion,x,z\nline,1,1\n"),
+                 "p.csv:1: columns y, roll, pitch, yaw are missing beside x, z");
   EXPECT_REFUSED(rows_of("motion\nline\n"), "p.csv:1: column");
   EXPECT_REFUSED(rows_of("relative,x,y,z\nnext,1,2,3\n"), "p.csv:2: relative is for poses with");
 }
