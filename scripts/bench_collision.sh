@@ -6,7 +6,7 @@
 # interval of 0.05 rad for the referee), BENCH_PAIRS (of every two kinds of shapes) change what is run; BENCH_FOLDER
 # replaces build/bench.
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 folder=${BENCH_FOLDER:-build/bench}
 source=${BENCH_PROBLEMS:-../shared/data/motion_bench_maker}
 problems=$folder/motion_bench_maker
