@@ -4,27 +4,16 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 #include <beeline/collision/collision_model.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
 #include "coal_scene.h"
+#include "random.h"
 
 namespace beeline::bench {
 namespace {
-
-using Engine = std::mt19937_64;
-
-double uniform(Engine& engine, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(engine);
-}
-
-Vector3 direction(Engine& engine) {
-  std::normal_distribution<double> normal;
-  return Vector3(normal(engine), normal(engine), normal(engine)).normalized();
-}
 
 /// A shape of a kind, 2 cm to 1 m large, about the origin.
 Shape random_shape(std::size_t kind, Engine& engine) {
