@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/kinematics/forward.h>
@@ -14,22 +13,12 @@
 #include <beeline/planning/move_along.h>
 
 #include "../inverse/timing.h"
+#include "random.h"
 
 #include <tests/allocations.h>
 
 namespace beeline::bench {
 namespace {
-
-using Engine = std::mt19937_64;
-
-double uniform(Engine& engine, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(engine);
-}
-
-Vector3 direction(Engine& engine) {
-  std::normal_distribution<double> normal;
-  return Vector3(normal(engine), normal(engine), normal(engine)).normalized();
-}
 
 /// A capsule from the origin of a frame to a point.
 Shape capsule_to(const Vector3& end, double radius) {
@@ -165,13 +154,13 @@ void by_clearance(const Robot& robot, const Trajectory& line, const Scene& scene
 bool allocates_for_parts(const Robot& robot, const Trajectory& line, const Scene& scene) {
   const CollisionModel model = robot.among(scene, 5e-3);
   const double least = prove_clearance(model, line, {.closest = true}).pair.upper;
-  const auto counted = [&](double beyond) {
+  const auto counted = [&](const CollisionModel& among) {
     const long before = allocations;
-    const ClearanceProof proof = prove_clearance(model, line, {.beyond = beyond});
+    const ClearanceProof proof = prove_clearance(among, line);
     return std::pair(allocations - before, proof.parts);
   };
-  const auto [few, few_parts] = counted(0);
-  const auto [more, more_parts] = counted(0.999 * (least - 5e-3));
+  const auto [few, few_parts] = counted(model);
+  const auto [more, more_parts] = counted(robot.among(scene, 5e-3 + 0.999 * (least - 5e-3)));
   std::printf("\nAllocations: %ld for %zu parts, %ld for %zu parts.\n", few, few_parts, more,
               more_parts);
   constexpr long deeper_levels = 60;
