@@ -58,6 +58,9 @@ std::vector<SceneLine> exempted_lines(const CheckedScene& scene) {
   if (!scene.srdf_pairs.empty()) {
     lines.push_back({"may touch", "by " + scene.srdf + ": " + pairs_text(scene.srdf_pairs)});
   }
+  if (!scene.exempted_pairs.empty()) {
+    lines.push_back({"may touch", "by the scene's matrix: " + pairs_text(scene.exempted_pairs)});
+  }
   const std::vector<NamedPair> neighbours = scene.model.neighbour_pairs();
   if (!scene.self_collision) {
     lines.push_back({"may touch", "by --no-self: all pairs of links"});
@@ -223,6 +226,7 @@ Json ClearanceReport::document() const {
   document.add("obstacles", scene->obstacles);
   document.add("allowed_pairs", json_pairs(scene->allowed_pairs));
   document.add("srdf_pairs", json_pairs(scene->srdf_pairs));
+  document.add("exempted_pairs", json_pairs(scene->exempted_pairs));
   document.add("held", json_held(scene->held));
   Json scenes_held = Json::object();
   for (const auto& [path, values] : scene->scenes_held) scenes_held.add(path, json_held(values));

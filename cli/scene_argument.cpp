@@ -68,15 +68,18 @@ struct SceneFile {
   Scene scene;
 };
 
-/// Reads the scenes of files. Joints of these files take their values from options.hold, which
+bool is_urdf(const std::string& path) {
+  return extension(path) == "urdf" || extension(path) == "xml";
+}
+
+/// Reads the URDF files among the scenes. Their joints take their values from options.hold, which
 /// keeps the names that no scene has.
-std::vector<SceneFile> read_scene_files(const std::vector<std::string>& paths,
-                                        ShapeOptions& options) {
-  std::vector<SceneFile> files;
+void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
   std::map<std::string, double> remaining = options.hold;
-  for (const std::string& path : paths) {
+  for (auto& [path, scene] : files) {
+    if (!is_urdf(path)) continue;
     ShapeOptions of_file{.package = options.package};
-    Scene scene = read_scene(path, of_file);
+    scene = read_scene(path, of_file);
     for (const auto& [joint, value] : options.hold) {
       if (scene.held.contains(joint)) of_file.hold.emplace(joint, value);
     }
@@ -84,10 +87,28 @@ std::vector<SceneFile> read_scene_files(const std::vector<std::string>& paths,
       scene = for_option("--hold", [&] { return read_scene(path, of_file); });
     }
     for (const auto& [joint, value] : of_file.hold) remaining.erase(joint);
-    files.push_back({path, std::move(scene)});
   }
   options.hold = std::move(remaining);
-  return files;
+}
+
+/// Reads the other scenes. Their frames are the links of the arm's base.
+void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmShapes& shapes,
+                       ShapeOptions options) {
+  options.hold.clear();
+  for (const auto& [link, pose] : shapes.base_links) options.frames[link] = arm.base() * pose;
+  for (auto& [path, scene] : files) {
+    if (!is_urdf(path)) scene = read_scene(path, options);
+  }
+}
+
+/// The pairs whose names are both known.
+std::vector<NamedPair> pairs_among(std::vector<NamedPair> pairs,
+                                   const std::vector<std::string>& known) {
+  const std::unordered_set<std::string> names(known.begin(), known.end());
+  std::erase_if(pairs, [&](const NamedPair& pair) {
+    return !names.contains(pair[0]) || !names.contains(pair[1]);
+  });
+  return pairs;
 }
 
 /// Joins scenes in one. `known` has the names of the links, to which the obstacles' are added.
@@ -107,6 +128,8 @@ Scene joined(std::vector<SceneFile> files, std::vector<std::string>& known) {
       all.obstacles.push_back(std::move(obstacle));
     }
     for (const NamedPair& pair : scene.allowed_pairs) pairs.emplace_back(path, pair);
+    all.exempted_pairs.insert(all.exempted_pairs.end(), scene.exempted_pairs.begin(),
+                              scene.exempted_pairs.end());
   }
   for (const auto& [path, pair] : pairs) {
     for (const std::string& name : pair) {
@@ -197,8 +220,9 @@ std::vector<Option> SceneArgument::options() {
   return {
       Option("--scene FILE",
              "Obstacles that the arm must keep the clearance from, also between the samples: JSON, "
-             "see docs/scene.schema.json, or the URDF file of a cell, whose links with <collision> "
-             "are obstacles. Several times for several files.",
+             "see docs/scene.schema.json; the URDF file of a cell, whose links with <collision> "
+             "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
+             "times for several files.",
              &scenes),
       Option("--self",
              "The links must keep the clearance from each other, also without --scene. Links that "
@@ -273,8 +297,11 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
   }
   ShapeOptions reading{.hold = held_values(hold), .package = package_folders(package)};
   const std::map<std::string, double> hold_of_all = reading.hold;
-  std::vector<SceneFile> files = read_scene_files(scenes, reading);
+  std::vector<SceneFile> files;
+  for (const std::string& path : scenes) files.push_back({path, {}});
+  read_cells(files, reading);
   const ArmShapes shapes = shapes_of(arm_argument, arm, reading);
+  read_other_scenes(files, arm, shapes, reading);
   auto scenes_held = held_in(files, hold_of_all, shapes.held);
   std::map<std::string, std::vector<std::string>> scenes_without_shapes;
   for (const SceneFile& file : files) {
@@ -306,6 +333,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .allowed_pairs = std::move(allowed),
       .srdf = arm_argument.srdf,
       .srdf_pairs = shapes.allowed_pairs,
+      .exempted_pairs = pairs_among(scene.exempted_pairs, known),
       .held = shapes.held,
       .scenes_held = std::move(scenes_held),
       .links_without_shapes = links_without(arm, shapes),

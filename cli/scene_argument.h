@@ -31,6 +31,7 @@ struct CheckedScene {
   std::vector<NamedPair> allowed_pairs = {};  ///< by --allow and the scenes
   std::string srdf = {};                      ///< the file of --srdf; empty: none
   std::vector<NamedPair> srdf_pairs = {};     ///< pairs that this file exempts
+  std::vector<NamedPair> exempted_pairs = {};  ///< pairs of bodies that a scene's matrix exempts
   std::map<std::string, double> held = {};    ///< see ArmShapes::held
   /// See Scene::held, by the path of the scene.
   std::map<std::string, std::map<std::string, double>> scenes_held = {};

@@ -23,6 +23,8 @@ class Names {
     names_.push_back(name);
   }
 
+  bool has(const std::string& name) const { return index_of_.contains(name); }
+
   std::size_t index_of(const std::string& name) const {
     const auto found = index_of_.find(name);
     if (found == index_of_.end()) throw unknown_name("link or obstacle", name, names_);
@@ -121,6 +123,9 @@ LinkPairs set_allowed(CollisionBodies& bodies, const std::vector<NamedPair>& pai
   };
   for (const NamedPair& pair : bodies.scene.allowed_pairs) allow(pair);
   for (const NamedPair& pair : pairs) allow(pair);
+  for (const NamedPair& pair : bodies.scene.exempted_pairs) {
+    if (names.has(pair[0]) && names.has(pair[1])) allow(pair);
+  }
   return of_links;
 }
 

@@ -86,6 +86,9 @@ struct Obstacle {
 struct Scene {
   std::vector<Obstacle> obstacles = {};       ///< obstacles, with unique names
   std::vector<NamedPair> allowed_pairs = {};  ///< pairs of bodies that may touch
+  /// Pairs that may touch, too, of the allowed collision matrix of a scene of MoveIt. Names that
+  /// neither the arm nor the scene has are ignored: the matrix describes all links of a robot.
+  std::vector<NamedPair> exempted_pairs = {};
   /// Values, rad or m, at which the joints of the scene's URDF file are held, by name, for reports.
   /// The poses of the shapes include them. JSON files have no joints.
   std::map<std::string, double> held = {};

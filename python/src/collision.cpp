@@ -35,21 +35,28 @@ constexpr const char* package_text =
 void bind_scene(nb::module_& m) {
   Signature scene(
       "read_scene", "Scene",
-      "Reads a scene from a JSON file, see docs/scene.schema.json, or from the URDF file of a "
-      "cell, in which each link with `<collision>` elements is an obstacle and the root link is "
-      "the world. Raises FileError for an invalid file, whose line it names.");
+      "Reads a scene from a JSON file, see docs/scene.schema.json, from the URDF file of a cell, in "
+      "which each link with `<collision>` elements is an obstacle and the root link is the world, "
+      "or from a file of MoveIt: `.scene`, or a message PlanningScene as YAML or JSON. Raises "
+      "FileError for an invalid file, whose line it names.");
   scene.takes("path", path_like, "The file.")
       .keywords()
       .takes("hold", argument_type<std::map<std::string, double>>(),
              "Values, rad or m, of joints of a URDF file. The others are held at 0, or at the "
              "limit next to it.",
              "{}")
-      .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}");
+      .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}")
+      .takes("frames", argument_type<std::map<std::string, Pose>>(),
+             "Poses (4, 4) in the world of frames that a PlanningScene names, such as "
+             "`ArmShapes.base_links`.",
+             "{}");
   define(
       m,
-      [](nb::handle path, nb::handle hold, nb::handle package) {
+      [](nb::handle path, nb::handle hold, nb::handle package, nb::handle frames) {
         const std::string file = path_from(path, "path");
-        Scene cell = read_scene(file, shape_options(hold, package));
+        ShapeOptions options = shape_options(hold, package);
+        options.frames = Value<std::map<std::string, Pose>>::from(frames, "frames");
+        Scene cell = read_scene(file, options);
         if (!cell.links_without_shapes.empty()) {
           warn_of_input(file + ": links with <visual> and without <collision> are no obstacles: " +
                         listed(cell.links_without_shapes));
@@ -57,7 +64,7 @@ void bind_scene(nb::module_& m) {
         return cell;
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
-      nb::arg("package") = nb::dict());
+      nb::arg("package") = nb::dict(), nb::arg("frames") = nb::dict());
 
   Signature text("scene_to_json", "str", comment("scene_to_json"));
   text.takes("scene", "Scene", "The scene.");
@@ -260,22 +267,6 @@ std::vector<Vector3> Value<std::vector<Vector3>>::from(nb::handle value, const c
     points.emplace_back(row);
   }
   return points;
-}
-
-nb::object Value<std::map<std::string, double>>::to(const std::map<std::string, double>& value) {
-  nb::dict joints;
-  for (const auto& [joint, number] : value) joints[Value<std::string>::to(joint)] = number;
-  return joints;
-}
-
-std::map<std::string, double> Value<std::map<std::string, double>>::from(nb::handle value,
-                                                                         const char* name) {
-  if (!nb::isinstance<nb::dict>(value)) raise_type(name, "a dict", value);
-  std::map<std::string, double> joints;
-  for (const auto& [joint, number] : nb::borrow<nb::dict>(value)) {
-    joints[Value<std::string>::from(joint, name)] = Value<double>::from(number, name);
-  }
-  return joints;
 }
 
 std::map<std::string, std::string> Value<std::map<std::string, std::string>>::from(

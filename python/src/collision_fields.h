@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 
 #include <beeline/certificate/clearance.h>
@@ -32,16 +33,32 @@ struct Value<std::vector<Vector3>> {
   static bool same(const std::vector<Vector3>& a, const std::vector<Vector3>& b) { return a == b; }
 };
 
-/// Joint values by name.
-template <>
-struct Value<std::map<std::string, double>> {
+/// Joint values or poses by name.
+template <class Named>
+struct Value<std::map<std::string, Named>> {
   static constexpr bool large = true;
-  static std::string type() { return "dict[str, float]"; }
-  static std::string argument_type() { return "collections.abc.Mapping[str, float]"; }
-  static nb::object to(const std::map<std::string, double>& value);
-  static std::map<std::string, double> from(nb::handle value, const char* name);
-  static bool same(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
-    return a == b;
+  static std::string type() { return "dict[str, " + Value<Named>::type() + "]"; }
+  static std::string argument_type() {
+    return "collections.abc.Mapping[str, " + python::argument_type<Named>() + "]";
+  }
+  static nb::object to(const std::map<std::string, Named>& value) {
+    nb::dict named;
+    for (const auto& [name, item] : value) named[Value<std::string>::to(name)] = Value<Named>::to(item);
+    return named;
+  }
+  static std::map<std::string, Named> from(nb::handle value, const char* argument) {
+    if (!nb::isinstance<nb::dict>(value)) raise_type(argument, "a dict", value);
+    std::map<std::string, Named> named;
+    for (const auto& [name, item] : nb::borrow<nb::dict>(value)) {
+      named.insert_or_assign(Value<std::string>::from(name, argument),
+                             Value<Named>::from(item, argument));
+    }
+    return named;
+  }
+  static bool same(const std::map<std::string, Named>& a, const std::map<std::string, Named>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+      return x.first == y.first && python::same(x.second, y.second);
+    });
   }
 };
 
@@ -115,8 +132,9 @@ struct Fields<Obstacle> : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle:
 };
 
 template <>
-struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held,
-                               &Scene::links_without_shapes> {
+struct Fields<Scene>
+    : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held,
+              &Scene::links_without_shapes, &Scene::exempted_pairs> {
   static constexpr bool constructible = true;
   static constexpr bool positional = true;
 };
@@ -129,7 +147,8 @@ struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkS
 
 template <>
 struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs,
-                                   &ArmShapes::links_without_shapes> {};
+                                   &ArmShapes::links_without_shapes,
+                                   &ArmShapes::base_links> {};
 
 template <>
 struct Fields<BodyDistance>

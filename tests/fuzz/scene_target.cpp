@@ -2,12 +2,14 @@
 
 #include <tests/fuzz/target.h>
 
-// A scene that is read and written again reads back.
+// A scene of each format that is read and written as JSON reads back.
 BEELINE_FUZZ_TARGET(scene) {
   using namespace beeline;
-  fuzz::may_refuse([&] {
-    const Scene scene = scene_from_json(input, "fuzzed.json");
-    const Scene again = scene_from_json(scene_to_json(scene), "written.json");
-    fuzz::require(again.obstacles.size() == scene.obstacles.size(), "the same obstacles");
-  });
+  for (const char* path : {"fuzzed.json", "fuzzed.scene", "fuzzed.yaml"}) {
+    fuzz::may_refuse([&] {
+      const Scene scene = scene_from_text(input, path);
+      const Scene again = scene_from_json(scene_to_json(scene), "written.json");
+      fuzz::require(again.obstacles.size() == scene.obstacles.size(), "the same obstacles");
+    });
+  }
 }

@@ -2,8 +2,10 @@
 
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/json_write.h>
+#include <beeline/io/text/internal/moveit_scene.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
+#include <beeline/io/text/internal/planning_scene.h>
 #include <beeline/io/text/internal/shape_json.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/scene.h>
@@ -35,12 +37,27 @@ NamedPair pair_from_json(const JsonDocument& document, const Json& json) {
           internal::name_from_json(document, names[1])};
 }
 
-}  // namespace
+std::vector<NamedPair> pairs_from_json(const JsonDocument& document, const std::string& key) {
+  std::vector<NamedPair> pairs;
+  if (const Json* list = document.find(document.root(), key)) {
+    for (const Json& pair : document.items(*list)) pairs.push_back(pair_from_json(document, pair));
+  }
+  return pairs;
+}
 
-Scene scene_from_json(std::string_view text, const std::string& path) {
-  const JsonDocument document(text, path);
+/// Returns the member of a list of pairs; empty for no pair.
+std::string pairs_to_json(const std::string& key, const std::vector<NamedPair>& pairs) {
+  std::string text;
+  for (const NamedPair& pair : pairs) {
+    text += std::string(text.empty() ? "" : ", ") + "[" + internal::json_string(pair[0]) + ", " +
+            internal::json_string(pair[1]) + "]";
+  }
+  return text.empty() ? text : ",\n  \"" + key + "\": [" + text + "]";
+}
+
+Scene scene_of(const JsonDocument& document) {
   const Json& root = document.root();
-  document.check_keys(root, {"obstacles", "allowed_pairs"});
+  document.check_keys(root, {"obstacles", "allowed_pairs", "exempted_pairs"});
   Scene scene;
   std::unordered_set<std::string> names;
   for (const Json& item : document.items(document.need(root, "obstacles"))) {
@@ -50,21 +67,33 @@ Scene scene_from_json(std::string_view text, const std::string& path) {
       document.refuse(item, "has the name " + internal::in_quotes(name) + " of another obstacle");
     }
   }
-  if (const Json* pairs = document.find(root, "allowed_pairs")) {
-    for (const Json& pair : document.items(*pairs)) {
-      scene.allowed_pairs.push_back(pair_from_json(document, pair));
-    }
-  }
+  scene.allowed_pairs = pairs_from_json(document, "allowed_pairs");
+  scene.exempted_pairs = pairs_from_json(document, "exempted_pairs");
   return scene;
 }
 
-Scene read_scene(const std::string& path, const ShapeOptions& options) {
+}  // namespace
+
+Scene scene_from_json(std::string_view text, const std::string& path) {
+  return scene_of(JsonDocument(text, path));
+}
+
+Scene scene_from_text(std::string_view text, const std::string& path,
+                      const ShapeOptions& options) {
   const std::string ending = extension(path);
-  if (ending == "urdf" || ending == "xml") return scene_from_urdf(read_file(path), path, options);
+  if (ending == "urdf" || ending == "xml") return scene_from_urdf(text, path, options);
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
   }
-  return scene_from_json(read_file(path), path);
+  if (ending == "scene") return internal::moveit_scene(text, path);
+  if (ending == "yaml" || ending == "yml") return internal::planning_scene(text, path, options);
+  const JsonDocument document(text, path);
+  const bool is_message = document.find(document.root(), "world") != nullptr;
+  return is_message ? internal::planning_scene(text, path, options) : scene_of(document);
+}
+
+Scene read_scene(const std::string& path, const ShapeOptions& options) {
+  return scene_from_text(read_file(path), path, options);
 }
 
 std::string scene_to_json(const Scene& scene) {
@@ -86,16 +115,8 @@ std::string scene_to_json(const Scene& scene) {
     text += "]}";
   }
   text += first ? "]" : "\n  ]";
-  if (!scene.allowed_pairs.empty()) {
-    text += ",\n  \"allowed_pairs\": [";
-    first = true;
-    for (const NamedPair& pair : scene.allowed_pairs) {
-      text += std::string(first ? "" : ", ") + "[" + internal::json_string(pair[0]) + ", " +
-              internal::json_string(pair[1]) + "]";
-      first = false;
-    }
-    text += "]";
-  }
+  text += pairs_to_json("allowed_pairs", scene.allowed_pairs);
+  text += pairs_to_json("exempted_pairs", scene.exempted_pairs);
   return text + "\n}\n";
 }
 

@@ -19,17 +19,23 @@ struct ShapeOptions {
   std::map<std::string, double> hold = {};
   /// Folders of packages of ROS, by name, for meshes `package://NAME/...`.
   std::map<std::string, std::string> package = {};
+  /// Poses in the world of the frames that a scene of MoveIt may name, such as the arm's base link.
+  /// The frame "world" and the planning frame, "", are the world.
+  std::map<std::string, Pose> frames = {};
   /// Path of an SRDF file, whose exempted pairs of links may touch; empty: none. Of arms only.
   std::string srdf = {};
 };
 
-/// Reads a scene. A JSON file is in metres and radians:
+/// Reads a scene: a JSON file, a URDF file of a cell, or a file of MoveIt, by the ending of `path`.
+///
+/// A JSON file is in metres and radians:
 ///     {"obstacles": [{"name": "table",
 ///                     "clearance": 0.01,                         optional
 ///                     "shapes": [{"box": {"size": [1, 2, 0.05]},
 ///                                 "pose": {"xyz": [0.5, 0, 0], "rpy": [0, 0, 0]},    optional
 ///                                 "padding": 0.002}]}],          optional
-///      "allowed_pairs": [["table", "link0"]]}                    optional
+///      "allowed_pairs": [["table", "link0"]],                    optional
+///      "exempted_pairs": [["table", "link0"]]}                   optional, Scene::exempted_pairs
 /// A shape has one of
 ///     "sphere": {"radius"}, "capsule": {"radius", "length"}, "box": {"size": [x, y, z]},
 ///     "cylinder": {"radius", "length"}, "half_space": {}, "convex_hull": {"vertices": [[x, y, z]]}
@@ -40,12 +46,26 @@ struct ShapeOptions {
 /// limit next to 0; mimic joints follow. Shapes and meshes are read as in read_arm_shapes(). Links
 /// with `<visual>` alone are no obstacles: Scene::links_without_shapes.
 ///
+/// A file `.scene` is the text that MoveIt's RViz panel exports, of either version, posed in the
+/// planning frame, which is the world. A file `.yaml` or a JSON file with a `world` is a message
+/// moveit_msgs/PlanningScene of a whole scene: `world.collision_objects` are obstacles, each in a
+/// frame of `options.frames` or of `fixed_frame_transforms`, and `allowed_collision_matrix` gives
+/// Scene::exempted_pairs. Points and quaternions are maps of x, y, z, w or lists in this order. In
+/// both, a cone is the pyramid of 64 sides around it, a plane is a box without thickness, 1000 km
+/// long, and a mesh, also of `resource` and `dimensions` as Robowflex writes, is its convex hull.
+/// Colours, types, subframes and the robot's state are ignored. Objects without shapes are none.
+///
 /// Throws FileError for anything else, with the line and the value, such as
 /// `obstacles[2].shapes[0].box.size`; in a URDF file for a link that is not connected to the root,
-/// a joint that cannot be read, and a file without `<collision>`; Error for a name in
-/// `options.hold` that is not a joint of the file, a value outside its limits, and `options.srdf`.
+/// a joint that cannot be read, and a file without `<collision>`; in a message for an unknown
+/// frame, a change of another scene, attached objects, an octree, and padding of links; Error for a
+/// name in `options.hold` that is not a joint of the file, a value outside its limits, and
+/// `options.srdf`.
 Scene read_scene(const std::string& path, const ShapeOptions& options = {});
-/// The same from a text; `path` names it in messages.
+/// The same from the text of a file; the ending of `path` gives its format.
+Scene scene_from_text(std::string_view text, const std::string& path,
+                      const ShapeOptions& options = {});
+/// The same from a JSON text; `path` names it in messages.
 Scene scene_from_json(std::string_view text, const std::string& path);
 /// The same from the text of a URDF file; meshes are found from its `path`.
 Scene scene_from_urdf(std::string_view text, const std::string& path,
@@ -65,6 +85,9 @@ struct ArmShapes {
   std::vector<NamedPair> allowed_pairs = {};
   /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
   std::vector<std::string> links_without_shapes = {};
+  /// The links of a URDF file that no joint of the chain moves, with their poses in link 0, the
+  /// base: what scenes call their frame, see ShapeOptions::frames.
+  std::map<std::string, Pose> base_links = {};
 };
 
 /// Reads the shapes of the links of the arm that `text` names, see read_arm(). Built-in arms and

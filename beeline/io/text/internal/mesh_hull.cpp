@@ -24,6 +24,17 @@ std::string quoted(const std::string& filename) { return "\"" + shown_path(filen
 
 }  // namespace
 
+Shape hull_of_corners(std::vector<Vector3> corners, const std::string& path) {
+  for (const Vector3& corner : corners) {
+    if (corner.cwiseAbs().maxCoeff() <= max_shape_size) continue;
+    throw Error("the mesh has a corner beyond " + number(max_shape_size) + " m");
+  }
+  ReducedHull hull = reduced_hull(std::move(corners));
+  return {.body = ConvexHull{std::move(hull.vertices)},
+          .padding = hull.growth,
+          .hull_of = with_escaped_bytes(path)};
+}
+
 std::string MeshHulls::find(const std::string& filename) const {
   const std::string ending = extension(filename);
   const std::vector<std::string>& known = mesh_endings();
@@ -34,7 +45,7 @@ std::string MeshHulls::find(const std::string& filename) const {
         "; convert it, or give its hull as \"convex_hull\" in the \"shapes\" of an arm file "
         "or a scene");
   }
-  const MeshPlaces places = mesh_places(filename, urdf_path_, package_);
+  const MeshPlaces places = mesh_places(filename, path_, package_);
   for (const std::string& path : places.paths) {
     std::error_code missing;
     if (std::filesystem::is_regular_file(path, missing)) return path;
@@ -60,18 +71,13 @@ Shape MeshHulls::read(const std::string& filename, const Vector3& scale) {
   const auto known = hulls_.find({path, factors});
   if (known != hulls_.end()) return known->second;
   std::vector<Vector3> corners = read_mesh(path);
-  for (Vector3& corner : corners) {
-    corner = corner.cwiseProduct(scale);
-    if (!(corner.cwiseAbs().maxCoeff() <= max_shape_size)) {
-      throw FileError(path, 0,
-                      "has a corner, multiplied by scale, beyond " + number(max_shape_size) + " m");
-    }
+  for (Vector3& corner : corners) corner = corner.cwiseProduct(scale);
+  try {
+    Shape hull = hull_of_corners(std::move(corners), path);
+    return hulls_.emplace(std::pair(path, factors), std::move(hull)).first->second;
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
   }
-  ReducedHull hull = reduced_hull(std::move(corners));
-  Shape shape{.body = ConvexHull{std::move(hull.vertices)},
-              .padding = hull.growth,
-              .hull_of = with_escaped_bytes(path)};
-  return hulls_.emplace(std::pair(path, factors), std::move(shape)).first->second;
 }
 
 }  // namespace beeline::internal

@@ -8,24 +8,28 @@
 
 namespace beeline::internal {
 
-/// Reads the meshes that a URDF file names, as their convex hulls. Each file is read once.
+/// Returns the hull of the corners of a mesh, m: the vertices of reduced_hull(), with its growth as
+/// padding. `path` is the file, for Shape::hull_of. Throws Error for a coordinate beyond
+/// max_shape_size.
+Shape hull_of_corners(std::vector<Vector3> corners, const std::string& path);
+
+/// Reads the meshes that a file names, as their convex hulls. Each file is read once.
 class MeshHulls {
  public:
   /// Both arguments must outlive this object. `package`: folders of packages, by name.
-  MeshHulls(const std::string& urdf_path, const std::map<std::string, std::string>& package)
-      : urdf_path_(urdf_path), package_(package) {}
+  MeshHulls(const std::string& path, const std::map<std::string, std::string>& package)
+      : path_(path), package_(package) {}
 
-  /// Returns the hull of the mesh that `filename` names (mesh_places()), its coordinates multiplied
-  /// by `scale`: the vertices of reduced_hull(), with its growth as padding. Throws Error for a
-  /// mesh that is not found or has another format, a scale of 0, and a coordinate that
-  /// check_shape() refuses; FileError of the mesh's file for one that cannot be read.
+  /// Returns hull_of_corners() of the mesh that `filename` names (mesh_places()), its coordinates
+  /// multiplied by `scale`. Throws Error for a mesh that is not found or has another format, and a
+  /// scale of 0; FileError of the mesh's file for one that cannot be read.
   Shape read(const std::string& filename, const Vector3& scale);
 
  private:
   /// Returns the path of the mesh.
   std::string find(const std::string& filename) const;
 
-  const std::string& urdf_path_;
+  const std::string& path_;
   const std::map<std::string, std::string>& package_;
   std::map<std::pair<std::string, std::vector<double>>, Shape> hulls_;  ///< by path and scale
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -38,6 +39,15 @@ class LinkPlacement {
     for (const ChainJoint& place : chain) on_chain_[place.index] = true;
     place_chain(chain);
     place_others();
+  }
+
+  /// The links that no joint of the chain moves, with their poses in link 0.
+  std::map<std::string, Pose> base_links() const {
+    std::map<std::string, Pose> found;
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (placed_[i] && placed_[i]->frame == 0) found.emplace(file_.links[i].name, placed_[i]->pose);
+    }
+    return found;
   }
 
   /// The body of a link with its shapes; the joints that hold it are added to `held`.
@@ -141,7 +151,8 @@ ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const
   const UrdfFile file = parse_urdf(text, path);
   LinkPlacement placement(file, cut_chain(file, ends), options.hold);
   auto shapes = collision_shapes(text, path, options.package);
-  ArmShapes read{.links_without_shapes = std::move(shapes.only_visual)};
+  ArmShapes read{.links_without_shapes = std::move(shapes.only_visual),
+                 .base_links = placement.base_links()};
   for (std::size_t i = 0; i < file.links.size(); ++i) {
     const auto found = shapes.of_link.find(file.links[i].name);
     if (found == shapes.of_link.end()) continue;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <beeline/collision/scene.h>
+
+namespace beeline::internal {
+
+/// Reads the text that MoveIt's PlanningScene writes of its objects, of both versions, see
+/// read_scene(): in the second an object has a pose and subframes. Throws FileError.
+Scene moveit_scene(std::string_view text, const std::string& path);
+
+}  // namespace beeline::internal
