@@ -74,7 +74,7 @@ def test_frames_are_links_of_the_base(beeline, written):
 
 @pytest.mark.skipif(not DATA.exists(), reason="the problems of MotionBenchMaker are not here")
 def test_problems_of_motion_bench_maker(beeline, written, tmp_path):
-    """The start of a problem is free, and its first obstacles are those of the file."""
+    """Scenes of boxes and cylinders, and a matrix that exempts a pair two links apart."""
     with tarfile.open(DATA / "panda_problems.tar.xz") as archive:
         for kind in "bookshelf_small", "cage", "table_pick":
             archive.extract(f"{kind}_panda/scene0001.yaml", tmp_path)

@@ -51,7 +51,7 @@ class ObjectReader {
       id.refuse(std::string("is no name: ") + error.what());
     }
     if (!names_.insert(obstacle.name).second) {
-      id.refuse("is " + in_quotes(obstacle.name) + ", as that of another object");
+      id.refuse("is " + in_quotes(obstacle.name) + ", which another object has");
     }
     if (const auto operation = object.find("operation")) {
       const std::string& kind = operation->text();
