@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include <beeline/collision/internal/bounding_capsule.h>
 #include <beeline/collision/internal/nearest_points.h>
 
 namespace beeline::internal {
@@ -208,21 +209,6 @@ struct CorePoints {
   Vector3 on_a, on_b;
 };
 
-/// Ericson (2005), section 5.1.9.
-CorePoints nearest_on_segments(const ConvexBody& a, const ConvexBody& b) {
-  const Vector3 u = a.half.z() * a.axes.col(2), v = b.half.z() * b.axes.col(2);
-  const Vector3 between = a.origin - b.origin;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double ur = u.dot(between), vr = v.dot(between);
-  const auto on_unit = [](double value, double size) {
-    return size > 0 ? std::clamp(value / size, -1.0, 1.0) : 0.0;
-  };
-  double s = on_unit(uv * vr - ur * vv, uu * vv - uv * uv);
-  const double t = on_unit(uv * s + vr, vv);
-  s = on_unit(uv * t - ur, uu);
-  return {a.origin + s * u, b.origin + t * v};
-}
-
 CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
   if (a.core == Core::point && has_projection(b.core)) {
     return {a.origin, projection_on_core(b, a.origin)};
@@ -230,7 +216,10 @@ CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& 
   if (b.core == Core::point && has_projection(a.core)) {
     return {projection_on_core(a, b.origin), b.origin};
   }
-  if (a.core == Core::segment && b.core == Core::segment) return nearest_on_segments(a, b);
+  if (a.core == Core::segment && b.core == Core::segment) {
+    const SegmentPoints points = nearest_on_segments(capsule_around(a), capsule_around(b));
+    return {points.on_a, points.on_b};
+  }
   const Simplex found = search(a, b, guess);
   return {found.on_a(), found.on_b()};
 }
