@@ -221,8 +221,9 @@ std::vector<Option> SceneArgument::options() {
              &tool_shape),
       Option("--hold JOINT=VALUE",
              "The value, rad or m, of a joint that carries shapes and is beside the chain of the "
-             "arm's URDF file, such as a finger of a gripper, or in a scene. Default: 0, or the "
-             "limit next to it. Several times for several joints.",
+             "arm's URDF file, such as a finger of a gripper, or in a scene. Default: of the arm's "
+             "joints the first named state of --srdf that has a value within the limits; else 0, "
+             "or the limit next to it. Several times for several joints.",
              &hold),
       Option("--package NAME=FOLDER",
              "The folder of a package of ROS, for meshes package://NAME/... of URDF files. Without "
@@ -307,6 +308,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .srdf = arm_argument.srdf,
       .srdf_pairs = shapes.allowed_pairs,
       .held = shapes.held,
+      .held_by_state = shapes.held_by_state,
       .scenes_held = std::move(scenes_held),
       .links_without_shapes = links_without(arm, shapes),
       .scenes_without_shapes = std::move(scenes_without_shapes)};

@@ -32,6 +32,7 @@ struct CheckedScene {
   std::string srdf = {};                      ///< the file of --srdf; empty: none
   std::vector<NamedPair> srdf_pairs = {};     ///< pairs that this file exempts
   std::map<std::string, double> held = {};    ///< see ArmShapes::held
+  std::map<std::string, std::string> held_by_state = {};  ///< see ArmShapes::held_by_state
   /// See Scene::held, by the path of the scene.
   std::map<std::string, std::map<std::string, double>> scenes_held = {};
   std::vector<MeshHull> mesh_hulls = {};

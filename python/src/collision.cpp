@@ -81,8 +81,11 @@ void bind_shape_files(nb::module_& m) {
       .takes("hold", argument_type<std::map<std::string, double>>(),
              "Values, rad or m, of joints beside the chain that carry shapes.", "{}")
       .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}")
-      .takes("srdf", "str | os.PathLike[str] | None",
-             "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result.", "None");
+      .takes(
+          "srdf", "str | os.PathLike[str] | None",
+          "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result, and whose "
+          "named states give the values of joints that `hold` does not.",
+          "None");
   define(
       m,
       [](nb::handle source, nb::handle base, nb::handle tip, nb::handle hold, nb::handle package,

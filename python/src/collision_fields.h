@@ -128,8 +128,8 @@ struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkS
 };
 
 template <>
-struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs,
-                                   &ArmShapes::links_without_shapes> {};
+struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
+                                   &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes> {};
 
 template <>
 struct Fields<BodyDistance>

@@ -80,8 +80,7 @@ ClearanceProof ClearanceSearch::finished() const {
 void ClearanceSearch::add_all_pairs() {
   for (std::uint32_t i = 0; i < bodies_.self_groups.size(); ++i) {
     const CollisionBodies::SelfGroup& group = bodies_.self_groups[i];
-    open_.push_back(
-        {.with = With::group, .body = group.first, .other = group.second, .group = i});
+    open_.push_back({.with = With::group, .body = group.first, .other = group.second, .group = i});
   }
   if ((beyond_ > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
     for (const auto& pair : bodies_.apart_pairs) {

@@ -66,7 +66,7 @@ class ClearanceSearch {
   std::vector<OpenPair> open_;   ///< a stack
   std::vector<OpenPair> queue_;  ///< pairs to be tested over the present tube
   TubeTest::TreeSearch tree_search_{.nodes = {}, .open = open_, .obstacles = queue_};
-  std::deque<Part> parts_;       ///< the part that is searched, and those around it
+  std::deque<Part> parts_;  ///< the part that is searched, and those around it
   TubeValues tube_;
   ClearanceProof proof_;
   bool ended_ = false;

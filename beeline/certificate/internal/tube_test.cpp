@@ -53,14 +53,7 @@ void TubeTest::place_cover(std::uint32_t i) {
   placed.tube = tube_;
   const CollisionBodies::Cover& cover = bodies_.covers[i];
   const ChainMotion::Frame& frame = motion_.frame(cover.frame);
-  MovingCapsule& capsule = placed.capsule;
-  capsule.at_middle.centre = frame.origin + frame.rotation * cover.capsule.centre;
-  capsule.at_middle.half = frame.rotation * cover.capsule.half;
-  capsule.at_middle.radius = cover.capsule.radius;
-  capsule.velocity = frame.linear + frame.angular.cross(capsule.at_middle.centre);
-  capsule.half_velocity = frame.angular.cross(capsule.at_middle.half);
-  capsule.angular = frame.angular;
-  capsule.bounds = motion_.bounds(reach(i), cover.frame, 0);
+  placed.capsule = carried_by(frame, cover.capsule, motion_.bounds(reach(i), cover.frame, 0));
   placed.rounding = motion_.rounding(cover.frame, cover.magnitude);
 }
 
@@ -111,8 +104,8 @@ double TubeTest::size_of(std::uint32_t cover) const {
 }
 
 bool TubeTest::is_coarse(const OpenPair& pair) const {
-  const double other = pair.with == OpenPair::With::group ? size_of(pair.other)
-                                                          : bodies_.tree.node(pair.other).size;
+  const double other =
+      pair.with == OpenPair::With::group ? size_of(pair.other) : bodies_.tree.node(pair.other).size;
   // A pair that rounding alone keeps open is divided too.
   return std::max(size_of(pair.body), other) + clearance(pair) + 16 * rounding(pair) >=
          displacement(pair);

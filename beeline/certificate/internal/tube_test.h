@@ -104,9 +104,9 @@ class TubeTest {
   const CollisionBodies& bodies_;
   double beyond_;
   ChainMotion motion_;
-  std::size_t tube_ = 0;           ///< number of tubes so far
-  std::vector<JointReach> reach_;  ///< of each of the covers that has none itself, at its index
-  std::vector<Placed> placed_;     ///< of each of the covers
+  std::size_t tube_ = 0;              ///< number of tubes so far
+  std::vector<JointReach> reach_;     ///< of each of the covers that has none itself, at its index
+  std::vector<Placed> placed_;        ///< of each of the covers
   std::vector<std::uint32_t> split_;  ///< nodes that the bodies of a cover are to be tested with
 };
 

@@ -32,7 +32,8 @@ Rotation principal_axes(const std::vector<Ball>& balls) {
   for (const Ball& ball : balls) {
     spread += (ball.centre - mean) * (ball.centre - mean).transpose();
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();  // the last one is largest
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread)
+      .eigenvectors();  // the last one is largest
 }
 
 /// The capsule is along the principal axis, through the middle of the balls across it. Whatever the

@@ -63,12 +63,11 @@ HWY_INLINE Lanes highest_in_lanes(const internal::MovingCapsule& capsule, const 
   const internal::BoundingCapsule& at = capsule.at_middle;
   const Lanes along = dot(n, same(at.half)), sideways = dot(n, same(capsule.half_velocity));
   const Lanes forwards = dot(n, same(capsule.velocity)), turn = dot(n, same(capsule.angular));
-  const Lanes across =
-      max(Lanes(0), fnma(turn, turn, Lanes(capsule.angular.squaredNorm())));
+  const Lanes across = max(Lanes(0), fnma(turn, turn, Lanes(capsule.angular.squaredNorm())));
   const Lanes radius(at.radius);
   const Lanes ends = max(along + abs(forwards + sideways), abs(forwards - sideways) - along);
   const Lanes first_order =
-      fma(radius, sqrt(Lanes(1) + across), ends) + Lanes(capsule.bounds.remainder);
+      fma(radius, fma(Lanes(0.5), across, Lanes(1)), ends) + Lanes(capsule.bounds.remainder);
   const Lanes largest = abs(along) + radius + Lanes(capsule.bounds.displacement);
   return dot(n, same(at.centre)) + min(first_order, largest);
 }

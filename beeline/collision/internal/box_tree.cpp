@@ -44,7 +44,8 @@ BoxTree::BoxTree(const std::vector<ConvexBody>& bodies, const std::vector<double
 std::uint32_t BoxTree::add(std::vector<Item>& items, std::size_t begin, std::size_t end) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  Node node{.box = items[begin].box, .clearance = items[begin].clearance, .body = items[begin].body};
+  Node node{
+      .box = items[begin].box, .clearance = items[begin].clearance, .body = items[begin].body};
   if (end - begin > 1) {
     Vector3 lower = items[begin].box.centre, upper = lower;
     Vector3 least = lower - items[begin].box.half, most = lower + items[begin].box.half;

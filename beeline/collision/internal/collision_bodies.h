@@ -36,10 +36,10 @@ struct CollisionBodies {
     BoundingCapsule capsule;  ///< in the frame that carries it
     std::size_t frame = 0, link_shapes = 0;
     std::uint32_t begin = 0, end = 0;
-    double size = 0;          ///< of the capsule
-    double magnitude = 0;     ///< of the bodies and of the capsule, for rounding
-    bool is_body = false;     ///< whether the capsule is the one body
-    JointReach reach = {};    ///< the largest of the bodies; empty if joints in front slide
+    double size = 0;        ///< of the capsule
+    double magnitude = 0;   ///< of the bodies and of the capsule, for rounding
+    bool is_body = false;   ///< whether the capsule is the one body
+    JointReach reach = {};  ///< the largest of the bodies; empty if joints in front slide
 
     bool is_single() const { return end == begin + 1; }
   };

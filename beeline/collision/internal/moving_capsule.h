@@ -22,6 +22,19 @@ struct MovingCapsule {
 /// A vector whose square is less gives no unit vector: its square has lost digits.
 inline constexpr double least_square = 1e-200;
 
+/// Returns the motion relative to the base of a capsule that a frame carries, for which `bounds`
+/// are.
+inline MovingCapsule carried_by(const ChainMotion::Frame& frame, const BoundingCapsule& capsule,
+                                const ChainMotion::TubeBounds& bounds) {
+  MovingCapsule moving{.at_middle = {frame.origin + frame.rotation * capsule.centre,
+                                     frame.rotation * capsule.half, capsule.radius},
+                       .angular = frame.angular,
+                       .bounds = bounds};
+  moving.velocity = frame.linear + frame.angular.cross(moving.at_middle.centre);
+  moving.half_velocity = frame.angular.cross(moving.at_middle.half);
+  return moving;
+}
+
 /// Returns the motion relative to another frame, for which `bounds` are.
 inline MovingCapsule relative_to(const ChainMotion::Frame& frame,
                                  const ChainMotion::TubeBounds& bounds, MovingCapsule capsule) {
@@ -36,16 +49,16 @@ inline MovingCapsule relative_to(const ChainMotion::Frame& frame,
 /// the unit vector n is fixed to the frame: by the first-order motion of tube_gap.h and its
 /// remainder, or by the largest displacement, whichever is less. With u the half of the segment and
 /// w the rotation vector, the support value in the direction n + s n x w is
-///     n . c + s n . v + max_a a (n . u + s n . (w x u)) + r sqrt(1 + s^2 |n x w|^2),  a = -1, 1.
+///     n . c + s n . v + max_a a (n . u + s n . (w x u)) + r sqrt(1 + s^2 |n x w|^2),  a = -1, 1,
+/// with sqrt(1 + x) <= 1 + x / 2.
 inline double highest_along(const MovingCapsule& capsule, const Vector3& n) {
   const BoundingCapsule& at = capsule.at_middle;
   const double along = n.dot(at.half), sideways = n.dot(capsule.half_velocity);
   const double forwards = n.dot(capsule.velocity), turn = n.dot(capsule.angular);
   const double across = std::max(0.0, capsule.angular.squaredNorm() - turn * turn);
-  const double ends = std::max(along + std::abs(forwards + sideways),
-                               -along + std::abs(forwards - sideways));
-  const double first_order =
-      ends + at.radius * std::sqrt(1 + across) + capsule.bounds.remainder;
+  const double ends =
+      std::max(along + std::abs(forwards + sideways), -along + std::abs(forwards - sideways));
+  const double first_order = ends + at.radius * (1 + across / 2) + capsule.bounds.remainder;
   const double largest = std::abs(along) + at.radius + capsule.bounds.displacement;
   return n.dot(at.centre) + std::min(first_order, largest);
 }
