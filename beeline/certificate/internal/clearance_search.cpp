@@ -191,7 +191,8 @@ void ClearanceSearch::test_queue(Nodes nodes) {
     const TubeTest::Bound bound = tube_test_.bound(pair);
     if (bound.proves()) {
       proof_.least_distance = std::min(proof_.least_distance, bound.distance);
-    } else if (pair.with == With::group && (nodes == Nodes::all || tube_test_.is_coarse(pair))) {
+    } else if (pair.with == With::group &&
+               (nodes == Nodes::all || tube_test_.is_coarse_group(pair))) {
       tube_test_.divide_group(pair, queue_);
     } else {
       open_.push_back(pair);

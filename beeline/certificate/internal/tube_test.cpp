@@ -103,12 +103,19 @@ double TubeTest::size_of(std::uint32_t cover) const {
   return bodies_.covers[cover].is_single() ? 0 : bodies_.covers[cover].size;
 }
 
-bool TubeTest::is_coarse(const OpenPair& pair) const {
-  const double other =
-      pair.with == OpenPair::With::group ? size_of(pair.other) : bodies_.tree.node(pair.other).size;
+bool TubeTest::is_coarse_group(const OpenPair& pair) const {
   // A pair that rounding alone keeps open is divided too.
-  return std::max(size_of(pair.body), other) + clearance(pair) + 16 * rounding(pair) >=
+  return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.clearance +
+             16 * rounding(pair) >=
          displacement(pair);
+}
+
+bool TubeTest::is_coarse_node(std::uint32_t cover, std::uint32_t index) const {
+  const Placed& placed = placed_[cover];
+  const BoxTree::Node& node = bodies_.tree.node(index);
+  const double rounding = placed.rounding + bodies_.tree.rows()[index].rounding;
+  return std::max(size_of(cover), node.size) + node.clearance + 16 * rounding >=
+         placed.capsule.bounds.displacement;
 }
 
 void TubeTest::divide_group(const OpenPair& pair, std::vector<OpenPair>& into) const {
@@ -164,7 +171,7 @@ void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
   if (is_leaf && cover.is_single()) {
     search.obstacles.push_back(
         {.with = OpenPair::With::obstacle, .body = pair.body, .other = node.body});
-  } else if (!search.all && !is_coarse(pair)) {
+  } else if (!search.all && !is_coarse_node(pair.body, pair.other)) {
     search.open.push_back(pair);
   } else if (is_leaf || (!cover.is_single() && cover.size >= node.size)) {
     split_.push_back(pair.other);

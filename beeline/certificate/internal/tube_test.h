@@ -43,8 +43,8 @@ class TubeTest {
     double distance = 0, required = 0;
     bool proves() const { return distance >= required; }
   };
-  /// Keeps the best direction in the pair. displacement(), rounding() and is_coarse() require that
-  /// bound() or distance() was called for the pair in this tube.
+  /// Keeps the best direction in the pair. displacement(), rounding() and is_coarse_group() require
+  /// that bound() or distance() was called for the pair in this tube.
   Bound bound(OpenPair& pair);
 
   /// The distance that the bodies of a pair must keep, m; of a node the largest of its obstacles.
@@ -56,16 +56,15 @@ class TubeTest {
   /// The part of the bounds of a pair that is for rounding, m.
   double rounding(const OpenPair& pair) const;
 
-  /// Whether a pair of covers or of a node is to be divided: something of it is larger than the
-  /// motion.
-  bool is_coarse(const OpenPair& pair) const;
+  /// Whether a pair of covers is to be divided: one of them is larger than the motion.
+  bool is_coarse_group(const OpenPair& pair) const;
 
   /// Appends the pairs of which a pair of covers consists.
   void divide_group(const OpenPair& pair, std::vector<OpenPair>& into) const;
 
   /// A search of the tree for the obstacles that a cover is not proved to keep its clearance from.
   struct TreeSearch {
-    bool all = false;                  ///< whether all nodes are divided, or those that is_coarse()
+    bool all = false;                  ///< whether all nodes are divided, or those that are coarse
     std::vector<std::uint32_t> nodes;  ///< to be tested
     std::vector<OpenPair>& open;       ///< pairs with nodes that are not proved are appended
     std::vector<OpenPair>& obstacles;  ///< pairs with obstacles, to be tested, are appended
@@ -91,6 +90,8 @@ class TubeTest {
   const JointReach& reach(std::uint32_t i) const;
   bool is_of_links(const OpenPair& pair) const;
 
+  /// Whether a pair of a cover and a node is to be divided, likewise.
+  bool is_coarse_node(std::uint32_t cover, std::uint32_t index) const;
   double size_of(std::uint32_t cover) const;  ///< 0 for a body: it cannot be divided
   void search_nodes(std::uint32_t cover, TreeSearch& search);
   void divide_node(const OpenPair& pair, TreeSearch& search);
