@@ -61,7 +61,7 @@ std::vector<Option> ArmArgument::options() {
           "--srdf FILE",
           "MoveIt's SRDF file of the arm: its groups for --group, its named states wherever joint "
           "values are typed, such as --from home, and, with --scene or --self, the pairs of "
-          "links that it exempts by disable_collisions.",
+          "links that it exempts by disable_collisions and the values of joints beside the chain.",
           &srdf),
       Option("--group NAME",
              "The group of --srdf that gives base and tip of the chain; --base and --tip replace "

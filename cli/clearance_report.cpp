@@ -43,6 +43,21 @@ std::string held_text(const std::map<std::string, double>& held) {
   return listed(texts);
 }
 
+/// The joints of the arm's file that are held, with the named states that give their values.
+std::vector<SceneLine> held_lines(const CheckedScene& scene) {
+  std::map<std::string, std::map<std::string, double>> by_state;  // empty: of no state
+  for (const auto& [joint, value] : scene.held) {
+    const auto state = scene.held_by_state.find(joint);
+    by_state[state == scene.held_by_state.end() ? "" : state->second].emplace(joint, value);
+  }
+  std::vector<SceneLine> lines;
+  for (const auto& [state, held] : by_state) {
+    const std::string source = state.empty() ? "" : " (state " + state + " of " + scene.srdf + ")";
+    lines.push_back({"held", held_text(held) + source});
+  }
+  return lines;
+}
+
 std::string pairs_text(const std::vector<NamedPair>& pairs) {
   std::vector<std::string> texts;
   for (const NamedPair& pair : pairs) texts.push_back(pair_text(pair));
@@ -157,7 +172,7 @@ std::string ClearanceReport::guarantee() const {
 
 std::vector<SceneLine> ClearanceReport::conditions() const {
   std::vector<SceneLine> lines = exempted_lines(*scene);
-  if (!scene->held.empty()) lines.push_back({"held", held_text(scene->held)});
+  for (SceneLine& line : held_lines(*scene)) lines.push_back(std::move(line));
   for (const auto& [path, held] : scene->scenes_held) {
     lines.push_back({"held", held_text(held) + " (" + path + ")"});
   }
@@ -228,6 +243,9 @@ Json ClearanceReport::document() const {
   document.add("srdf_pairs", json_pairs(scene->srdf_pairs));
   document.add("exempted_pairs", json_pairs(scene->exempted_pairs));
   document.add("held", json_held(scene->held));
+  Json held_by_state = Json::object();
+  for (const auto& [joint, state] : scene->held_by_state) held_by_state.add(joint, state);
+  document.add("held_by_state", held_by_state);
   Json scenes_held = Json::object();
   for (const auto& [path, values] : scene->scenes_held) scenes_held.add(path, json_held(values));
   document.add("scenes_held", scenes_held);

@@ -218,12 +218,13 @@ void warn_about(const CheckedScene& scene, const std::vector<std::string>& far) 
 
 std::vector<Option> SceneArgument::options() {
   return {
-      Option("--scene FILE",
-             "Obstacles that the arm must keep the clearance from, also between the samples: JSON, "
-             "see docs/scene.schema.json; the URDF file of a cell, whose links with <collision> "
-             "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
-             "times for several files.",
-             &scenes),
+      Option(
+          "--scene FILE",
+          "Obstacles that the arm must keep the clearance from, also between the samples: JSON, "
+          "see docs/scene.schema.json; the URDF file of a cell, whose links with <collision> "
+          "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
+          "times for several files.",
+          &scenes),
       Option("--self",
              "The links must keep the clearance from each other, also without --scene. Links that "
              "share a joint may touch.",
@@ -245,8 +246,9 @@ std::vector<Option> SceneArgument::options() {
              &tool_shape),
       Option("--hold JOINT=VALUE",
              "The value, rad or m, of a joint that carries shapes and is beside the chain of the "
-             "arm's URDF file, such as a finger of a gripper, or in a scene. Default: 0, or the "
-             "limit next to it. Several times for several joints.",
+             "arm's URDF file, such as a finger of a gripper, or in a scene. Default: of the arm's "
+             "joints the first named state of --srdf that has a value within the limits; else 0, "
+             "or the limit next to it. Several times for several joints.",
              &hold),
       Option("--package NAME=FOLDER",
              "The folder of a package of ROS, for meshes package://NAME/... of URDF files. Without "
@@ -335,6 +337,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .srdf_pairs = shapes.allowed_pairs,
       .exempted_pairs = pairs_among(scene.exempted_pairs, known),
       .held = shapes.held,
+      .held_by_state = shapes.held_by_state,
       .scenes_held = std::move(scenes_held),
       .links_without_shapes = links_without(arm, shapes),
       .scenes_without_shapes = std::move(scenes_without_shapes)};

@@ -27,12 +27,13 @@ struct CheckedScene {
   CollisionModel model;
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
   bool self_collision = true;                           ///< false: --no-self
-  bool obstacles_have_clearances = false;     ///< whether an obstacle has a clearance of its own
-  std::vector<NamedPair> allowed_pairs = {};  ///< by --allow and the scenes
-  std::string srdf = {};                      ///< the file of --srdf; empty: none
-  std::vector<NamedPair> srdf_pairs = {};     ///< pairs that this file exempts
+  bool obstacles_have_clearances = false;      ///< whether an obstacle has a clearance of its own
+  std::vector<NamedPair> allowed_pairs = {};   ///< by --allow and the scenes
+  std::string srdf = {};                       ///< the file of --srdf; empty: none
+  std::vector<NamedPair> srdf_pairs = {};      ///< pairs that this file exempts
   std::vector<NamedPair> exempted_pairs = {};  ///< pairs of bodies that a scene's matrix exempts
-  std::map<std::string, double> held = {};    ///< see ArmShapes::held
+  std::map<std::string, double> held = {};     ///< see ArmShapes::held
+  std::map<std::string, std::string> held_by_state = {};  ///< see ArmShapes::held_by_state
   /// See Scene::held, by the path of the scene.
   std::map<std::string, std::map<std::string, double>> scenes_held = {};
   std::vector<MeshHull> mesh_hulls = {};

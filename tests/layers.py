@@ -14,6 +14,7 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "cairo": {"draw"},
     "hwy": {
         "simd",
+        "collision",
         "kinematics",
         "batch",
         "inverse/analytic",

@@ -161,6 +161,7 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
   if (options.self_collision) add_self_pairs(*bodies, allowed);
   internal::BudgetMeter budget(options.budget);
   internal::find_pairs_apart(*bodies, budget);
+  bodies->set_covers();
   bodies_ = std::move(bodies);
 }
 
@@ -183,15 +184,6 @@ std::size_t CollisionModel::apart_count() const { return bodies_->apart_pairs.si
 
 const Arm& CollisionModel::arm() const { return bodies_->arm; }
 
-std::size_t CollisionModel::pair_count() const {
-  std::size_t count = bodies_->self_pairs.size();
-  for (const auto& link : bodies_->link_bodies) {
-    if (!CollisionBodies::meets_obstacles(link)) continue;
-    for (const auto& obstacle : bodies_->obstacle_bodies) {
-      if (!bodies_->allowed(link, obstacle.obstacle)) ++count;
-    }
-  }
-  return count;
-}
+std::size_t CollisionModel::pair_count() const { return bodies_->pair_count; }
 
 }  // namespace beeline

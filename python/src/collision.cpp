@@ -35,7 +35,8 @@ constexpr const char* package_text =
 void bind_scene(nb::module_& m) {
   Signature scene(
       "read_scene", "Scene",
-      "Reads a scene from a JSON file, see docs/scene.schema.json, from the URDF file of a cell, in "
+      "Reads a scene from a JSON file, see docs/scene.schema.json, from the URDF file of a cell, "
+      "in "
       "which each link with `<collision>` elements is an obstacle and the root link is the world, "
       "or from a file of MoveIt: `.scene`, or a message PlanningScene as YAML or JSON. Raises "
       "FileError for an invalid file, whose line it names.");
@@ -88,8 +89,11 @@ void bind_shape_files(nb::module_& m) {
       .takes("hold", argument_type<std::map<std::string, double>>(),
              "Values, rad or m, of joints beside the chain that carry shapes.", "{}")
       .takes("package", argument_type<std::map<std::string, std::string>>(), package_text, "{}")
-      .takes("srdf", "str | os.PathLike[str] | None",
-             "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result.", "None");
+      .takes(
+          "srdf", "str | os.PathLike[str] | None",
+          "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result, and whose "
+          "named states give the values of joints that `hold` does not.",
+          "None");
   define(
       m,
       [](nb::handle source, nb::handle base, nb::handle tip, nb::handle hold, nb::handle package,

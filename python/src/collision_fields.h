@@ -43,7 +43,8 @@ struct Value<std::map<std::string, Named>> {
   }
   static nb::object to(const std::map<std::string, Named>& value) {
     nb::dict named;
-    for (const auto& [name, item] : value) named[Value<std::string>::to(name)] = Value<Named>::to(item);
+    for (const auto& [name, item] : value)
+      named[Value<std::string>::to(name)] = Value<Named>::to(item);
     return named;
   }
   static std::map<std::string, Named> from(nb::handle value, const char* argument) {
@@ -132,9 +133,8 @@ struct Fields<Obstacle> : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle:
 };
 
 template <>
-struct Fields<Scene>
-    : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held,
-              &Scene::links_without_shapes, &Scene::exempted_pairs> {
+struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene::held,
+                               &Scene::links_without_shapes, &Scene::exempted_pairs> {
   static constexpr bool constructible = true;
   static constexpr bool positional = true;
 };
@@ -146,9 +146,10 @@ struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkS
 };
 
 template <>
-struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::allowed_pairs,
-                                   &ArmShapes::links_without_shapes,
-                                   &ArmShapes::base_links> {};
+struct Fields<ArmShapes>
+    : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
+              &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes, &ArmShapes::base_links> {
+};
 
 template <>
 struct Fields<BodyDistance>

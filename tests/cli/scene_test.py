@@ -322,6 +322,18 @@ def test_shapes_of_a_urdf_file(beeline, written):
     held = check(beeline, arm, still, *ends, "--scene", post, "--hold", "grip=0.4")
     assert held["status"] == "collides" and held["clearance"]["pair"] == ["finger", "post"]
     assert held["clearance"]["held"] == {"grip": 0.4}
+    states = "".join(f'<group_state name="{name}" group="hand"><joint name="{joint}" value="{value}"/></group_state>'
+                     for name, joint, value in (("home", "j1", 0), ("far", "grip", 0.6), ("open", "grip", 0.4),
+                                                ("close", "grip", 0)))
+    srdf = written("arm.srdf", f'<robot name="r">{states}</robot>')
+    opened = check(beeline, arm, still, *ends, "--scene", post, "--srdf", srdf)
+    assert opened["status"] == "collides" and opened["clearance"]["pair"] == ["finger", "post"]
+    assert opened["clearance"]["held"] == {"grip": 0.4}, "the first state that has a value within the limits"
+    assert opened["clearance"]["held_by_state"] == {"grip": "open"} and held["clearance"]["held_by_state"] == {}
+    given = beeline("check", arm, still, *MOVING, *ends, "--scene", post, "--srdf", srdf, "--hold", "grip=0.1")
+    assert given.code == 0 and "held          grip at 0.1\n" in given.out
+    text = beeline("check", arm, still, *MOVING, *ends, "--self", "--srdf", srdf).out
+    assert "held          grip at 0.4 (state open of arm.srdf)\n" in text
     moved = check(beeline, arm, still, *ends, "--scene", post, "--mount", "0,0.4,0")
     assert moved["status"] == "collides", "the scene stays, the arm moves"
     tool = written("tool.json", json.dumps({"name": "probe", "shapes": [

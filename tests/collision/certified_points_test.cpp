@@ -75,5 +75,31 @@ TEST(Separation, CarriesAPointOfEachBodyNearTheBound) {
             << " m outside their body\n";
 }
 
+/// Of a tiny body that touches a long one, the vertices of the difference are in small groups far
+/// from each other.
+TEST(Separation, IsAsExactForATinyBodyAtALongOne) {
+  Random random;
+  double worst = 0;
+  for (int i = 0; i < testing::cases(6000); ++i) {
+    const double tiny = std::pow(10, random.uniform(-5, -3)), length = random.uniform(1, 10);
+    Shape a{Box{{tiny, tiny * random.integer(0, 1), tiny}}, random.pose(length)};
+    Shape b{Capsule{0, length}, random.pose(length)};
+    if (random.integer(0, 1) == 0) a.body = Cylinder{tiny, tiny / 2};
+    if (random.integer(0, 2) == 0) b.body = Box{{length, length / 100, 0}};
+    if (random.integer(0, 2) == 0) b.body = Cylinder{tiny * random.uniform(0.1, 1), length};
+    for (int touch = 0; touch < 2; ++touch) {
+      const Separation apart = separation(convex_body(a), convex_body(b));
+      const double left = random.integer(-1, 1) * std::pow(10, random.uniform(-12, -7));
+      b.pose.translation() -= (apart.lower - left) * apart.points.direction;
+    }
+    const Separation found = separation(convex_body(a), convex_body(b));
+    const double between = (found.points.on_a - found.points.on_b).norm();
+    const double gap = std::min(between, between - found.lower);
+    EXPECT_LE(gap, 1e-7) << kind_name(a) << " and " << kind_name(b) << ", case " << i;
+    worst = std::max(worst, gap);
+  }
+  std::cout << "the points are at most " << worst << " m above the bound\n";
+}
+
 }  // namespace
 }  // namespace beeline

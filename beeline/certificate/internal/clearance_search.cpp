@@ -78,20 +78,23 @@ ClearanceProof ClearanceSearch::finished() const {
 }
 
 void ClearanceSearch::add_all_pairs() {
-  const auto add = [&](const std::vector<CollisionBodies::SelfPair>& pairs) {
-    for (const auto& pair : pairs) {
+  for (std::uint32_t i = 0; i < bodies_.self_groups.size(); ++i) {
+    const CollisionBodies::SelfGroup& group = bodies_.self_groups[i];
+    open_.push_back({.with = With::group, .body = group.first, .other = group.second, .group = i});
+  }
+  if ((beyond_ > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
+    for (const auto& pair : bodies_.apart_pairs) {
       open_.push_back({.with = With::link, .body = pair.first, .other = pair.second});
     }
-  };
-  add(bodies_.self_pairs);
-  if ((beyond_ > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
-    add(bodies_.apart_pairs);  // they are proved to keep the clearance alone, within the limits
-  } else if (!bodies_.apart_pairs.empty()) {
+  } else if (!bodies_.apart_pairs.empty()) {  // proved to keep the clearance, but not more
     proof_.least_distance = bodies_.clearance;
+  }
+  for (const std::uint32_t whole : bodies_.whole_links) {
+    if (bodies_.covers[whole].frame == 0) continue;  // link 0 does not move
+    if (!bodies_.tree.empty()) open_.push_back({.with = With::node, .body = whole, .other = 0});
   }
   for (std::uint32_t i = 0; i < bodies_.link_bodies.size(); ++i) {
     if (!CollisionBodies::meets_obstacles(bodies_.link_bodies[i])) continue;
-    if (!bodies_.tree.empty()) open_.push_back({.with = With::node, .body = i, .other = 0});
     for (std::size_t k = bodies_.finite_obstacles; k < bodies_.obstacle_bodies.size(); ++k) {
       if (bodies_.allowed(bodies_.link_bodies[i], bodies_.obstacle_bodies[k].obstacle)) continue;
       open_.push_back({.with = With::obstacle, .body = i, .other = static_cast<std::uint32_t>(k)});
@@ -161,38 +164,47 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs,
     return left;
   }
   tube_test_.place(tube);
-  for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
-    queue_.assign(1, open_[i]);
-    while (!queue_.empty()) {
-      OpenPair pair = queue_.back();
-      queue_.pop_back();
-      const TubeTest::Bound bound = tube_test_.bound(pair);
-      if (bound.proves()) {
-        proof_.least_distance = std::min(proof_.least_distance, bound.distance);
-      } else if (pair.with == With::node && (nodes == Nodes::all || tube_test_.is_coarse(pair))) {
-        const BoxTree::Node& node = bodies_.tree.node(pair.other);
-        if (node.right != 0) {
-          for (const std::uint32_t child : {pair.other + 1, node.right}) {
-            queue_.push_back({.with = With::node, .body = pair.body, .other = child});
-          }
-        } else if (!bodies_.allowed(bodies_.link_bodies[pair.body],
-                                    bodies_.obstacle_bodies[node.body].obstacle)) {
-          queue_.push_back({.with = With::obstacle, .body = pair.body, .other = node.body});
-        }
-      } else {
-        open_.push_back(pair);
+  tree_search_.all = nodes == Nodes::all;
+  for (std::size_t i = pairs.begin; i < pairs.end;) {
+    if (open_[i].with != With::node) {
+      queue_.assign(1, open_[i++]);
+    } else {  // all nodes of a cover stand together
+      const std::uint32_t cover = open_[i].body;
+      for (; i < pairs.end && open_[i].with == With::node && open_[i].body == cover; ++i) {
+        tree_search_.nodes.push_back(open_[i].other);
       }
+      queue_.clear();
+      tube_test_.search_tree(cover, tree_search_);
     }
+    test_queue(nodes);
   }
+  proof_.least_distance = std::min(proof_.least_distance, tree_search_.least_distance);
   left.end = open_.size();
   return left;
+}
+
+/// Tests the pairs of bodies and covers in the queue.
+void ClearanceSearch::test_queue(Nodes nodes) {
+  while (!queue_.empty()) {
+    OpenPair pair = queue_.back();
+    queue_.pop_back();
+    const TubeTest::Bound bound = tube_test_.bound(pair);
+    if (bound.proves()) {
+      proof_.least_distance = std::min(proof_.least_distance, bound.distance);
+    } else if (pair.with == With::group &&
+               (nodes == Nodes::all || tube_test_.is_coarse_group(pair))) {
+      tube_test_.divide_group(pair, queue_);
+    } else {
+      open_.push_back(pair);
+    }
+  }
 }
 
 bool ClearanceSearch::is_small(Pairs pairs) const {
   return std::all_of(open_.begin() + static_cast<std::ptrdiff_t>(pairs.begin),
                      open_.begin() + static_cast<std::ptrdiff_t>(pairs.end),
                      [&](const OpenPair& pair) {
-                       if (pair.with == With::node) return false;
+                       if (!pair.is_of_bodies()) return false;
                        return tube_test_.displacement(pair) <=
                               std::max(options_.resolution * tube_test_.clearance(pair),
                                        16 * tube_test_.rounding(pair));

@@ -43,7 +43,7 @@ class ClearanceSearch {
     std::size_t begin = 0, end = 0;
   };
 
-  /// Nodes of the tree are opened where that helps, or all down to obstacles.
+  /// Pairs of nodes and covers are divided where that helps, or all down to bodies.
   enum class Nodes { as_needed, all };
 
   ClearanceProof finished() const;
@@ -52,6 +52,7 @@ class ClearanceSearch {
   void search_part(std::size_t level, Pairs pairs);
   void search_halves(std::size_t level, Pairs pairs);
   Pairs test(const JointTube& tube, Pairs pairs, Nodes nodes = Nodes::as_needed);
+  void test_queue(Nodes nodes);
   bool is_small(Pairs pairs) const;
   void decide(const Part& part, Pairs pairs);
 
@@ -64,7 +65,8 @@ class ClearanceSearch {
   TubeTest tube_test_;
   std::vector<OpenPair> open_;   ///< a stack
   std::vector<OpenPair> queue_;  ///< pairs to be tested over the present tube
-  std::deque<Part> parts_;       ///< the part that is searched, and those around it
+  TubeTest::TreeSearch tree_search_{.nodes = {}, .open = open_, .obstacles = queue_};
+  std::deque<Part> parts_;  ///< the part that is searched, and those around it
   TubeValues tube_;
   ClearanceProof proof_;
   bool ended_ = false;

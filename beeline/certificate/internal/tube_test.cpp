@@ -7,22 +7,33 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
+constexpr double nothing_proved = -std::numeric_limits<double>::infinity();
 
-double box_rounding(const AlignedBox& box) {
-  return 32 * machine_epsilon * (box.centre.cwiseAbs().sum() + box.half.sum());
+/// Sets a vector to its direction. Returns false if it has none.
+bool normalize(Vector3& towards) {
+  const double square = towards.squaredNorm();
+  if (!(square > least_square)) return false;
+  towards /= std::sqrt(square);
+  return true;
 }
 
 }  // namespace
 
 TubeTest::TubeTest(const CollisionBodies& bodies, const Configuration& lower,
                    const Configuration& upper, double beyond)
-    : bodies_(bodies), beyond_(beyond), motion_(bodies.motion), placed_(bodies.link_bodies.size()) {
-  for (std::size_t i = 0; i < bodies.link_bodies.size(); ++i) {
-    const auto& link = bodies.link_bodies[i];
-    if (!link.reach.of.empty()) continue;
-    reach_.resize(bodies.link_bodies.size());
-    reach_[i] = motion_.reach(link.carried.body, link.carried.frame, lower, upper);
+    : bodies_(bodies), beyond_(beyond), motion_(bodies.motion), placed_(bodies.covers.size()) {
+  for (std::size_t i = 0; i < bodies.covers.size(); ++i) {
+    const CollisionBodies::Cover& cover = bodies.covers[i];
+    if (!cover.reach.of.empty()) continue;
+    reach_.resize(bodies.covers.size());
+    for (std::uint32_t k = cover.begin; k < cover.end; ++k) {
+      const JointReach reach =
+          motion_.reach(bodies.link_bodies[k].carried.body, cover.frame, lower, upper);
+      reach_[i].of.resize(reach.of.size());
+      for (std::size_t l = 0; l < reach.of.size(); ++l) {
+        reach_[i].of[l] = std::max(reach_[i].of[l], reach.of[l]);
+      }
+    }
   }
 }
 
@@ -32,35 +43,33 @@ void TubeTest::place(const JointTube& tube) {
 }
 
 const JointReach& TubeTest::reach(std::uint32_t i) const {
-  const JointReach& constant = bodies_.link_bodies[i].reach;
+  const JointReach& constant = bodies_.covers[i].reach;
   return constant.of.empty() ? reach_[i] : constant;
 }
 
-void TubeTest::place_body(std::uint32_t i) {
-  if (placed_[i].tube == tube_) return;
-  const CarriedBody& carried = bodies_.link_bodies[i].carried;
-  const ChainMotion::Frame& frame = motion_.frame(carried.frame);
-  placed_[i] = {tube_, frame.origin + frame.rotation * carried.body.centre,
-                motion_.displacement(reach(i), carried.frame, 0),
-                motion_.rounding(carried.frame, magnitude(carried.body)), -1};
+void TubeTest::place_cover(std::uint32_t i) {
+  Placed& placed = placed_[i];
+  if (placed.tube == tube_) return;
+  placed.tube = tube_;
+  const CollisionBodies::Cover& cover = bodies_.covers[i];
+  const ChainMotion::Frame& frame = motion_.frame(cover.frame);
+  placed.capsule = carried_by(frame, cover.capsule, motion_.bounds(reach(i), cover.frame, 0));
+  placed.rounding = motion_.rounding(cover.frame, cover.magnitude);
 }
 
-void TubeTest::place_bodies(const OpenPair& pair) {
-  place_body(pair.body);
-  if (pair.with == OpenPair::With::link) place_body(pair.other);
+void TubeTest::place_both(const OpenPair& pair) {
+  place_cover(pair.body);
+  if (is_of_links(pair)) place_cover(pair.other);
 }
 
-double TubeTest::remainder(std::uint32_t i, std::size_t j) {
-  const std::size_t frame = bodies_.link_bodies[i].carried.frame;
-  if (j > 0) return motion_.remainder(reach(i), frame, j);
-  double& to_base = placed_[i].remainder;
-  if (to_base < 0) to_base = motion_.remainder(reach(i), frame, 0);
-  return to_base;
+bool TubeTest::is_of_links(const OpenPair& pair) const {
+  return pair.with == OpenPair::With::link || pair.with == OpenPair::With::group;
 }
 
 double TubeTest::clearance(const OpenPair& pair) const {
   switch (pair.with) {
     case OpenPair::With::link:
+    case OpenPair::With::group:
       return bodies_.clearance;
     case OpenPair::With::obstacle:
       return bodies_.obstacle_bodies[pair.other].clearance;
@@ -71,75 +80,172 @@ double TubeTest::clearance(const OpenPair& pair) const {
 }
 
 double TubeTest::displacement(const OpenPair& pair) const {
-  if (pair.with != OpenPair::With::link) return placed_[pair.body].displacement;
-  return motion_.displacement(reach(pair.body), bodies_.link_bodies[pair.body].carried.frame,
-                              bodies_.link_bodies[pair.other].carried.frame);
+  if (!is_of_links(pair)) return placed_[pair.body].capsule.bounds.displacement;
+  return motion_.displacement(reach(pair.body), bodies_.covers[pair.body].frame,
+                              bodies_.covers[pair.other].frame);
 }
 
 double TubeTest::rounding(const OpenPair& pair) const {
   const double own = placed_[pair.body].rounding;
   switch (pair.with) {
     case OpenPair::With::link:
+    case OpenPair::With::group:
       return own + placed_[pair.other].rounding;
     case OpenPair::With::obstacle:
       return own + support_rounding(bodies_.obstacle_bodies[pair.other].body);
     case OpenPair::With::node:
-      return own + box_rounding(bodies_.tree.node(pair.other).box);
+      return own + bodies_.tree.rows()[pair.other].rounding;
   }
   return own;
 }
 
-bool TubeTest::is_coarse(const OpenPair& pair) const {
-  if (pair.with != OpenPair::With::node) return false;
+double TubeTest::size_of(std::uint32_t cover) const {
+  return bodies_.covers[cover].is_single() ? 0 : bodies_.covers[cover].size;
+}
+
+bool TubeTest::is_coarse_group(const OpenPair& pair) const {
+  // A pair that rounding alone keeps open is divided too.
+  return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.clearance +
+             16 * rounding(pair) >=
+         displacement(pair);
+}
+
+bool TubeTest::is_coarse_node(std::uint32_t cover, std::uint32_t index) const {
+  const Placed& placed = placed_[cover];
+  const BoxTree::Node& node = bodies_.tree.node(index);
+  const double rounding = placed.rounding + bodies_.tree.rows()[index].rounding;
+  return std::max(size_of(cover), node.size) + node.clearance + 16 * rounding >=
+         placed.capsule.bounds.displacement;
+}
+
+void TubeTest::divide_group(const OpenPair& pair, std::vector<OpenPair>& into) const {
+  const CollisionBodies::SelfGroup& group = bodies_.self_groups[pair.group];
+  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+    const CollisionBodies::SelfPair& bodies = bodies_.self_pairs[i];
+    into.push_back({.with = OpenPair::With::link, .body = bodies.first, .other = bodies.second});
+  }
+}
+
+void TubeTest::search_tree(std::uint32_t cover, TreeSearch& search) {
+  split_.clear();
+  search_nodes(cover, search);
+  if (split_.empty()) return;
+  const CollisionBodies::Cover& whole = bodies_.covers[cover];
+  for (std::uint32_t body = whole.begin; body < whole.end; ++body) {
+    search.nodes = split_;
+    search_nodes(body, search);
+  }
+}
+
+void TubeTest::search_nodes(std::uint32_t cover, TreeSearch& search) {
+  place_cover(cover);
+  const Placed& placed = placed_[cover];
+  std::array<double, boxes_at_once> gaps;
+  while (!search.nodes.empty()) {
+    const std::size_t count = std::min(boxes_at_once, search.nodes.size());
+    std::array<std::uint32_t, boxes_at_once> tested;
+    std::copy(search.nodes.end() - static_cast<std::ptrdiff_t>(count), search.nodes.end(),
+              tested.begin());
+    search.nodes.resize(search.nodes.size() - count);
+    box_gaps(placed.capsule, bodies_.tree.rows(), {tested.data(), count}, gaps);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double distance = gaps[k] - placed.rounding;
+      if (distance >= bodies_.tree.node(tested[k]).clearance + beyond_) {
+        search.least_distance = std::min(search.least_distance, distance);
+      } else {
+        divide_node({.with = OpenPair::With::node, .body = cover, .other = tested[k]}, search);
+      }
+    }
+  }
+}
+
+/// Adds what a pair of a cover and a node consists of, or the pair itself if the motion is larger.
+void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
   const BoxTree::Node& node = bodies_.tree.node(pair.other);
-  return node.right == 0 ||
-         node.box.half.norm() + node.clearance >= placed_[pair.body].displacement;
+  const CollisionBodies::Cover& cover = bodies_.covers[pair.body];
+  const bool is_leaf = node.right == 0;
+  if (is_leaf && bodies_.allowed(bodies_.link_bodies[cover.begin],
+                                 bodies_.obstacle_bodies[node.body].obstacle)) {
+    return;
+  }
+  if (is_leaf && cover.is_single()) {
+    search.obstacles.push_back(
+        {.with = OpenPair::With::obstacle, .body = pair.body, .other = node.body});
+  } else if (!search.all && !is_coarse_node(pair.body, pair.other)) {
+    search.open.push_back(pair);
+  } else if (is_leaf || (!cover.is_single() && cover.size >= node.size)) {
+    split_.push_back(pair.other);
+  } else {
+    search.nodes.push_back(pair.other + 1);
+    search.nodes.push_back(node.right);
+  }
 }
 
 TubeTest::Bound TubeTest::bound(OpenPair& pair) {
-  place_bodies(pair);
-  return pair.with == OpenPair::With::node ? bound_to_node(pair) : bound_to_body(pair);
-}
-
-/// The direction is from the body's centre to the nearest point of the box.
-TubeTest::Bound TubeTest::bound_to_node(OpenPair& pair) {
-  const BoxTree::Node& node = bodies_.tree.node(pair.other);
-  const Placed& placed = placed_[pair.body];
-  const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
-  Bound found{-std::numeric_limits<double>::infinity(), clearance(pair) + beyond_};
-  const Vector3 beside = placed.centre - node.box.centre;
-  const Vector3 towards = beside.cwiseMax(-node.box.half).cwiseMin(node.box.half) - beside;
-  const double distance = towards.norm();
-  if (!(distance > 0)) return found;
-  found.distance = distance - carried.body.bound - placed.displacement - rounding(pair);
-  if (found.proves()) return found;
-  const double remainder = this->remainder(pair.body, 0);
-  if (distance <= remainder + found.required) return found;
-  pair.direction = towards / distance;
-  const double lowest =
-      pair.direction.dot(node.box.centre) - pair.direction.cwiseAbs().dot(node.box.half);
-  const double highest = highest_along(motion_, carried, 0, pair.direction, remainder);
-  found.distance = std::max(found.distance, lowest - highest - rounding(pair));
+  place_both(pair);
+  Bound found{nothing_proved, clearance(pair) + beyond_};
+  switch (pair.with) {
+    case OpenPair::With::node:  // search_tree() tests them
+      break;
+    case OpenPair::With::group:
+      found.distance = gap_of_covers(pair);
+      break;
+    case OpenPair::With::link:
+      found.distance = gap_of_covers(pair);
+      if (!found.proves() && !is_exact(pair)) improve(pair, found);
+      break;
+    case OpenPair::With::obstacle:
+      found.distance = gap_to_obstacle(pair);
+      if (!found.proves() && !is_exact(pair)) improve(pair, found);
+      break;
+  }
   return found;
 }
 
-TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) {
+double TubeTest::gap_of_covers(const OpenPair& pair) const {
+  const BoundingCapsule& other = placed_[pair.other].capsule.at_middle;
+  const MovingCapsule& first = placed_[pair.body].capsule;
+  Vector3 n = towards(first.at_middle, other);
+  if (!normalize(n)) return nothing_proved;
+  const std::size_t i = bodies_.covers[pair.body].frame, j = bodies_.covers[pair.other].frame;
+  const MovingCapsule relative =
+      relative_to(motion_.frame(j), motion_.bounds(reach(pair.body), i, j), first);
+  return lowest_along(other, n) - highest_along(relative, n) - rounding(pair);
+}
+
+double TubeTest::gap_to_obstacle(const OpenPair& pair) const {
+  const ConvexBody& obstacle = bodies_.obstacle_bodies[pair.other].body;
+  const MovingCapsule& capsule = placed_[pair.body].capsule;
+  Vector3 n = -obstacle.axes.col(2);
+  if (obstacle.core != ConvexBody::Core::half_space) {
+    if (!has_projection(obstacle.core)) return nothing_proved;
+    n = towards(capsule.at_middle, obstacle.centre,
+                [&](const Vector3& point) { return projection_on_core(obstacle, point); });
+    if (!normalize(n)) return nothing_proved;
+  }
+  return -support(obstacle, -n) - highest_along(capsule, n) - rounding(pair);
+}
+
+/// Whether the direction of the covers is the best one at the middle of the tube.
+bool TubeTest::is_exact(const OpenPair& pair) const {
+  const CollisionBodies::Cover& cover = bodies_.covers[pair.body];
+  if (!cover.is_body) return false;
+  if (pair.with == OpenPair::With::link) return bodies_.covers[pair.other].is_body;
+  const ConvexBody::Core core = bodies_.obstacle_bodies[pair.other].body.core;
+  return core == ConvexBody::Core::half_space ||
+         (cover.capsule.half.isZero(0) && has_projection(core));
+}
+
+/// Tries the support values of the bodies themselves along the last direction of the pair and along
+/// the one between the nearest points.
+void TubeTest::improve(OpenPair& pair, Bound& found) const {
   const bool is_link = pair.with == OpenPair::With::link;
-  const Placed& placed = placed_[pair.body];
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
   const CarriedBody* const earlier = is_link ? &bodies_.link_bodies[pair.other].carried : nullptr;
   const ConvexBody* const obstacle = is_link ? nullptr : &bodies_.obstacle_bodies[pair.other].body;
   const std::size_t j = is_link ? earlier->frame : 0;
-  Bound found{-std::numeric_limits<double>::infinity(), clearance(pair) + beyond_};
-
-  // Spheres around both.
-  const Vector3 between = (is_link ? placed_[pair.other].centre : obstacle->centre) - placed.centre;
-  const double apart = between.norm();
-  const double bounds = carried.body.bound + (is_link ? earlier->body.bound : obstacle->bound);
-  found.distance = apart - bounds - displacement(pair) - rounding(pair);
-  if (found.proves()) return found;
-
-  const double remainder = this->remainder(pair.body, j);
+  const double remainder = is_link ? motion_.remainder(reach(pair.body), carried.frame, j)
+                                   : placed_[pair.body].capsule.bounds.remainder;
   const Rotation& axes = motion_.frame(j).rotation;
   const auto try_direction = [&](const Vector3& n) {
     const double lowest = is_link ? lowest_along(motion_, *earlier, n) : -support(*obstacle, -n);
@@ -147,19 +253,20 @@ TubeTest::Bound TubeTest::bound_to_body(OpenPair& pair) {
     found.distance = std::max(found.distance, lowest - highest - rounding(pair));
     return found.proves();
   };
-  if (!pair.direction.isZero(0) && try_direction(axes * pair.direction)) return found;
-  if (std::isfinite(bounds) && remainder >= apart + bounds) return found;  // no n can suffice
+  if (!pair.direction.isZero(0) && try_direction(axes * pair.direction)) return;
   const ConvexBody first = in_world(motion_, carried);
-  const NearestPoints points =
-      nearest_points(first, is_link ? in_world(motion_, *earlier) : *obstacle,
-                     pair.direction.isZero(0) ? between : Vector3(axes * pair.direction));
+  const ConvexBody second = is_link ? in_world(motion_, *earlier) : *obstacle;
+  const Vector3 between = second.centre - first.centre;
+  const double bounds = first.bound + second.bound;
+  if (std::isfinite(bounds) && remainder >= between.norm() + bounds) return;  // no n can suffice
+  const NearestPoints points = nearest_points(
+      first, second, pair.direction.isZero(0) ? between : Vector3(axes * pair.direction));
   pair.direction = axes.transpose() * points.direction;
   try_direction(points.direction);
-  return found;
 }
 
 BodyDistance TubeTest::distance(const OpenPair& pair) {
-  place_bodies(pair);
+  place_both(pair);
   const bool is_link = pair.with == OpenPair::With::link;
   const auto& link = bodies_.link_bodies[pair.body];
   const ConvexBody first = in_world(motion_, link.carried);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <beeline/collision/internal/box_tree.h>
 
@@ -16,6 +17,19 @@ AlignedBox box_around(const ConvexBody& body) {
   return box;
 }
 
+namespace {
+
+BoxRow row_of(const BoxTree::Node& node) {
+  const auto &centre = node.box.centre, &half = node.box.half;
+  constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+  return {.centre = {centre.x(), centre.y(), centre.z()},
+          .half = {half.x(), half.y(), half.z()},
+          .rounding = rounding * (centre.cwiseAbs().sum() + half.sum()),
+          .clearance = node.clearance};
+}
+
+}  // namespace
+
 BoxTree::BoxTree(const std::vector<ConvexBody>& bodies, const std::vector<double>& clearances) {
   std::vector<Item> items;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -23,13 +37,15 @@ BoxTree::BoxTree(const std::vector<ConvexBody>& bodies, const std::vector<double
   }
   nodes_.reserve(2 * items.size());
   if (!items.empty()) add(items, 0, items.size());
+  for (const Node& node : nodes_) rows_.push_back(row_of(node));
 }
 
 /// Divides the items at the middle of the axis along which their centres are spread most.
 std::uint32_t BoxTree::add(std::vector<Item>& items, std::size_t begin, std::size_t end) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  Node node{items[begin].box, items[begin].clearance, items[begin].body, 0};
+  Node node{
+      .box = items[begin].box, .clearance = items[begin].clearance, .body = items[begin].body};
   if (end - begin > 1) {
     Vector3 lower = items[begin].box.centre, upper = lower;
     Vector3 least = lower - items[begin].box.half, most = lower + items[begin].box.half;
@@ -53,6 +69,7 @@ std::uint32_t BoxTree::add(std::vector<Item>& items, std::size_t begin, std::siz
     add(items, begin, middle);
     node.right = add(items, middle, end);
   }
+  node.size = node.box.half.norm();
   nodes_[index] = node;
   return index;
 }

@@ -27,6 +27,7 @@ ChainMotion::ChainMotion(const Arm& arm)
       frames_(arm.joints().size() + 1),
       steps_(arm.joints().size() + 1),
       link_frames_(arm.joints().size() + 1, Pose::Identity()),
+      rounding_(arm.joints().size() + 1),
       chain_length_(arm.joints().size() + 1) {
   const Configuration zero = Configuration::Zero(arm.dof());
   set({zero, zero, zero});
@@ -72,6 +73,7 @@ void ChainMotion::set(const JointTube& tube) {
         .slide_rounding = coordinate_rounding(d)};
     chain_length_[i + 1] = length;
   }
+  set_rounding();
 }
 
 bool ChainMotion::slides(std::size_t i) const {
@@ -101,37 +103,43 @@ JointReach ChainMotion::reach(const ConvexBody& body, std::size_t i, const Eigen
 }
 
 double ChainMotion::remainder(const JointReach& reach, std::size_t i, std::size_t j) const {
-  double bound = 0, turned = 0;
-  for (std::size_t l = j + 1; l <= i; ++l) {
-    const JointStep& step = steps_[l];
-    const double along = step.turn * reach.of[l];
-    bound += step.turn * along / 2 + turned * (along + step.slide) + step.turn_slack * reach.of[l] +
-             step.slide_slack;
-    turned += step.turn;
-  }
-  constexpr double outwards = 1 + 1e-12;
-  return outwards * bound;
+  return bounds(reach, i, j).remainder;
 }
 
 double ChainMotion::displacement(const JointReach& reach, std::size_t i, std::size_t j) const {
-  double bound = 0;
+  return bounds(reach, i, j).displacement;
+}
+
+ChainMotion::TubeBounds ChainMotion::bounds(const JointReach& reach, std::size_t i,
+                                            std::size_t j) const {
+  TubeBounds bounds;
+  double turned = 0;
   for (std::size_t l = j + 1; l <= i; ++l) {
     const JointStep& step = steps_[l];
-    bound += (step.turn + step.turn_slack) * reach.of[l] + step.slide + step.slide_slack;
+    const double along = step.turn * reach.of[l];
+    const double beside = step.turn_slack * reach.of[l] + step.slide_slack;
+    bounds.displacement += along + step.slide + beside;
+    bounds.remainder += step.turn * along / 2 + turned * (along + step.slide) + beside;
+    turned += step.turn;
   }
   constexpr double outwards = 1 + 1e-12;
-  return outwards * bound;
+  return {outwards * bounds.displacement, outwards * bounds.remainder};
+}
+
+void ChainMotion::set_rounding() {
+  double moved = 1, turned = 0, slid = 0;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    moved += steps_[i].turn + steps_[i].slide;
+    turned += steps_[i].turn_rounding;
+    slid += steps_[i].slide_rounding;
+    // Each link multiplies by a rotation that is wrong by a few units of the last place.
+    const double relative = 16 * epsilon * (static_cast<double>(i) + 2) + turned;
+    rounding_[i] = {slid + relative * moved * chain_length_[i], relative * moved};
+  }
 }
 
 double ChainMotion::rounding(std::size_t i, double distance) const {
-  // Each link multiplies by a rotation that is wrong by a few units of the last place.
-  double relative = 16 * epsilon * (static_cast<double>(i) + 2), moved = 1, bound = 0;
-  for (std::size_t l = 1; l <= i; ++l) {
-    moved += steps_[l].turn + steps_[l].slide;
-    relative += steps_[l].turn_rounding;
-    bound += steps_[l].slide_rounding;
-  }
-  return bound + relative * moved * (chain_length_[i] + distance);
+  return rounding_[i].at_origin + rounding_[i].relative * distance;
 }
 
 }  // namespace beeline::internal

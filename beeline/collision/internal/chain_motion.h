@@ -63,11 +63,23 @@ class ChainMotion {
   /// the middle of the tube, m.
   double displacement(const JointReach& reach, std::size_t i, std::size_t j) const;
 
+  /// displacement() and remainder() of a body on frame i relative to frame j < i.
+  struct TubeBounds {
+    double displacement = 0, remainder = 0;
+  };
+  TubeBounds bounds(const JointReach& reach, std::size_t i, std::size_t j) const;
+
   /// Bounds the rounding error of the position of a point on frame i that is at most `distance`
   /// from its origin, m, and of the first-order motion.
   double rounding(std::size_t i, double distance) const;
 
  private:
+  /// rounding() of frame i: at_origin + relative * distance.
+  struct FrameRounding {
+    double at_origin = 0, relative = 0;
+  };
+  void set_rounding();
+
   struct JointStep {
     double turn = 0, slide = 0;              ///< |rotation| and |translation| along the half
     double turn_slack = 0, slide_slack = 0;  ///< of the slack
@@ -79,6 +91,7 @@ class ChainMotion {
   std::vector<Frame> frames_;
   std::vector<JointStep> steps_;
   std::vector<Pose> link_frames_;
+  std::vector<FrameRounding> rounding_;
   std::vector<double> chain_length_;  ///< of the translations up to frame i, at the middle
 };
 

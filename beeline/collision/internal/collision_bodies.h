@@ -1,6 +1,7 @@
 #pragma once
 
 #include <beeline/collision/collision_model.h>
+#include <beeline/collision/internal/bounding_capsule.h>
 #include <beeline/collision/internal/box_tree.h>
 #include <beeline/collision/internal/separation.h>
 #include <beeline/collision/internal/tube_gap.h>
@@ -29,6 +30,22 @@ struct CollisionBodies {
   };
   std::vector<LinkBody> link_bodies;
 
+  /// A capsule around the bodies of a LinkShapes from index `begin` to before `end`. The covers of
+  /// single bodies stand first, at the indices of the bodies, then the covers of several.
+  struct Cover {
+    BoundingCapsule capsule;  ///< in the frame that carries it
+    std::size_t frame = 0, link_shapes = 0;
+    std::uint32_t begin = 0, end = 0;
+    double size = 0;        ///< of the capsule
+    double magnitude = 0;   ///< of the bodies and of the capsule, for rounding
+    bool is_body = false;   ///< whether the capsule is the one body
+    JointReach reach = {};  ///< the largest of the bodies; empty if joints in front slide
+
+    bool is_single() const { return end == begin + 1; }
+  };
+  std::vector<Cover> covers;
+  std::vector<std::uint32_t> whole_links;  ///< the cover of all bodies of each LinkShapes with any
+
   struct ObstacleBody {
     ConvexBody body;  ///< in the world's axes, from the origin of link 0
     std::size_t obstacle = 0;
@@ -44,6 +61,13 @@ struct CollisionBodies {
     std::uint32_t first = 0, second = 0;
   };
   std::vector<SelfPair> self_pairs;
+  /// Pairs with the same covers of all bodies of two LinkShapes, from `begin` to before `end` in
+  /// self_pairs.
+  struct SelfGroup {
+    std::uint32_t first = 0, second = 0;  ///< the covers
+    std::uint32_t begin = 0, end = 0;
+  };
+  std::vector<SelfGroup> self_groups;
 
   /// Pairs that keep their clearance wherever the coordinates are between `apart_lower` and
   /// `apart_upper`: the position limits, widened by `apart_margin`, or infinite.
@@ -61,6 +85,12 @@ struct CollisionBodies {
   bool allowed(const LinkBody& link, std::size_t obstacle) const {
     return obstacle_allowed[link.link_shapes * scene.obstacles.size() + obstacle];
   }
+
+  std::size_t pair_count = 0;  ///< CollisionModel::pair_count()
+
+  /// Sets `covers`, `whole_links`, `self_groups`, in whose order it puts self_pairs, and
+  /// `pair_count` from the other members.
+  void set_covers();
 
   /// Whether the pairs of the link's body with obstacles count: link 0 does not move.
   static bool meets_obstacles(const LinkBody& link) { return link.carried.frame > 0; }

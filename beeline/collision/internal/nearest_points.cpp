@@ -1,9 +1,11 @@
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 
+#include <beeline/collision/internal/bounding_capsule.h>
 #include <beeline/collision/internal/nearest_points.h>
 
 namespace beeline::internal {
@@ -60,6 +62,26 @@ class Simplex {
   }
 
   Vector3 nearest() const { return sum(&DifferencePoint::difference); }
+
+  /// Returns the unit vector from the nearest point to the origin, which is not in the simplex. It
+  /// is at right angles to the edges. Of a nearest point close to the origin few digits remain, but
+  /// the edges have theirs.
+  Vector3 towards_origin() const {
+    Vector3 direction = -nearest();
+    if (size_ == 2) {
+      const Vector3 along = (at(1) - at(0)).normalized();
+      for (int i = 0; i < 2; ++i) direction -= direction.dot(along) * along;
+    } else if (size_ == 3) {
+      const Vector3 ab = at(1) - at(0), ac = at(2) - at(0);
+      const Vector3 normal = ab.cross(ac);
+      if (normal.norm() > 1e-10 * ab.norm() * ac.norm()) {
+        direction = at(0).dot(normal) > 0 ? Vector3(-normal) : normal;
+      }
+    }
+    const double length = direction.norm();
+    return length > 0 ? Vector3(direction / length) : Vector3(-nearest().normalized());
+  }
+
   Vector3 on_a() const { return sum(&DifferencePoint::on_a); }
   Vector3 on_b() const { return sum(&DifferencePoint::on_b); }
   const Vector3& of_b(int i) const { return points_[static_cast<std::size_t>(i)].on_b; }
@@ -118,6 +140,7 @@ class Simplex {
       return keep({1, 2}, {1 - t, t});
     }
     set_weights({va, vb, vc});
+    refine();
   }
 
   /// The nearest of the four faces, unless the origin is inside.
@@ -154,6 +177,36 @@ class Simplex {
     };
     set_weights({volume(at(1), at(2), at(3)), volume(at(0), at(2), at(3)),
                  volume(at(0), at(1), at(3)), volume(at(0), at(1), at(2))});
+    refine();
+  }
+
+  /// Changes the weights of three or four points by Newton's step for the least |nearest()| in
+  /// their plane or space: the proportions above lose digits where the points are far from the
+  /// origin and some of them are close to each other.
+  void refine() {
+    constexpr double enough = 1e-15;
+    for (int step = 0; step < 2 && size_ >= 3; ++step) {
+      const Vector3 point = nearest();
+      Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, size_ - 1);
+      double along = 0;  // 0 at the nearest point
+      for (int i = 1; i < size_; ++i) {
+        const Vector3 edge = at(i) - at(0);
+        edges.col(i - 1) = edge;
+        along = std::max(along, std::abs(point.dot(edge)) / edge.norm());
+      }
+      if (!(along > enough * at(0).norm())) return;
+      const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> change =
+          edges.colPivHouseholderQr().solve(-point);
+      std::array<double, 4> refined = weights_;
+      for (int i = 1; i < size_; ++i) {
+        refined[static_cast<std::size_t>(i)] += change[i - 1];
+        refined[0] -= change[i - 1];
+      }
+      Simplex other = *this;
+      other.set_weights(refined);
+      if (!(other.nearest().squaredNorm() < point.squaredNorm())) return;
+      *this = other;
+    }
   }
 
   /// Sets weights in these proportions. Weighted means are points of the bodies only if no weight
@@ -172,56 +225,54 @@ class Simplex {
   int size_ = 0;
 };
 
-/// Returns the simplex whose nearest point to the origin is the difference of the nearest points.
-Simplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
+/// The simplex whose nearest point to the origin is the difference of the nearest points, and the
+/// direction, from `a` to `b`, that proves the largest distance of those that were tried.
+struct FoundSimplex {
+  Simplex simplex;
+  Vector3 direction = Vector3::Zero();  ///< zero: none was tried
+};
+
+FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
   constexpr int max_steps = 128;
   constexpr double relative = 1e-13, of_size = 1e-15;
   const double size = a.bound + b.bound + (a.centre - b.centre).norm();
   Simplex simplex;
   simplex.add(difference_support(a, b, guess));
   simplex.reduce();
-  Simplex best = simplex;
+  FoundSimplex best{simplex};
   Vector3 nearest = simplex.nearest();
+  double proved = -std::numeric_limits<double>::infinity();
   for (int step = 0; step < max_steps; ++step) {
     const double distance = nearest.norm();
     if (distance <= of_size * size || simplex.size() == 4) break;
-    const DifferencePoint next = difference_support(a, b, -nearest);
-    const double gap = distance - nearest.dot(next.difference) / distance;
-    if (gap <= relative * distance + of_size * size || simplex.has(next.difference)) break;
+    const Vector3 direction = simplex.towards_origin();
+    const DifferencePoint next = difference_support(a, b, direction);
+    const double bound = -direction.dot(next.difference);
+    if (bound > proved) proved = bound, best.direction = direction;
+    if (distance - bound <= relative * distance + of_size * size) break;
+    if (simplex.has(next.difference)) break;
     simplex.add(next);
     simplex.reduce();
     if (!(simplex.nearest().norm() < distance)) {
       // A simplex of nearly coinciding points is flat to rounding: go on from the nearest point.
-      simplex = best.collapsed();
+      simplex = best.simplex.collapsed();
       simplex.add(next);
       simplex.reduce();
       if (!(simplex.nearest().norm() < distance)) break;
     }
     nearest = simplex.nearest();
-    best = simplex;
+    best.simplex = simplex;
   }
   return best;
 }
 
-/// The nearest points of two cores.
+/// The nearest points of two cores, and the direction between them if they are apart.
 struct CorePoints {
-  Vector3 on_a, on_b;
-};
+  Vector3 on_a, on_b, direction;
 
-/// Ericson (2005), section 5.1.9.
-CorePoints nearest_on_segments(const ConvexBody& a, const ConvexBody& b) {
-  const Vector3 u = a.half.z() * a.axes.col(2), v = b.half.z() * b.axes.col(2);
-  const Vector3 between = a.origin - b.origin;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double ur = u.dot(between), vr = v.dot(between);
-  const auto on_unit = [](double value, double size) {
-    return size > 0 ? std::clamp(value / size, -1.0, 1.0) : 0.0;
-  };
-  double s = on_unit(uv * vr - ur * vv, uu * vv - uv * uv);
-  const double t = on_unit(uv * s + vr, vv);
-  s = on_unit(uv * t - ur, uu);
-  return {a.origin + s * u, b.origin + t * v};
-}
+  CorePoints(const Vector3& a, const Vector3& b)
+      : on_a(a), on_b(b), direction((b - a).normalized()) {}
+};
 
 CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
   if (a.core == Core::point && has_projection(b.core)) {
@@ -230,9 +281,14 @@ CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& 
   if (b.core == Core::point && has_projection(a.core)) {
     return {projection_on_core(a, b.origin), b.origin};
   }
-  if (a.core == Core::segment && b.core == Core::segment) return nearest_on_segments(a, b);
-  const Simplex found = search(a, b, guess);
-  return {found.on_a(), found.on_b()};
+  if (a.core == Core::segment && b.core == Core::segment) {
+    const SegmentPoints points = nearest_on_segments(capsule_around(a), capsule_around(b));
+    return {points.on_a, points.on_b};
+  }
+  const FoundSimplex found = search(a, b, guess);
+  CorePoints points(found.simplex.on_a(), found.simplex.on_b());
+  if (!found.direction.isZero(0)) points.direction = found.direction;
+  return points;
 }
 
 double gap_along(const ConvexBody& a, const ConvexBody& b, const Vector3& direction) {
@@ -289,7 +345,8 @@ NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vec
   const Vector3 along = between / distance;
   // Cores that nearly touch give a poor direction.
   const bool nearly_touch = distance <= 1e8 * rounding;
-  NearestPoints found{.direction = nearly_touch ? direction_of_overlap(a, b, along) : along};
+  NearestPoints found{.direction = nearly_touch ? direction_of_overlap(a, b, core.direction)
+                                                : core.direction};
   if (distance >= a.radius + b.radius) {
     found.on_a = core.on_a + a.radius * along;
     found.on_b = core.on_b - b.radius * along;
@@ -302,7 +359,7 @@ NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vec
 
 HullPoint nearest_in_hull(const Vector3& point, const ConvexBody& hull) {
   const ConvexBody at{.origin = point, .centre = point};
-  const Simplex found = search(at, hull, hull.centre - point);
+  const Simplex found = search(at, hull, hull.centre - point).simplex;
   HullPoint nearest{.mean = found.on_b(), .count = found.size()};
   for (int i = 0; i < nearest.count; ++i) {
     nearest.vertices[static_cast<std::size_t>(i)] = found.of_b(i);

@@ -70,15 +70,16 @@ ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends, const ShapeOptions& options) {
   const std::string ending = extension(path);
+  Srdf srdf;
+  if (!options.srdf.empty()) srdf = read_srdf(options.srdf);
   ArmShapes read;
   if (ending == "urdf" || ending == "xml") {
-    read = internal::shapes_from_urdf(text, path, ends, options);
+    read = internal::shapes_from_urdf(text, path, ends, options, srdf.states);
   } else {
     refuse_hold(options);
     read = shapes_from_arm_json(text, path);
   }
-  if (!options.srdf.empty())
-    read.allowed_pairs = exempted_pairs(read_srdf(options.srdf), read.links);
+  read.allowed_pairs = exempted_pairs(srdf, read.links);
   return read;
 }
 

@@ -78,8 +78,7 @@ Scene scene_from_json(std::string_view text, const std::string& path) {
   return scene_of(JsonDocument(text, path));
 }
 
-Scene scene_from_text(std::string_view text, const std::string& path,
-                      const ShapeOptions& options) {
+Scene scene_from_text(std::string_view text, const std::string& path, const ShapeOptions& options) {
   const std::string ending = extension(path);
   if (ending == "urdf" || ending == "xml") return scene_from_urdf(text, path, options);
   if (!options.hold.empty()) {

@@ -22,7 +22,8 @@ struct ShapeOptions {
   /// Poses in the world of the frames that a scene of MoveIt may name, such as the arm's base link.
   /// The frame "world" and the planning frame, "", are the world.
   std::map<std::string, Pose> frames = {};
-  /// Path of an SRDF file, whose exempted pairs of links may touch; empty: none. Of arms only.
+  /// Path of an SRDF file, whose exempted pairs of links may touch, and whose named states give
+  /// the values of joints that `hold` does not; empty: none. Of arms only.
   std::string srdf = {};
 };
 
@@ -81,6 +82,8 @@ struct ArmShapes {
   /// The joints beside the chain that carry shapes, with the values at which they are held, rad or
   /// m. Floating and planar joints are at 0.
   std::map<std::string, double> held = {};
+  /// The named state of the SRDF file from which a joint of `held` has its value, by joint.
+  std::map<std::string, std::string> held_by_state = {};
   /// The pairs of these bodies that the SRDF file exempts: they may touch.
   std::vector<NamedPair> allowed_pairs = {};
   /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
@@ -102,8 +105,9 @@ struct ArmShapes {
 /// The shapes of a URDF file are the `<collision>` elements of all its links: boxes, cylinders,
 /// spheres, capsules and meshes. A link beside the chain is carried by the link of the chain to
 /// which it is connected. Joints in between are held at the values of `options.hold` (rad or m) or,
-/// without one, at 0 or the limit next to 0; mimic joints follow. Bodies are at a joint of the arm
-/// only if it connects them.
+/// without one, of the first named state of `options.srdf` that has a value for the joint within
+/// its limits, or else at 0 or the limit next to 0; mimic joints follow. Bodies are at a joint of
+/// the arm only if it connects them.
 ///
 /// A mesh, an STL (binary or ASCII) or OBJ file, is taken as its convex hull, Shape::hull_of, which
 /// contains it; `scale` is honoured. If the hull has many vertices, some are dropped, and the body

@@ -243,6 +243,37 @@ TEST(ArmShapes, AreASectionOfArmFiles) {
   EXPECT_REFUSED(read_arm_shapes("panda", {}, {.hold = {{"finger", 0}}}), "URDF");
 }
 
+/// The leader of the fingers is held at the value of a state; --hold and limits come first.
+TEST(ArmShapes, HoldJointsAtTheFirstNamedStateWithinTheLimits) {
+  const testing::TemporaryFolder folder;
+  const std::string robot =
+      shaped_chain + shaped_link("left", ball_geometry) + shaped_link("right", ball_geometry) +
+      plain_joint("l", "prismatic", "b", "left", "<limit lower=\"0.01\" upper=\"0.04\"/>") +
+      plain_joint("r", "prismatic", "b", "right",
+                  "<limit lower=\"-1\" upper=\"1\"/><mimic joint=\"l\" multiplier=\"-2\"/>");
+  const auto shapes = [&](const std::string& states,
+                          const std::map<std::string, double>& hold = {}) {
+    const std::string srdf = folder.write("r.srdf", "<robot name=\"r\">" + states + "</robot>");
+    return arm_shapes_from_text("<robot name=\"r\">\n" + robot + "</robot>", "r.urdf", {.tip = "b"},
+                                {.hold = hold, .srdf = srdf});
+  };
+  const auto state = [](const std::string& name, const std::string& joint, const char* value) {
+    return "<group_state name=\"" + name + "\" group=\"g\"><joint name=\"" + joint + "\" value=\"" +
+           value + "\"/></group_state>";
+  };
+  using Values = std::map<std::string, double>;
+  using States = std::map<std::string, std::string>;
+  const std::string states = state("home", "j", "1") + state("beyond", "l", "0.05") +
+                             state("several", "l", "0.03 0.03") + state("open", "l", "0.03") +
+                             state("close", "l", "0.01") + state("other", "r", "0.5");
+  EXPECT_EQ(shapes(states).held, (Values{{"l", 0.03}, {"r", -0.06}}));
+  EXPECT_EQ(shapes(states).held_by_state, (States{{"l", "open"}, {"r", "open"}}));
+  EXPECT_EQ(shapes(states, {{"l", 0.02}}).held, (Values{{"l", 0.02}, {"r", -0.04}}));
+  EXPECT_TRUE(shapes(states, {{"l", 0.02}}).held_by_state.empty());
+  EXPECT_EQ(shapes(state("home", "j", "1")).held, (Values{{"l", 0.01}, {"r", -0.02}}));
+  EXPECT_TRUE(shapes(state("home", "j", "1")).held_by_state.empty());
+}
+
 TEST(ArmShapes, OfAToolAreInItsFrame) {
   const testing::TemporaryFolder folder;
   const Arm arm = with_tool(arm_from_joint_string("RR"), make_pose({0, 0, 0.5}));

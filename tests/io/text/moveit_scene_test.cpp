@@ -112,16 +112,20 @@ TEST(MoveitScene, RefusalsNameTheLine) {
   const auto of = [](const std::string& text) { return refusal([&] { exported(text); }); };
   EXPECT_EQ(of(""), "cell.scene:1: ends before the line \".\" or an object");
   EXPECT_EQ(of("s\nbox\n"), "cell.scene:2: an object begins with *, not with \"box\"");
-  EXPECT_EQ(of("s\n* a\n1\ntorus\n"),
-            "cell.scene:4: unknown shape \"torus\" (known: box, sphere, cylinder, cone, plane, mesh)");
-  EXPECT_EQ(of("s\n* a\n1\nsphere\n-1\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n").substr(0, 13), "cell.scene:7:");
+  EXPECT_EQ(
+      of("s\n* a\n1\ntorus\n"),
+      "cell.scene:4: unknown shape \"torus\" (known: box, sphere, cylinder, cone, plane, mesh)");
+  EXPECT_EQ(of("s\n* a\n1\nsphere\n-1\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n").substr(0, 13),
+            "cell.scene:7:");
   EXPECT_EQ(of("s\n* a\n1\nsphere\nnan\n").substr(0, 13), "cell.scene:5:");
   EXPECT_EQ(of("s\n* a\n1\nsphere\n1\n0 0 0\n0 0 0 2\n").substr(0, 36),
             "cell.scene:7: the orientation of a s");
-  EXPECT_EQ(of("s\n* a\n1000000000\n").substr(0, 47), "cell.scene:3: the number of shapes of \"a\" is 1e");
+  EXPECT_EQ(of("s\n* a\n1000000000\n").substr(0, 47),
+            "cell.scene:3: the number of shapes of \"a\" is 1e");
   EXPECT_EQ(of("s\n* a\n0\n* a\n0\n.\n"), "cell.scene:4: has two objects \"a\"");
   EXPECT_EQ(of("s\n* \n0\n.\n").substr(0, 13), "cell.scene:2:");
-  EXPECT_EQ(of("s\n* a\n1\nmesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 3\n").substr(0, 13), "cell.scene:9:");
+  EXPECT_EQ(of("s\n* a\n1\nmesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 3\n").substr(0, 13),
+            "cell.scene:9:");
 }
 
 }  // namespace

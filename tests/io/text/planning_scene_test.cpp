@@ -76,13 +76,15 @@ TEST(PlanningScene, FramesAreKnownOrRefused) {
   const Eigen::Quaterniond q(fixed.linear());
   const std::string transforms =
       "fixed_frame_transforms:\n  - {header: {frame_id: base}, child_frame_id: camera, transform: "
-      "{translation: [" + exact(fixed.translation().x()) + ", " + exact(fixed.translation().y()) +
-      ", " + exact(fixed.translation().z()) + "], rotation: [" + exact(q.x()) + ", " +
-      exact(q.y()) + ", " + exact(q.z()) + ", " + exact(q.w()) + "]}}\n";
+      "{translation: [" +
+      exact(fixed.translation().x()) + ", " + exact(fixed.translation().y()) + ", " +
+      exact(fixed.translation().z()) + "], rotation: [" + exact(q.x()) + ", " + exact(q.y()) +
+      ", " + exact(q.z()) + ", " + exact(q.w()) + "]}}\n";
   const auto in_frame = [&](const std::string& frame) {
     return with_objects("    - id: ball\n      header: {frame_id: " + frame + R"(}
       primitives: [{type: 2, dimensions: [1]}]
-)", transforms);
+)",
+                        transforms);
   };
   const ShapeOptions options{.frames = {{"base", base}}};
   const auto pose_in = [&](const std::string& frame) {
@@ -109,8 +111,8 @@ TEST(PlanningScene, TheMatrixExemptsPairs) {
 )";
   const Scene scene = message(with_objects(box, matrix));
   // a and c: only one of the two entries; c with others: by its default never.
-  const std::vector<NamedPair> pairs{{"a", "b"}, {"a", "box"}, {"a", "d"}, {"b", "box"},
-                                     {"b", "d"}, {"box", "d"}};
+  const std::vector<NamedPair> pairs{{"a", "b"},   {"a", "box"}, {"a", "d"},
+                                     {"b", "box"}, {"b", "d"},   {"box", "d"}};
   EXPECT_EQ(scene.exempted_pairs, pairs);
   EXPECT_EQ(scene_from_json(scene_to_json(scene), "again.json").exempted_pairs, pairs);
 }

@@ -144,7 +144,8 @@ Scene moveit_scene(std::string_view text, const std::string& path) {
   words.rest_of_line();  // the name of the scene
   Scene scene;
   std::unordered_set<std::string> names;
-  // The pose of an object, which the first version lacks, has blanks; the number of shapes has none.
+  // The pose of an object, which the first version lacks, has blanks; the number of shapes has
+  // none.
   std::optional<bool> has_poses;
   for (std::string_view marker; (marker = words.word("the line \".\" or an object")) != ".";) {
     if (marker != "*") words.refuse("an object begins with *, not with " + in_quotes(marker));

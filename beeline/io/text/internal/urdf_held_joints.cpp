@@ -6,8 +6,13 @@
 namespace beeline::internal {
 
 HeldJoints::HeldJoints(const UrdfFile& file, const std::vector<ChainJoint>& chain,
-                       const std::map<std::string, double>& hold)
-    : file_(file), hold_(hold), on_chain_(file.joints.size()), has_chain_(!chain.empty()) {
+                       const std::map<std::string, double>& hold,
+                       std::span<const Srdf::State> states)
+    : file_(file),
+      hold_(hold),
+      states_(states),
+      on_chain_(file.joints.size()),
+      has_chain_(!chain.empty()) {
   for (std::size_t j = 0; j < file.joints.size(); ++j) joints_.emplace(file.joints[j].name, j);
   for (const ChainJoint& place : chain) on_chain_[place.index] = true;
   resolve_leaders();
@@ -76,12 +81,30 @@ Error HeldJoints::unknown_hold(const std::string& name) const {
                                          : unknown_name(joint, name, known).what());
 }
 
+const Srdf::State* HeldJoints::state_for(const UrdfFile::Joint& joint) const {
+  if (hold_.contains(joint.name) || !has_one_dof(joint)) return nullptr;
+  for (const Srdf::State& state : states_) {
+    const auto found = state.joints.find(joint.name);
+    if (found == state.joints.end() || found->second.size() != 1) continue;
+    if (within_position_limits(joint.limits, found->second.front())) return &state;
+  }
+  return nullptr;
+}
+
+std::string HeldJoints::state_of(std::size_t joint) const {
+  if (!has_one_dof(file_.joints[joint])) return "";
+  const Srdf::State* const state = state_for(file_.joints[leaders_[joint]->index]);
+  return state == nullptr ? "" : state->name;
+}
+
 double HeldJoints::value(std::size_t joint) const {
   const Leader& leader = *leaders_[joint];
   const UrdfFile::Joint& leading = file_.joints[leader.index];
   const auto given = hold_.find(leading.name);
   const Limits& limits = leading.limits;
+  const Srdf::State* const state = state_for(leading);
   const double value = given != hold_.end()           ? given->second
+                       : state != nullptr             ? state->joints.at(leading.name).front()
                        : limits.lower <= limits.upper ? std::clamp(0.0, limits.lower, limits.upper)
                                                       : 0.0;
   return leader.multiplier * value + leader.offset;

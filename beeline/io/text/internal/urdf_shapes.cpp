@@ -30,9 +30,9 @@ struct PlacedLink {
 class LinkPlacement {
  public:
   LinkPlacement(const UrdfFile& file, const std::vector<ChainJoint>& chain,
-                const std::map<std::string, double>& hold)
+                const std::map<std::string, double>& hold, const std::vector<Srdf::State>& states)
       : file_(file),
-        joints_(file, chain, hold),
+        joints_(file, chain, hold, states),
         on_chain_(file.joints.size()),
         placed_(file.links.size()) {
     for (std::size_t i = 0; i < file.links.size(); ++i) links_.emplace(file.links[i].name, i);
@@ -45,14 +45,14 @@ class LinkPlacement {
   std::map<std::string, Pose> base_links() const {
     std::map<std::string, Pose> found;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if (placed_[i] && placed_[i]->frame == 0) found.emplace(file_.links[i].name, placed_[i]->pose);
+      if (placed_[i] && placed_[i]->frame == 0)
+        found.emplace(file_.links[i].name, placed_[i]->pose);
     }
     return found;
   }
 
-  /// The body of a link with its shapes; the joints that hold it are added to `held`.
-  LinkShapes body_of(std::size_t link, std::vector<Shape> shapes,
-                     std::map<std::string, double>& held) {
+  /// The body of a link with its shapes; the joints that hold it are added to `read`.
+  LinkShapes body_of(std::size_t link, std::vector<Shape> shapes, ArmShapes& read) {
     const UrdfFile::Link& of_file = file_.links[link];
     if (!placed_[link]) {
       throw FileError(
@@ -61,7 +61,10 @@ class LinkPlacement {
     }
     for (std::size_t at = link; placed_[at]->joint != none; at = placed_[at]->before) {
       if (!needed_.insert(placed_[at]->joint).second) break;
-      joints_.add_held(placed_[at]->joint, of_file.name, held);
+      const std::size_t joint = placed_[at]->joint;
+      joints_.add_held(joint, of_file.name, read.held);
+      const std::string state = joints_.state_of(joint);
+      if (!state.empty()) read.held_by_state[file_.joints[joint].name] = state;
     }
     const PlacedLink& placed = *placed_[link];
     for (Shape& shape : shapes) shape.pose = placed.pose * shape.pose;
@@ -146,17 +149,17 @@ class LinkPlacement {
 }  // namespace
 
 ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
-                           const ShapeOptions& options) {
+                           const ShapeOptions& options, const std::vector<Srdf::State>& states) {
   arm_from_urdf(text, path, ends);  // refuses what is no arm
   const UrdfFile file = parse_urdf(text, path);
-  LinkPlacement placement(file, cut_chain(file, ends), options.hold);
+  LinkPlacement placement(file, cut_chain(file, ends), options.hold, states);
   auto shapes = collision_shapes(text, path, options.package);
   ArmShapes read{.links_without_shapes = std::move(shapes.only_visual),
                  .base_links = placement.base_links()};
   for (std::size_t i = 0; i < file.links.size(); ++i) {
     const auto found = shapes.of_link.find(file.links[i].name);
     if (found == shapes.of_link.end()) continue;
-    read.links.push_back(placement.body_of(i, std::move(found->second), read.held));
+    read.links.push_back(placement.body_of(i, std::move(found->second), read));
   }
   return read;
 }
