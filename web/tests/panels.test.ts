@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { small } from "../src/panels/motion_report.js";
+import { small } from "../src/elements/units.js";
 import { frames, pages } from "./browser.js";
 
 const { opened, there } = pages();

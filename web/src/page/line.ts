@@ -3,7 +3,7 @@ import { poseOfQuaternion, sevenOf, toolPose } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { branchMap } from "../panels/branch_map.js";
 import { planReport, type LineAnswer } from "../panels/motion_report.js";
-import { reasonInWords, type Wording } from "../panels/reasons.js";
+import { reasonInWords, type Wording } from "../panels/reasons/reasons.js";
 import { WaypointsPanel } from "../panels/waypoints.js";
 import type { Mark, Trail } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";

@@ -311,7 +311,14 @@ export class Page {
     const picture: Picture = make ? new make(parts) : new PlanarPicture(parts);
     this.shown = { arm, description, picture };
     this.chooser.show(description.name);
-    for (const taker of [this.overlays, this.holding, this.toolbar, this.armPanel, ...this.sections.values(), this.files])
+    for (const taker of [
+      this.overlays,
+      this.holding,
+      this.toolbar,
+      this.armPanel,
+      ...this.sections.values(),
+      this.files,
+    ])
       taker.take(this.shown);
     this.document.title = `${description.name} – Beeline`;
     const { q, goal, waypoints } = this.store.get();
@@ -333,8 +340,11 @@ export class Page {
   private showSections(): void {
     const { section } = this.store.get();
     if (section === this.showing) return;
-    if (this.showing) this.sections.get(this.showing)?.leave();
-    if (this.showing) this.welcome.hidden = true;
+    if (this.showing) {
+      this.sections.get(this.showing)?.leave();
+      this.welcome.hidden = true;
+      this.document.getElementById("side")?.scrollTo({ top: 0 });
+    }
     this.overlays.clear();
     this.showing = section;
     for (const [name, { root }] of this.sections) root.hidden = name !== section;
@@ -343,7 +353,6 @@ export class Page {
       else link.removeAttribute("aria-current");
     }
     this.armPanel.arrange(section);
-    this.document.getElementById("side")?.scrollTo({ top: 0 });
   }
 
   /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */

@@ -36,6 +36,7 @@ const letter = 7.2; // pixels
 const height = 16;
 const kept = 0.6; // of an overlap: a label does not jump for less
 const nearest = 3; // pixels around an obstacle
+const edge = 6; // pixels within the bounds
 const shortest = 8; // pixels of an arrow that is named
 /** Pixels by which a label is moved away from its point, and what that costs. */
 const farther = [
@@ -107,9 +108,9 @@ function costOf(box: Box, k: number, obstacles: Obstacle[], taken: Box[], bounds
   cost += 0.5 * pointsIn(box, obstacles);
   for (const other of taken) if (overlap(box, other)) cost += 6;
   const inside =
-    box.x >= bounds.x &&
+    box.x >= bounds.x + edge &&
     box.y >= bounds.y &&
-    box.x + box.width <= bounds.x + bounds.width &&
+    box.x + box.width <= bounds.x + bounds.width - edge &&
     box.y + box.height <= bounds.y + bounds.height;
   return inside ? cost : cost + 3;
 }

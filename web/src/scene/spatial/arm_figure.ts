@@ -28,7 +28,8 @@ export const drawOrder = { ground: -3, shadow: -2, ghosts: -1 };
 
 const along = new Vector3(0, 1, 0); // the axis of three's cylinders
 const ghostOpacity = { fill: 0.25, rim: 0.75 };
-const lightness = 0.5; // of the joint's colour in a link that the mouse points at
+/** Of the joint's colour in a link that the mouse points at. */
+export const lightness = 0.5;
 
 /** The sizes of an arm with a reach and a number of joints, m. */
 function sizesOf(reach: number, joints: number): { tube: number; rim: number } {

@@ -1,5 +1,6 @@
-import { Group, LoadingManager, Mesh, Texture, type Material, type Object3D } from "three";
+import { Color, Group, LoadingManager, Mesh, Texture, type Material, type Object3D } from "three";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
+import { jointColour, resolved } from "../colours.js";
 import { baseName, fileAt, visualMeshes, type PathFile } from "../mesh_files.js";
 import { putAt } from "./marks.js";
 import { MeshLook } from "./mesh_look.js";
@@ -25,6 +26,9 @@ export class RobotMeshes extends Group {
   private readonly addresses = new Map<File, string>();
 
   private readonly look: MeshLook;
+  /** All but the outlines. */
+  private readonly surfaces: Mesh[] = [];
+  private lit: number | null = null;
 
   private constructor(links: number, rim: number) {
     super();
@@ -68,8 +72,23 @@ export class RobotMeshes extends Group {
     this.look.paint();
   }
 
+  /** Shows the link that a joint moves in the joint's colour; null: none. Returns whether it looks different now. */
+  light(joint: number | null): boolean {
+    if (joint === this.lit) return false;
+    this.lit = joint;
+    const colour = joint === null ? null : new Color(resolved(jointColour(joint)));
+    for (const mesh of this.surfaces) this.look.light(mesh, this.jointOf(mesh) === joint ? colour : null);
+    return this.surfaces.length > 0;
+  }
+
+  /** The joint that moves a part of a mesh; null for the root's and for other parts. */
+  jointOf(part: Object3D): number | null {
+    const link = this.linkOf(part);
+    return link === null || link === 0 ? null : link - 1;
+  }
+
   /** The link that a part of a mesh belongs to, 0 the root; null for other parts. */
-  linkOf(part: Object3D): number | null {
+  private linkOf(part: Object3D): number | null {
     for (let now: Object3D | null = part; now !== null; now = now.parent) {
       const link = this.frames.indexOf(now as Group);
       if (link >= 0) return link;
@@ -86,6 +105,7 @@ export class RobotMeshes extends Group {
         material.dispose();
       }
     });
+    this.look.dispose();
     for (const address of this.addresses.values()) URL.revokeObjectURL(address);
     return this.removeFromParent();
   }
@@ -113,11 +133,10 @@ export class RobotMeshes extends Group {
       const file = visual.userData["file"] as string | undefined;
       if (file !== undefined) this.meshes.push({ file, link: link.name, frame: visual });
     }
-    const bare: Mesh[] = [];
     this.traverse((part) => {
-      if (part instanceof Mesh) bare.push(part);
+      if (part instanceof Mesh) this.surfaces.push(part);
     });
-    for (const mesh of bare) this.look.dress(mesh);
+    for (const mesh of this.surfaces) this.look.dress(mesh);
     this.paint();
   }
 

@@ -93,11 +93,13 @@ export class SpatialPicture implements Picture {
 
   private held(): ConstructorParameters<typeof SpaceHand>[1] {
     const names = this.parts.description.joints.map(({ name }) => name);
-    const hover = new Hover(this.stage.canvas, this.figure, this.overlay, names, () => this.stage.changed());
+    const meshes = (): RobotMeshes | null => this.meshes;
+    const hover = new Hover(this.stage.canvas, this.figure, meshes, this.overlay, names, () => this.stage.changed());
     const held = (): Marks["waypoints"] => this.marks.waypoints.filter((mark) => mark.held);
     return {
       stage: this.stage,
       figure: this.figure,
+      meshes,
       handleTaken: () => this.handle.taken,
       handlePointed: () => this.handle.pointed,
       canHold: () => this.marks.handle,
