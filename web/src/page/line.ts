@@ -44,6 +44,7 @@ export class LineSection implements PageSection {
     this.player = new MotionPlayer(services, () => void this.retime());
     this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
+      this.intro,
       () => this.toolPose(),
       (waypoints) => store.set({ waypoints }),
       () => this.changed(),
@@ -56,7 +57,6 @@ export class LineSection implements PageSection {
     );
     this.root.append(
       element("h2", {}, "Line"),
-      this.intro,
       this.waypoints.root,
       this.work.root,
       this.report,

@@ -36,6 +36,7 @@ const letter = 7.2; // pixels
 const height = 16;
 const kept = 0.6; // of an overlap: a label does not jump for less
 const nearest = 3; // pixels around an obstacle
+const gap = 5; // pixels between texts of a line
 const edge = 6; // pixels within the bounds
 const shortest = 8; // pixels of an arrow that is named
 /** Pixels by which a label is moved away from its point, and what that costs. */
@@ -106,7 +107,8 @@ function boxOf({ at, text, away, angle }: Label, k: number): Box {
 function costOf(box: Box, k: number, obstacles: Obstacle[], taken: Box[], bounds: Box): number {
   let cost = 0.04 * (k % directions) + (farther[Math.floor(k / directions)]?.cost ?? 0);
   cost += 0.5 * pointsIn(box, obstacles);
-  for (const other of taken) if (overlap(box, other)) cost += 6;
+  const roomy = { ...box, x: box.x - gap, width: box.width + 2 * gap };
+  for (const other of taken) if (overlap(roomy, other)) cost += 6;
   const inside =
     box.x >= bounds.x + edge &&
     box.y >= bounds.y &&

@@ -54,7 +54,7 @@ export class Fields {
   angle(name: string): string {
     const { degrees } = this.wording;
     const value = this.number(name);
-    if (!degrees) return small(value, angles);
+    if (!degrees) return Math.abs(value) < 1e-3 ? small(value, angles) : `${shown(value, 3)} rad`;
     const inDegrees = (value * 180) / Math.PI;
     const digits = Math.abs(inDegrees) < 0.095 && inDegrees !== 0 ? Math.ceil(-Math.log10(Math.abs(inDegrees))) + 1 : 1;
     return `${shown(inDegrees, digits)}°`;

@@ -268,10 +268,7 @@ export class PlanarPicture implements Picture {
   private obstacles(): Obstacle[] {
     const { view, marks } = this;
     const links = linkLines(this.bones).links.map((line) => line.map((point) => view.pixel(point)));
-    const goals = marks.ghosts.flatMap(({ tone }, i) => {
-      const bones = this.ghostBones[i];
-      return tone === "solution" || !bones ? [] : linkLines(bones).links.map((line) => line.map((p) => view.pixel(p)));
-    });
+    const ghosts = this.ghostBones.flatMap((bones) => linkLines(bones).links);
     const ring = ([x, y]: Pixel): Pixel[] =>
       [0, 1, 2, 3, 4, 5].map((k) => [x + 12 * Math.cos(k), y + 12 * Math.sin(k)]);
     const tool = view.pixel(this.bones.tool);
@@ -286,7 +283,7 @@ export class PlanarPicture implements Picture {
     return [
       ...support,
       ...wide(links.flatMap(along), 2 + width / 2),
-      ...goals.flatMap(along),
+      ...ghosts.flatMap((line) => along(line.map((point) => view.pixel(point)))),
       ...trails.flatMap(thinned),
       ...marks.waypoints.flatMap(({ pose }) => [...ring(view.pixel(pose.slice(12, 14))), ...axes(pose, 26)]),
       ...axes(this.poses.at(-1) ?? [], 30 * view.unit),

@@ -39,8 +39,14 @@ export class RobotMeshes extends Group {
   }
 
   /** `links`: the names of the arm's links, the root's first, as the poses of place() are ordered; `rim`: the width of
-   * outlines, m. Reads nothing but these files. */
-  static async read(urdf: string, links: string[], files: PathFile[], rim: number): Promise<RobotMeshes> {
+   * outlines, m; `loaded` is called when its pictures are there. Reads nothing but these files. */
+  static async read(
+    urdf: string,
+    links: string[],
+    files: PathFile[],
+    rim: number,
+    loaded: () => void,
+  ): Promise<RobotMeshes> {
     const made = new RobotMeshes(links.length, rim);
     const bytes = new Map<string, ArrayBuffer>();
     for (const name of visualMeshes(urdf)) {
@@ -49,7 +55,7 @@ export class RobotMeshes extends Group {
       else made.missing.push(baseName(name));
     }
     try {
-      made.build(urdf, links, bytes, files);
+      made.build(made.robot(urdf, bytes, files, loaded), links);
     } catch (error) {
       made.dispose();
       throw error;
@@ -111,8 +117,7 @@ export class RobotMeshes extends Group {
   }
 
   /** Hangs each visual into the frame of the arm's link that it moves with. */
-  private build(urdf: string, links: string[], bytes: Map<string, ArrayBuffer>, files: PathFile[]): void {
-    const robot = this.robot(urdf, bytes, files);
+  private build(robot: URDFRobot, links: string[]): void {
     robot.updateMatrixWorld(true);
     const frames = new Map<Object3D, number>([[robot, 0]]);
     links.forEach((name, i) => {
@@ -141,14 +146,14 @@ export class RobotMeshes extends Group {
   }
 
   /** The robot with all joints at 0. */
-  private robot(urdf: string, bytes: Map<string, ArrayBuffer>, files: PathFile[]): URDFRobot {
+  private robot(urdf: string, bytes: Map<string, ArrayBuffer>, files: PathFile[], loaded: () => void): URDFRobot {
     const document = new DOMParser().parseFromString(urdf, "text/xml");
     // The core moves the arm: what else a joint holds is not needed, and some of it stops the loader.
     for (const part of document.querySelectorAll("mimic, axis, limit, inertial")) part.remove();
     const meshes = document.querySelectorAll("link > visual > geometry > mesh[filename]");
     const names = [...meshes].map((mesh) => mesh.getAttribute("filename") ?? "");
     meshes.forEach((mesh, i) => mesh.setAttribute("filename", String(i)));
-    const manager = new LoadingManager();
+    const manager = new LoadingManager(loaded);
     manager.setURLModifier((address) => (/^(data|blob):/.test(address) ? address : this.addressOf(address, files)));
     const loader = new URDFLoader(manager);
     loader.packages = (name) => name; // textures may be in one

@@ -223,7 +223,7 @@ export class SpatialPicture implements Picture {
   async showMeshes(urdf: string, links: string[], files: PathFile[], moved: () => void): Promise<MeshReport | null> {
     const { RobotMeshes: Meshes } = await import("./robot_meshes.js");
     const turn = ++this.reading; // of several readings the last one's is shown
-    const meshes = await Meshes.read(urdf, links, files, this.figure.rim);
+    const meshes = await Meshes.read(urdf, links, files, this.figure.rim, () => this.stage.changed());
     if (turn !== this.reading) {
       meshes.dispose();
       return null;
