@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { axe, frames, pages, toolAt } from "./browser.js";
+import { axe, chooseArm, frames, pages, toolAt } from "./browser.js";
 
 const { opened, there } = pages();
 const phone = { width: 390, height: 844 };
@@ -98,5 +98,33 @@ test("the motion with which the page opens is not computed before it begins", as
   console.log(`the core is called ${calls} times before the arm moves`);
   expect(calls).toBeGreaterThan(10);
   expect(calls).toBeLessThan(2000); // one row of control takes several
+  await context.close();
+});
+
+test("numbers keep to one line beside their names, and zero has no sign", async () => {
+  const page = await opened("#arm=iiwa14&q=0.68,-0.67,-0.84,1.27,0.72,-1.27,0.02", { width: 1280, height: 800 });
+  for (const { height } of await boxes(page, ".pose > .quiet:nth-of-type(1)")) expect(height).toBeLessThan(24);
+  await page.getByText("Infinitely many solutions").waitFor();
+  const [present] = await boxes(page, ".solutions li button");
+  expect(present?.height).toBeLessThan(40);
+  const rrr = await opened("#arm=rrr&q=0.5,-0.000005,0.6&section=control", phone);
+  await rrr.locator(".drawing .labels text", { hasText: "θ₂ = 0.0°" }).waitFor();
+  const beyond = await rrr
+    .locator(".gains .joint label")
+    .evaluateAll((all) => all.map((label) => label.scrollWidth - label.clientWidth));
+  expect(beyond).toEqual([0, 0, 0]);
+});
+
+test("a picture that cannot be loaded is a sentence; another arm is shown from the top of the panel", async () => {
+  const context = await there().browser.newContext({ viewport: phone });
+  const page = await context.newPage();
+  await page.route("**/spatial_picture-*.js", (route) => route.abort());
+  await page.goto(`${there().address}#arm=rrr&section=line`);
+  await page.waitForSelector("#first", { state: "detached" });
+  await chooseArm(page, "ur5");
+  await page.getByText("The picture of spatial arms cannot be loaded: reload the page.").waitFor();
+  await page.locator("#side").evaluate((side) => side.scrollTo(0, 300));
+  await chooseArm(page, "rp");
+  await expect.poll(() => page.locator("#side").evaluate((side) => side.scrollTop)).toBe(0);
   await context.close();
 });

@@ -68,10 +68,10 @@ test("a report begins with what is proved, and names the limits that are assumed
   await proof.waitFor();
   const report = page.locator(".panel .numbers").first();
   expect(await report.locator("p").first().textContent()).toBe(await proof.textContent());
-  expect(await report.textContent()).toContain("are published for this arm; 57.3 °/s and 229.18 °/s² are assumed.");
+  expect(await report.textContent()).toContain("are published for this arm; 57.3°/s and 229.2°/s² are assumed.");
   const other = await opened("#arm=panda&section=line&waypoints=0.5,0,0.5,0,1,0,0;0.5,0.2,0.5,0,1,0,0");
   await other.getByText("Proved: at every time").waitFor();
-  expect(await other.getByText("57.3 °/s").count()).toBe(0);
+  expect(await other.getByText("57.3°/s").count()).toBe(0);
 });
 
 test.each([

@@ -62,6 +62,7 @@ export class LineSection implements PageSection {
       this.report,
       this.player.root,
       this.branches,
+      this.waypoints.fromFile,
       this.recording.root,
     );
   }

@@ -17,6 +17,7 @@ import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
 import type { Picture, PictureParts } from "../scene/picture.js";
 import { PlanarPicture } from "../scene/planar/planar_picture.js";
+import { spatialPicture } from "../scene/spatial_later.js";
 import { bytesOf, startWorker } from "../share/parts.js";
 import { savedAddress, savedTrajectory } from "../share/save_page.js";
 import { History } from "../state/history.js";
@@ -299,10 +300,10 @@ export class Page {
 
   private async show(arm: Arm, source: ArmSource): Promise<void> {
     const taking = ++this.taking;
-    // Spatial pictures are loaded when the first one is needed.
-    const make = arm.planar ? null : (await import("../scene/spatial/spatial_picture.js")).SpatialPicture;
+    const make = arm.planar ? null : await spatialPicture();
     if (taking !== this.taking) return arm.release();
     this.services.cancel(); // what is computed for the arm before
+    if (this.shown) this.document.getElementById("side")?.scrollTo({ top: 0 });
     this.shown?.picture.dispose();
     this.shown?.arm.release();
     const description = describe(arm);

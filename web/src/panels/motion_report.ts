@@ -99,7 +99,8 @@ function assumptions(
     const value = name === "velocity" || name === "acceleration" ? here?.[name] : undefined;
     const unit = unitOf(type ?? "revolute", degrees);
     const per = name === "acceleration" ? "/s²" : "/s";
-    return value === undefined ? [] : `${shown(value * unit.factor, 2).replace(/\.?0+$/, "")} ${unit.name}${per}`;
+    const space = unit.name === "°" ? "" : " ";
+    return value === undefined ? [] : `${shown(value * unit.factor, 1).replace(/\.0$/, "")}${space}${unit.name}${per}`;
   });
   const names = new Intl.ListFormat("en").format(assumed.map(({ name }) => name));
   return `No limits of ${names} are published for this arm; ${values.join(" and ")} ${values.length > 1 ? "are" : "is"} assumed.`;

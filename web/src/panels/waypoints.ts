@@ -12,6 +12,8 @@ function isSame(a: number[], b: number[]): boolean {
 /** The waypoints of a line: the tool's poses, added by hand, or a file of poses as commands read it. */
 export class WaypointsPanel {
   readonly root = element("div");
+  /** Stands below what is planned. */
+  readonly fromFile = element("details");
   private readonly list = element("ol", { class: "waypoints" });
   private readonly message = element("p", { role: "alert", class: "refusal" });
   private readonly clear = element("button", { type: "button", disabled: true }, "Remove all");
@@ -42,8 +44,8 @@ export class WaypointsPanel {
       if (file) void this.read(file);
       load.value = "";
     });
-    const fromFile = element("details", {}, element("summary", {}, "Waypoints from a file"), load);
-    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, intro, this.list, fromFile);
+    this.fromFile.append(element("summary", {}, "Waypoints from a file"), load);
+    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, intro, this.list);
   }
 
   /** `planar`: the tool moves in x, y and θ only. */

@@ -44,6 +44,7 @@ const farther = [
   { by: 0, cost: 0 },
   { by: 18, cost: 0.3 },
   { by: 44, cost: 0.8 },
+  { by: 72, cost: 1.2 }, // of a pose, whose text says what it is of
 ] as const;
 
 /** Texts that keep clear of the arm and of each other, as in the figures: of the places around its point each takes the
@@ -60,7 +61,8 @@ export class Labels {
     const places = new Map<string, number>();
     this.written = [];
     labels.forEach((label, i) => {
-      const costs = Array.from({ length: farther.length * directions }, (_, k) =>
+      const rings = label.kind === "pose" ? farther.length : farther.length - 1;
+      const costs = Array.from({ length: rings * directions }, (_, k) =>
         costOf(boxOf(label, k), k, obstacles, taken, bounds),
       );
       let best = costs.indexOf(Math.min(...costs));
