@@ -20,7 +20,7 @@ function boxes(page: Page, selector: string): Promise<Rect[]> {
   );
 }
 
-test("on a phone the labels of rp keep clear of the frame, and those of rrr of the goal", async () => {
+test("on a phone the labels of rp keep clear of the frame, and the labels of rrr keep clear of the goal", async () => {
   const page = await opened("#arm=rp", phone);
   await toolAt(page);
   const [plot] = await boxes(page, ".axes .frame");
@@ -96,6 +96,10 @@ test("the motion with which the page opens is not computed before it begins", as
   await page.waitForFunction("window.callsThen !== undefined");
   const calls = Number(await page.evaluate("window.callsThen"));
   console.log(`the core is called ${calls} times before the arm moves`);
+  const loads = await page.evaluate(
+    "performance.getEntriesByType('resource').filter(({ name }) => /core-.*wasm/.test(name)).map((one) => one.initiatorType)",
+  );
+  expect(loads).toEqual(["link"]); // with the script, and once
   expect(calls).toBeGreaterThan(10);
   expect(calls).toBeLessThan(2000); // one row of control takes several
   await context.close();

@@ -60,7 +60,7 @@ export class Fields {
     return `${shown(inDegrees, digits)}°`;
   }
 
-  /** A distance and an angle, such as that of the tool from the line. */
+  /** A distance and an angle: the deviation of the tool from the line. */
   deviation(): string {
     return [
       ...(this.has("distance") ? [small(this.number("distance"), lengths)] : []),

@@ -11,7 +11,7 @@ import type { Stage } from "./stage.js";
 export interface Held {
   stage: Stage;
   figure: ArmFigure;
-  /** Those of the links, if they are shown. */
+  /** The meshes of the links, if they are shown. */
   meshes(): RobotMeshes | null;
   /** Whether the arrows at the tool have been taken, and what the one does that the mouse points at. */
   handleTaken(): boolean;
