@@ -43,6 +43,14 @@ test("on a phone the labels of rp keep clear of the frame, and the labels of rrr
     }
 });
 
+test("in space the tool's coordinates keep clear of the goal", async () => {
+  const page = await opened("#arm=panda&section=control", { width: 1280, height: 800 });
+  await toolAt(page);
+  const [goal] = await boxes(page, ".overlay .waypoint-text");
+  const [pose] = await boxes(page, ".overlay .pose-text");
+  expect(pose && goal && pose.y > goal.y + 40).toBe(true); // the goal's arm is above the tool, behind its name
+});
+
 test("names in the panel have one line, and choices one edge; an arm without bounds has no map", async () => {
   const page = await opened("#arm=panda&section=workspace", { width: 1280, height: 800 });
   const [self] = await boxes(page, ".self-motion label");

@@ -19,6 +19,7 @@ import {
 } from "three";
 import type { Skeleton } from "../../core/types.js";
 import { jointColour, resolved } from "../colours.js";
+import { centreLine } from "../picture.js";
 import { castShadow } from "./floor_shadow.js";
 
 type Kind = Skeleton["joints"][number]["kind"];
@@ -206,9 +207,7 @@ export class ArmFigure extends Group {
   /** Shows the arm at a configuration; `up`: the z axis of its base. */
   place(skeleton: Skeleton, up: number[] = [0, 0, 1]): void {
     const vector = (values: number[]): Vector3 => new Vector3(...values);
-    const line = [skeleton.base, ...skeleton.joints.flatMap((joint) => [joint.enter, joint.leave]), skeleton.tool].map(
-      vector,
-    );
+    const line = centreLine(skeleton).map(vector);
     this.tubes.forEach((tube, i) => {
       stretch(tube, line[i] as Vector3, line[i + 1] as Vector3);
       if (this.covered[i]) tube.visible = false;
