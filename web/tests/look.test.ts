@@ -72,9 +72,9 @@ test("on a wide screen the panel is wider: the buttons of both controllers stand
   expect(joint?.y).toBe(cartesian?.y);
 });
 
-test.each(["light", "dark"] as const)("every section is accessible in %s", async (colorScheme) => {
+test("every section is accessible in dark colours; other tests look at light ones", async () => {
   const page = await opened("#arm=ur5");
-  await page.emulateMedia({ colorScheme });
+  await page.emulateMedia({ colorScheme: "dark" });
   for (const section of ["Pose", "Control", "Line", "Workspace", "Lessons"]) {
     await page.getByRole("link", { name: section, exact: true }).click();
     await frames(page);
