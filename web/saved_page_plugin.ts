@@ -1,8 +1,21 @@
+import { deflateRawSync } from "node:zlib";
 import type { Plugin } from "vite";
 
 const empty = (name: string, more = ""): string => `<script type="text/plain" id="saved-${name}"${more}></script>`;
 
-/** Makes the page one document, saved.html: its code and style inside, and an empty element for each part that is loaded
+/** Runs the page's code, which is deflated, in base64, in an element of the document. The script that does is not left in the
+ * document, whose text a page saved from this one has. */
+const start = `<script type="module">
+const text = atob(document.getElementById("saved-code").textContent);
+const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+const code = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+const script = Object.assign(document.createElement("script"), { type: "module" });
+script.textContent = await new Response(code).text();
+document.body.append(script);
+script.remove();
+</script>`;
+
+/** Makes the page one document, saved.html: its code, deflated, and style inside, and an empty element for each part that is loaded
  * when it runs, with the part's file in `data-file`. Whoever writes a saved page replaces ` data-file="FILE">` by `>` and
  * the file's content, deflated, in base64 (src/share/save_page.ts, the Python module); the elements of the state and of
  * the trajectory hold what the page begins with. `parts`: name -> name of the file without its hash. */
@@ -28,8 +41,9 @@ export function savedPage(parts: Record<string, string>): Plugin {
           .replace(/<script type="module"[^>]*><\/script>/, "")
           .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(style.source)}</style>`)
           .replace("</body>", () => {
-            const script = `<script type="module">${code.code.replaceAll("</script", "<\\/script")}</script>`;
-            return [empty("state"), empty("trajectory"), ...held, script, "</body>"].join("\n");
+            const packed = deflateRawSync(code.code, { level: 9 }).toString("base64");
+            const script = `<script type="text/plain" id="saved-code">${packed}</script>`;
+            return [empty("state"), empty("trajectory"), ...held, script, start, "</body>"].join("\n");
           });
         // The build of the page has written the other files.
         for (const { fileName } of files) delete bundle[fileName];

@@ -2,6 +2,8 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { arms } from "./arms_plugin.js";
 import { lessons } from "./lesson_plugin.js";
+import { opening } from "./opening_plugin.js";
+import { preload } from "./preload_plugin.js";
 import { savedPage } from "./saved_page_plugin.js";
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -14,7 +16,7 @@ const parts = { "core-module": "core", "command-module": "beeline", worker: "com
 /** `vite build` builds the page; `vite build --mode saved`, after it, the document that a saved page is made of. */
 export default defineConfig(({ mode }) => ({
   base: "./",
-  plugins: [lessons(), arms(module), ...(mode === "saved" ? [savedPage(parts)] : [])],
+  plugins: [lessons(), arms(module), opening(module), mode === "saved" ? savedPage(parts) : preload("core", ".wasm")],
   resolve: { alias: { "beeline-module": module } },
   build: {
     outDir: at("../build/web"),

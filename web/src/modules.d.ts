@@ -14,3 +14,8 @@ declare module "virtual:arms" {
   const arms: import("./panels/gallery.js").ListedArm[];
   export default arms;
 }
+declare module "virtual:opening" {
+  /** Joint values, rad, of the motion with which the page opens. */
+  const rows: number[][];
+  export default rows;
+}

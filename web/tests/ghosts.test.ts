@@ -76,3 +76,12 @@ test("solutions that are switched on are seen whole, and with the button Whole a
   await page.locator("#tools").getByRole("button", { name: "Whole arm" }).click();
   await expect.poll(inside).toBe(true);
 });
+
+test("the trails of the controllers are seen through the arm", async () => {
+  const page = await opened("#arm=ur5", { width: 900, height: 600 });
+  await toolAt(page);
+  await compared(page);
+  await page.getByRole("link", { name: "Control", exact: true }).click();
+  await expect.poll(async () => (await compared(page)).others).toBeGreaterThan(1000); // the goal's ghost
+  expect((await compared(page)).covered).toBeGreaterThan(20); // the trails begin behind the wrist
+});

@@ -180,3 +180,28 @@ test("a motion with new times is proved again", async () => {
   await expect.poll(duration).not.toBe(before);
   await report.getByText(/^Proved: at every time the tool is within/).waitFor();
 });
+
+test("a waypoint is added where the tool is, and the button stays under the mouse; twice in one place is none", async () => {
+  const page = await opened("#arm=rrr&q=0.4,0.9,0.6&section=line", { width: 1280, height: 800 });
+  const box = await page.getByRole("button", { name: "Add a waypoint here" }).boundingBox();
+  const add = async (): Promise<void> => {
+    await page.mouse.click((box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2);
+  };
+  const items = page.locator("ol.waypoints li");
+  await add();
+  await expect.poll(() => items.count()).toBe(1);
+  await add();
+  await page.getByText("The tool is at waypoint 1 already. Drag it elsewhere first.").waitFor();
+  expect(await items.count()).toBe(1);
+  for (const [count, value] of [
+    [2, "40"],
+    [3, "60"],
+  ] as const) {
+    await page.locator("#joint-0").fill(value);
+    await page.keyboard.press("Enter");
+    await expect.poll(() => page.getByText("Drag it elsewhere first.").count()).toBe(0);
+    await page.locator("#side").evaluate((side) => side.scrollTo(0, 0));
+    await add();
+    await expect.poll(() => items.count()).toBe(count);
+  }
+});

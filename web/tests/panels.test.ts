@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { small } from "../src/panels/motion_report.js";
+import { small } from "../src/elements/units.js";
 import { frames, pages } from "./browser.js";
 
 const { opened, there } = pages();
@@ -68,10 +68,10 @@ test("a report begins with what is proved, and names the limits that are assumed
   await proof.waitFor();
   const report = page.locator(".panel .numbers").first();
   expect(await report.locator("p").first().textContent()).toBe(await proof.textContent());
-  expect(await report.textContent()).toContain("are published for this arm; 57.3 °/s and 229.18 °/s² are assumed.");
+  expect(await report.textContent()).toContain("are published for this arm; 57.3°/s and 229.2°/s² are assumed.");
   const other = await opened("#arm=panda&section=line&waypoints=0.5,0,0.5,0,1,0,0;0.5,0.2,0.5,0,1,0,0");
   await other.getByText("Proved: at every time").waitFor();
-  expect(await other.getByText("57.3 °/s").count()).toBe(0);
+  expect(await other.getByText("57.3°/s").count()).toBe(0);
 });
 
 test.each([

@@ -78,9 +78,13 @@ test("the tool is moved by keyboard: numbers of its pose, with the command's rea
     ["y", "z", "roll", "pitch", "yaw"].map((name) => panel.getByLabel(name, { exact: true }).inputValue()),
   );
   const native = run(["ik", "ur5", `--pose=5,${z.join(",")}`, "--json"]);
-  const { reason } = JSON.parse(native.stdout) as { reason: string };
-  const digits = /(\.\d{3})\d+/g; // the fields show less than the page asks with
-  expect((await status(page).textContent())?.replace(digits, "$1")).toBe(reason.replace(digits, "$1"));
+  const { code, fields } = JSON.parse(native.stdout) as { code: string; fields: Record<string, number | number[]> };
+  const text = (await status(page).textContent()) ?? "";
+  expect(code).toBe("position_unreachable");
+  const metres = [Number(fields["distance"]), ...(fields["nearest"] as number[])];
+  const said = (text.match(/−?\d+\.\d+/g) ?? []).map((one) => Number(one.replace("−", "-")));
+  expect(said.length).toBe(metres.length);
+  said.forEach((value, i) => expect(value).toBeCloseTo(metres[i] ?? NaN, 2)); // the fields show less than the page asks with
   expect(await jointValues(page)).toEqual(rest);
   await page.keyboard.press("Tab");
   expect(Number(await x.inputValue())).toBe(5); // it waits for the other numbers

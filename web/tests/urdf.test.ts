@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { Euler, Matrix4, Quaternion, Vector3 } from "three";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { axe, chooseArm, ownFiles, pages, shared } from "./browser.js";
+import { axe, chooseArm, frames, ownFiles, pages, shared, toolAt } from "./browser.js";
 import { binaryStl, collada, obj, textStl, urdf } from "./meshes.js";
 import { json, run } from "./native.js";
 
@@ -220,4 +220,50 @@ test.each([
   await page.locator("#joint-0").fill("20");
   await page.locator("#joint-0").press("Enter");
   await page.getByLabel("Inverse kinematics").getByRole("status").getByText("solution").waitFor();
+});
+
+/** Counts the pixels of the rendered picture that are black, which no colour of the page is, and those that differ from the
+ * first picture without black ones that this was asked of. */
+function counted(page: Page): Promise<{ black: number; changed: number }> {
+  return page.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+    const canvas = document.querySelector("#stage canvas");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    const count = { black: 0, changed: 0 };
+    const before = window.kept ?? data;
+    for (let i = 0; i < data.length; i += 4) {
+      count.black += Number(data[i] + data[i + 1] + data[i + 2] === 0);
+      count.changed += Number([0, 1, 2].some((k) => Math.abs(data[i + k] - before[i + k]) > 8));
+    }
+    if (count.black === 0) window.kept ??= data;
+    done(count);
+  })))`);
+}
+
+test("meshes are painted once their pictures are there; a link that they cover takes the colour of its joint under the mouse, and gives it back", async () => {
+  const page = await opened("#unit=rad");
+  await drop(page, everything);
+  await line(page).getByText("5 meshes. Missing: gone.stl.", { exact: true }).waitFor();
+  const tool = await toolAt(page);
+  const box = await page.locator("#stage").boundingBox();
+  const away = { x: (box?.x ?? 0) + 5, y: (box?.y ?? 0) + 5 };
+  await page.mouse.move(away.x, away.y);
+  await expect.poll(async () => (await counted(page)).black).toBe(0);
+  const word = page.locator(".overlay .hint-text");
+  const lit = new Map<string, number>();
+  for (let k = 0; k < 60 && lit.size < 2; ++k) {
+    const angle = (k % 12) * (Math.PI / 6);
+    const radius = 40 + 30 * Math.floor(k / 12);
+    await page.mouse.move(tool.x + radius * Math.cos(angle), tool.y + radius * Math.sin(angle));
+    await frames(page);
+    const name = (await word.textContent()) ?? "";
+    if (/^\w+$/.test(name) && !/^[xyz]$|^tool$/.test(name)) lit.set(name, (await counted(page)).changed);
+  }
+  expect(lit.size).toBe(2);
+  for (const count of lit.values()) expect(count).toBeGreaterThan(200);
+  await page.mouse.move(away.x, away.y);
+  await expect.poll(async () => (await counted(page)).changed).toBe(0);
 });

@@ -10,6 +10,7 @@ export function fading<E extends HTMLElement>(box: E): E {
   box.classList.add("fading");
   box.addEventListener("scroll", show);
   new ResizeObserver(show).observe(box);
-  new MutationObserver(show).observe(box, { childList: true });
+  // With the next picture: measured at once, what is being built would be laid out twice.
+  new MutationObserver(() => requestAnimationFrame(show)).observe(box, { childList: true });
   return box;
 }

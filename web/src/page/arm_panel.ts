@@ -162,7 +162,8 @@ export class ArmPanel {
       const solutions = await found;
       if (asked !== this.asked) return;
       const { degrees } = this.services.store.get();
-      this.solutions.show(solutions, q, this.shown.description.joints, degrees);
+      const wording = { degrees, planar: this.shown.arm.planar };
+      this.solutions.show(solutions, q, this.shown.description.joints, wording);
       this.listed = { pose, degrees };
     } catch (error) {
       if (asked === this.asked && !(error instanceof Cancelled)) this.solutions.refuse((error as Error).message);

@@ -48,7 +48,7 @@ export class Control implements PageSection {
       element("h2", {}, "Control"),
       element(
         "p",
-        {},
+        { class: "quiet" },
         "Two controllers go to the goal, each step in proportion to the error. One measures it in the joints, and the " +
           "tool's path is curved; the other measures it at the tool, and the path is straight. A dot is a step.",
       ),

@@ -5,6 +5,7 @@ import { poseError, posesFile, sevenOf, toolPose, toolPosition } from "../core/p
 import { divergence, settledAfter, stepResponse, type StepResponse } from "../core/step_response.js";
 import { Cancelled, type Gains } from "../core/types.js";
 import { element, shown as text } from "../elements/element.js";
+import { clauseOf, type Reason, type Wording } from "../panels/reasons/reasons.js";
 import type { Trail } from "../scene/picture.js";
 import { Rest } from "./rest.js";
 import type { Services, Shown } from "./section.js";
@@ -14,13 +15,9 @@ export type ControlKind = "joint" | "cartesian";
 const titles: Record<ControlKind, string> = { joint: "Joint space", cartesian: "Cartesian space" };
 
 /** What `beeline move` and `beeline line --method inverse-jacobian` print. */
-interface Outcome {
+interface Outcome extends Reason {
   status: string;
   steps?: number;
-  reason: string;
-  /** The kind of the reason and what it is about; the error in m or rad. */
-  code: string | null;
-  fields: { error?: number; oscillates?: boolean; joint?: string; step?: number };
   overshoot?: number;
 }
 
@@ -120,12 +117,20 @@ export class ControlRuns {
       const early = this.early(kind, this.rowsOf(kind), shown, task);
       try {
         const outcome = await this.outcome(kind, shown, task);
-        if (turn === this.turn) this.say(kind, inWords(kind, early, outcome, this.response));
+        if (turn === this.turn)
+          this.say(kind, inWords(kind, early, outcome, this.response, this.wordingOf(kind, shown)));
       } catch (error) {
         if (turn === this.turn && !(error instanceof Cancelled))
           this.say(kind, `${titles[kind]}: ${(error as Error).message}`);
       }
     }
+  }
+
+  private wordingOf(kind: ControlKind, { arm, description }: Shown): Wording {
+    const wording = { degrees: this.services.store.get().degrees, planar: arm.planar };
+    const [first, ...others] = new Set(description.joints.map(({ type }) => type === "prismatic"));
+    if (kind === "cartesian" || first === undefined || others.length > 0) return wording;
+    return { ...wording, error: first ? "length" : "angle" };
   }
 
   private async outcome(kind: ControlKind, { arm }: Shown, { from, goal, gains }: ControlTask): Promise<Outcome> {
@@ -140,30 +145,18 @@ export class ControlRuns {
   }
 }
 
-function inWords(kind: ControlKind, early: string, outcome: Outcome, response: StepResponse | null): string {
+function inWords(
+  kind: ControlKind,
+  early: string,
+  outcome: Outcome,
+  response: StepResponse | null,
+  wording: Wording,
+): string {
   const { status, steps = 0, overshoot = 0 } = outcome;
   const over = overshoot > 1e-3 ? `, overshoot ${text(100 * overshoot, 1)} %` : "";
   if (status === "reached") return `${early}, ${status} after ${steps} steps${over}.`;
   if (response?.diverged != null && kind === "joint") return `${early}.`; // the chart says why
-  return `${early}${early.endsWith(":") ? " " : "; "}${whyOf(kind, outcome)}.`;
-}
-
-/** Why a controller does not arrive. */
-function whyOf(kind: ControlKind, { status, steps = 0, reason, code, fields }: Outcome): string {
-  const { error = NaN, oscillates = false, joint = "", step = 0 } = fields;
-  const left = `an error of ${text(error, 3)} ${kind === "joint" ? "rad or m" : "m or rad"} is left`;
-  switch (code) {
-    case "step_outside_limits":
-      return `${joint} would leave its limits at step ${step}`;
-    case "stagnates":
-    case "diverges":
-    case "not_converged":
-      return oscillates || code === "diverges"
-        ? `it swings about the goal and does not arrive: ${left}`
-        : `it does not arrive within ${steps} steps: ${left}`;
-    default:
-      return reason === "" ? `${status} after ${steps} steps` : reason;
-  }
+  return `${early}${early.endsWith(":") ? " " : "; "}${clauseOf(outcome, wording) || `${status} after ${steps} steps`}.`;
 }
 
 /** Which joint would leave its limits, and when; null: none does. */

@@ -3,6 +3,7 @@ import { clamped, hasFullTask, nearestTo } from "../core/nearest.js";
 import { poseError, sevenOf, toolPose } from "../core/pose.js";
 import { shown as text } from "../elements/element.js";
 import { unitOf } from "../elements/units.js";
+import { reasonInWords, type Wording } from "../panels/reasons/reasons.js";
 import type { InverseAnswer } from "../panels/solutions.js";
 import type { Hand } from "../scene/picture.js";
 import { Rest } from "./rest.js";
@@ -121,22 +122,26 @@ export class Holding implements Hand {
     if (asked !== this.asked || shown !== this.shown || !shown) return;
     if (found instanceof Error) return refused(found.message);
     if (found.reason === "") return;
-    refused(found.reason);
+    refused(reasonInWords(found, this.wording));
     if (away === null || this.isPressed) shown.picture.say(this.inWords(found, away));
   }
 
-  /** A short sentence beside the tool, where the panel has all digits. */
-  private inWords({ code, fields, reason }: InverseAnswer, away: number | null): string {
-    const { distance = 0, nearest = [] } = fields;
+  private get wording(): Wording {
+    return { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
+  }
+
+  /** A short sentence beside the tool, where the panel has the whole one. */
+  private inWords(found: InverseAnswer, away: number | null): string {
+    const { code, fields } = found;
     const digits = (value: number): string => text(value, 3);
     const isFar = code === "position_unreachable" || code === "beyond_reach";
     if (away !== null) {
-      const why = isFar ? "Out of reach." : `${reason}.`;
+      const why = isFar ? "Out of reach." : reasonInWords(found, this.wording);
       return away < 1e-3 * (this.shown?.picture.size ?? 1) ? why : `${why} The tool stays ${digits(away)} m away.`;
     }
-    const point = nearest.slice(0, this.shown?.arm.planar === true ? 2 : 3).map(digits);
-    if (!isFar || point.length === 0) return `${reason}.`;
-    return `Out of reach by ${digits(distance)} m: the nearest point is (${point.join(", ")}) m.`;
+    const point = ((fields["nearest"] ?? []) as number[]).slice(0, this.wording.planar ? 2 : 3).map(digits);
+    if (!isFar || point.length === 0) return reasonInWords(found, this.wording);
+    return `Out of reach by ${digits(Number(fields["distance"]))} m: the nearest point is (${point.join(", ")}) m.`;
   }
 
   private async reasonFor(pose: number[], q: number[]): Promise<InverseAnswer> {

@@ -3,7 +3,7 @@ import { poseOfQuaternion, sevenOf, toolPose } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { branchMap } from "../panels/branch_map.js";
 import { planReport, type LineAnswer } from "../panels/motion_report.js";
-import { reasonInWords, type Wording } from "../panels/reasons.js";
+import { reasonInWords, type Wording } from "../panels/reasons/reasons.js";
 import { WaypointsPanel } from "../panels/waypoints.js";
 import type { Mark, Trail } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
@@ -44,6 +44,7 @@ export class LineSection implements PageSection {
     this.player = new MotionPlayer(services, () => void this.retime());
     this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
+      this.intro,
       () => this.toolPose(),
       (waypoints) => store.set({ waypoints }),
       () => this.changed(),
@@ -56,12 +57,12 @@ export class LineSection implements PageSection {
     );
     this.root.append(
       element("h2", {}, "Line"),
-      this.intro,
       this.waypoints.root,
       this.work.root,
       this.report,
       this.player.root,
       this.branches,
+      this.waypoints.fromFile,
       this.recording.root,
     );
   }

@@ -17,6 +17,7 @@ import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
 import type { Picture, PictureParts } from "../scene/picture.js";
 import { PlanarPicture } from "../scene/planar/planar_picture.js";
+import { spatialPicture } from "../scene/spatial_later.js";
 import { bytesOf, startWorker } from "../share/parts.js";
 import { savedAddress, savedTrajectory } from "../share/save_page.js";
 import { History } from "../state/history.js";
@@ -299,10 +300,10 @@ export class Page {
 
   private async show(arm: Arm, source: ArmSource): Promise<void> {
     const taking = ++this.taking;
-    // Spatial pictures are loaded when the first one is needed.
-    const make = arm.planar ? null : (await import("../scene/spatial/spatial_picture.js")).SpatialPicture;
+    const make = arm.planar ? null : await spatialPicture();
     if (taking !== this.taking) return arm.release();
     this.services.cancel(); // what is computed for the arm before
+    if (this.shown) this.document.getElementById("side")?.scrollTo({ top: 0 });
     this.shown?.picture.dispose();
     this.shown?.arm.release();
     const description = describe(arm);
@@ -311,7 +312,14 @@ export class Page {
     const picture: Picture = make ? new make(parts) : new PlanarPicture(parts);
     this.shown = { arm, description, picture };
     this.chooser.show(description.name);
-    for (const taker of [this.overlays, this.holding, this.toolbar, this.armPanel, ...this.sections.values(), this.files])
+    for (const taker of [
+      this.overlays,
+      this.holding,
+      this.toolbar,
+      this.armPanel,
+      ...this.sections.values(),
+      this.files,
+    ])
       taker.take(this.shown);
     this.document.title = `${description.name} – Beeline`;
     const { q, goal, waypoints } = this.store.get();
@@ -333,8 +341,11 @@ export class Page {
   private showSections(): void {
     const { section } = this.store.get();
     if (section === this.showing) return;
-    if (this.showing) this.sections.get(this.showing)?.leave();
-    if (this.showing) this.welcome.hidden = true;
+    if (this.showing) {
+      this.sections.get(this.showing)?.leave();
+      this.welcome.hidden = true;
+      this.document.getElementById("side")?.scrollTo({ top: 0 });
+    }
     this.overlays.clear();
     this.showing = section;
     for (const [name, { root }] of this.sections) root.hidden = name !== section;
@@ -343,7 +354,6 @@ export class Page {
       else link.removeAttribute("aria-current");
     }
     this.armPanel.arrange(section);
-    this.document.getElementById("side")?.scrollTo({ top: 0 });
   }
 
   /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */

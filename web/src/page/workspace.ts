@@ -1,3 +1,4 @@
+import type { ArmDescription } from "../core/description.js";
 import {
   cellCount,
   centreAround,
@@ -137,6 +138,7 @@ export class Workspace implements PageSection {
     const redundant = this.shown.arm.dof > (this.shown.arm.planar ? 3 : 6);
     this.form.show(reachCells, reachDirections, this.orientations);
     this.form.describe(null, this.orientations, redundant);
+    if (!this.shown.description.reach?.radius) return this.form.refuse(unbounded(this.shown.description));
     try {
       const grid = await this.services.reach({ ask: "grid", plan: this.plan(this.shown) });
       if (asked === this.asked) this.form.describe(grid, this.orientations, redundant);
@@ -245,4 +247,13 @@ export class Workspace implements PageSection {
     if (found) this.services.store.set({ q: found });
     else this.position.say("No orientation of the map that was tried has a solution at this centre.");
   }
+}
+
+/** Why an arm whose reach has no bounds has no map. */
+function unbounded({ name, joints }: ArmDescription): string {
+  const free = joints.find(
+    ({ type, limits }) => type !== "revolute" && (limits.lower === null || limits.upper === null),
+  );
+  const why = free ? `${free.name} slides without limits, so the` : "The";
+  return `${why} reach of ${name} has no bounds: there is no map of it.`;
 }

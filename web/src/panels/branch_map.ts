@@ -1,5 +1,5 @@
 import { element, shown } from "../elements/element.js";
-import { reasonInWords, type Reason, type Wording } from "./reasons.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons/reasons.js";
 
 /** One way to follow the path, from one solution of inverse kinematics at its first pose. */
 export interface Branch extends Reason {

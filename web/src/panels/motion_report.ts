@@ -1,9 +1,9 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
 import { element, shown, table } from "../elements/element.js";
-import { unitOf } from "../elements/units.js";
+import { angles, lengths, small, unitOf } from "../elements/units.js";
 import type { Branch } from "./branch_map.js";
-import { reasonInWords, type Reason, type Wording } from "./reasons.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons/reasons.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
 export interface LineAnswer extends Reason {
@@ -19,30 +19,6 @@ export interface LineAnswer extends Reason {
   limit_margin?: number | null;
   inverse_condition?: number | null;
   branches?: Branch[];
-}
-
-type Unit = readonly [name: string, size: number];
-const lengths: Unit[] = [
-  ["m", 1],
-  ["mm", 1e-3],
-  ["µm", 1e-6],
-  ["nm", 1e-9],
-];
-const angles: Unit[] = [
-  ["rad", 1],
-  ["mrad", 1e-3],
-  ["µrad", 1e-6],
-  ["nrad", 1e-9],
-];
-
-/** A length, m, or an angle, rad, with about two digits in the unit that suits it; a bound is rounded up. */
-export function small(value: number | null | undefined, units: Unit[], rounding: "nearest" | "up" = "nearest"): string {
-  if (value === null || value === undefined) return "—";
-  const [name, size] = units.find(([, one]) => Math.abs(value) >= 0.9995 * one) ?? (units.at(-1) as Unit);
-  const number = value / size;
-  const digits = Math.abs(number) < 9.95 ? 1 : 0;
-  const tens = 10 ** digits;
-  return `${shown(rounding === "up" ? Math.ceil(number * tens - 1e-9) / tens : number, digits)} ${name}`;
 }
 
 const rounding = 1e-9;
@@ -123,7 +99,8 @@ function assumptions(
     const value = name === "velocity" || name === "acceleration" ? here?.[name] : undefined;
     const unit = unitOf(type ?? "revolute", degrees);
     const per = name === "acceleration" ? "/s²" : "/s";
-    return value === undefined ? [] : `${shown(value * unit.factor, 2).replace(/\.?0+$/, "")} ${unit.name}${per}`;
+    const space = unit.name === "°" ? "" : " ";
+    return value === undefined ? [] : `${shown(value * unit.factor, 1).replace(/\.0$/, "")}${space}${unit.name}${per}`;
   });
   const names = new Intl.ListFormat("en").format(assumed.map(({ name }) => name));
   return `No limits of ${names} are published for this arm; ${values.join(" and ")} ${values.length > 1 ? "are" : "is"} assumed.`;

@@ -70,7 +70,7 @@ export class ReachForm {
   show(cells: number, directions: number, orientations: string): void {
     this.directionsLabel.textContent = orientations === "headings" ? "Headings of the tool" : "Tool directions";
     const texts = directionChoices.map((angle) =>
-      element("option", { value: angle }, angle > 0 ? `${angle}° apart` : "one, as the tool is now"),
+      element("option", { value: angle }, angle > 0 ? `${angle}° apart` : "one, as it is now"),
     );
     this.directions.replaceChildren(...texts);
     this.cells.value = String(cells);

@@ -1,19 +1,16 @@
 import type { JointDescription } from "../core/description.js";
 import { element, shown } from "../elements/element.js";
 import { unitOf } from "../elements/units.js";
+import { reasonInWords, type Reason, type Wording } from "./reasons/reasons.js";
 
 /** What the page uses of what `beeline ik --json` prints. */
-export interface InverseAnswer {
+export interface InverseAnswer extends Reason {
   status: string;
   solutions: number[][];
   singular: boolean;
   complete: boolean;
   /** Dimension of the motions of the joints that keep the tool at rest. */
   self_motion_dimension: number;
-  reason: string;
-  /** The kind of the reason, and its numbers, m. */
-  code: string | null;
-  fields: { distance?: number; nearest?: number[] };
   method: string;
 }
 
@@ -47,10 +44,10 @@ export class SolutionsPanel {
   }
 
   /** `q`: the present joint values, which solve the pose. */
-  show(answer: InverseAnswer, q: number[], joints: JointDescription[], degrees: boolean): void {
-    this.status.textContent = inWords(answer);
+  show(answer: InverseAnswer, q: number[], joints: JointDescription[], wording: Wording): void {
+    this.status.textContent = inWords(answer, wording);
     const rows = answer.solutions.length === 0 ? [] : withPresent(answer.solutions, q);
-    this.items = rows.map((row, index) => ({ q: row, button: this.button(row, index, joints, degrees) }));
+    this.items = rows.map((row, index) => ({ q: row, button: this.button(row, index, joints, wording.degrees) }));
     this.list.replaceChildren(...this.items.map(({ button }) => element("li", {}, button)));
     this.mark(q);
   }
@@ -101,18 +98,14 @@ export class SolutionsPanel {
   }
 }
 
-function inWords({
-  solutions,
-  complete,
-  self_motion_dimension: free,
-  method,
-  singular,
-  reason,
-}: InverseAnswer): string {
+function inWords(answer: InverseAnswer, wording: Wording): string {
+  const { solutions, complete, self_motion_dimension: free, method, singular } = answer;
   const count = solutions.length;
-  const by = method === "numerical" ? "a numerical search" : method;
+  const reason = reasonInWords(answer, wording);
   if (count === 0) return reason;
   const many = count === 1 ? "1 solution" : `${count} solutions`;
-  if (free > 0) return `Infinitely many solutions, a sample of ${count}, by ${by}. ${singular ? reason : ""}`.trim();
-  return `${many}${complete ? ", all that exist" : ""}, by ${by}. ${singular ? reason : ""}`.trim();
+  const all = count === 1 ? ", the only one" : ", all that exist";
+  const found = free > 0 ? `Infinitely many solutions, a sample of ${count}` : `${many}${complete ? all : ""}`;
+  const by = method === "numerical" ? "a numerical search" : method;
+  return `${found}, by ${by}. ${singular ? reason : ""}`.trim();
 }

@@ -3,9 +3,17 @@ import { headingOf, poseOfQuaternion, posesFile } from "../core/pose.js";
 import { iconButton } from "../elements/button.js";
 import { element, shown } from "../elements/element.js";
 
+const same = 1e-9; // m, and of quaternions
+
+function isSame(a: number[], b: number[]): boolean {
+  return a.every((value, i) => Math.abs(value - (b[i] ?? 0)) < same);
+}
+
 /** The waypoints of a line: the tool's poses, added by hand, or a file of poses as commands read it. */
 export class WaypointsPanel {
   readonly root = element("div");
+  /** Stands below what is planned. */
+  readonly fromFile = element("details");
   private readonly list = element("ol", { class: "waypoints" });
   private readonly message = element("p", { role: "alert", class: "refusal" });
   private readonly clear = element("button", { type: "button", disabled: true }, "Remove all");
@@ -14,16 +22,20 @@ export class WaypointsPanel {
   private degrees = true;
   private file: { name: string; text: string } | null = null;
 
-  /** `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
+  /** `intro` stands below the buttons, which do not move when it disappears. `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
   constructor(
+    intro: HTMLElement,
     pose: () => number[] | null,
     private readonly changed: (poses: number[][]) => void,
     private readonly fileChanged: () => void,
   ) {
     const add = iconButton("add", "Add a waypoint here", "The tool's pose becomes the next waypoint", () => {
       const added = pose();
+      const last = this.poses.at(-1);
       this.file = null;
-      if (added) this.changed([...this.poses, added]);
+      if (added && last && isSame(added, last))
+        this.message.textContent = `The tool is at waypoint ${this.poses.length} already. Drag it elsewhere first.`;
+      else if (added) this.changed([...this.poses, added]);
     });
     this.clear.addEventListener("click", () => this.removeAll());
     const load = element("input", { type: "file", accept: ".csv,.json", "aria-label": "Waypoints from a file" });
@@ -32,8 +44,8 @@ export class WaypointsPanel {
       if (file) void this.read(file);
       load.value = "";
     });
-    const fromFile = element("details", {}, element("summary", {}, "Waypoints from a file"), load);
-    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, this.list, fromFile);
+    this.fromFile.append(element("summary", {}, "Waypoints from a file"), load);
+    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, intro, this.list);
   }
 
   /** `planar`: the tool moves in x, y and θ only. */
@@ -42,6 +54,7 @@ export class WaypointsPanel {
   }
 
   show(poses: number[][], degrees: boolean): void {
+    this.message.textContent = ""; // the tool has moved, or the waypoints have changed
     this.poses = poses;
     this.degrees = degrees;
     if (poses.length > 0) this.file = null;

@@ -36,12 +36,15 @@ const letter = 7.2; // pixels
 const height = 16;
 const kept = 0.6; // of an overlap: a label does not jump for less
 const nearest = 3; // pixels around an obstacle
+const gap = 5; // pixels between texts of a line
+const edge = 6; // pixels within the bounds
 const shortest = 8; // pixels of an arrow that is named
 /** Pixels by which a label is moved away from its point, and what that costs. */
 const farther = [
   { by: 0, cost: 0 },
   { by: 18, cost: 0.3 },
   { by: 44, cost: 0.8 },
+  { by: 72, cost: 1.2 }, // of a pose, whose text says what it is of
 ] as const;
 
 /** Texts that keep clear of the arm and of each other, as in the figures: of the places around its point each takes the
@@ -58,7 +61,8 @@ export class Labels {
     const places = new Map<string, number>();
     this.written = [];
     labels.forEach((label, i) => {
-      const costs = Array.from({ length: farther.length * directions }, (_, k) =>
+      const rings = label.kind === "pose" ? farther.length : farther.length - 1;
+      const costs = Array.from({ length: rings * directions }, (_, k) =>
         costOf(boxOf(label, k), k, obstacles, taken, bounds),
       );
       let best = costs.indexOf(Math.min(...costs));
@@ -105,11 +109,12 @@ function boxOf({ at, text, away, angle }: Label, k: number): Box {
 function costOf(box: Box, k: number, obstacles: Obstacle[], taken: Box[], bounds: Box): number {
   let cost = 0.04 * (k % directions) + (farther[Math.floor(k / directions)]?.cost ?? 0);
   cost += 0.5 * pointsIn(box, obstacles);
-  for (const other of taken) if (overlap(box, other)) cost += 6;
+  const roomy = { ...box, x: box.x - gap, width: box.width + 2 * gap };
+  for (const other of taken) if (overlap(roomy, other)) cost += 6;
   const inside =
-    box.x >= bounds.x &&
+    box.x >= bounds.x + edge &&
     box.y >= bounds.y &&
-    box.x + box.width <= bounds.x + bounds.width &&
+    box.x + box.width <= bounds.x + bounds.width - edge &&
     box.y + box.height <= bounds.y + bounds.height;
   return inside ? cost : cost + 3;
 }

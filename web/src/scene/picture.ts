@@ -1,6 +1,7 @@
 import type { Arm } from "../core/arm.js";
 import type { ArmDescription } from "../core/description.js";
 import type { ReachGrid, ReachSurface } from "../core/reach.js";
+import type { Skeleton } from "../core/types.js";
 import type { PathFile } from "./mesh_files.js";
 
 /** The arm at other joint values, pale. */
@@ -12,6 +13,11 @@ export interface Ghost {
 /** Whether solutions are among ghosts. */
 export function hasSolutions(ghosts: Ghost[] = []): boolean {
   return ghosts.some(({ tone }) => tone === "solution");
+}
+
+/** The centre line of an arm from base to tool, m. */
+export function centreLine({ base, joints, tool }: Skeleton): number[][] {
+  return [base, ...joints.flatMap(({ enter, leave }) => [enter, leave]), tool];
 }
 
 /** A path of the tool, m: the tone is its colour. */

@@ -1,5 +1,6 @@
 import { headingOf } from "../../core/pose.js";
 import type { Skeleton } from "../../core/types.js";
+import { shown } from "../../elements/element.js";
 import { children, pathOf, set, svg } from "../../elements/svg.js";
 import { subscript } from "../../elements/units.js";
 import { jointColour } from "../colours.js";
@@ -35,7 +36,7 @@ export class Angles {
       if (joint.kind === "prismatic") {
         for (const part of group.children) set(part as SVGElement, { d: "" });
         const along = Math.atan2(joint.direction[1] ?? 0, joint.direction[0] ?? 1);
-        return label(k, `d${subscript(k + 1)} = ${value.toFixed(2)} m`, at, 10, along - Math.PI / 2);
+        return label(k, `d${subscript(k + 1)} = ${shown(value, 2)} m`, at, 10, along - Math.PI / 2);
       }
       const next = joints[k + 1]?.centre ?? skeleton.tool;
       const link = view.pixel(next);
@@ -47,9 +48,9 @@ export class Angles {
       const begin = end - sense * value;
       const turn = sense * Math.max(-2 * Math.PI, Math.min(2 * Math.PI, value));
       draw(group, at, begin, turn, r, view.unit);
-      const text = degrees ? `${((value * 180) / Math.PI).toFixed(1)}°` : value.toFixed(3);
+      const text = degrees ? `${shown((value * 180) / Math.PI, 1)}°` : shown(value, 3);
       const beside = Math.abs(turn) < narrow ? begin - 0.45 * (Math.sign(turn) || 1) : begin + turn / 2;
-      return label(k, `θ${subscript(k + 1)} = ${text}`.replace("-", "−"), at, r + 4, beside);
+      return label(k, `θ${subscript(k + 1)} = ${text}`, at, r + 4, beside);
     });
   }
 }

@@ -56,7 +56,7 @@ export class PlanarPicture implements Picture {
   private q: number[] = [];
   private poses: Float64Array[] = [];
   private bones: Skeleton;
-  private ghostJoints: number[][] = [];
+  private ghostBones: Skeleton[] = [];
   private turner: Pixel = [0, 0];
   private waiting = false;
   private atHome = true;
@@ -137,12 +137,13 @@ export class PlanarPicture implements Picture {
   mark(change: Partial<Marks>): void {
     const appear = hasSolutions(change.ghosts) && !hasSolutions(this.marks.ghosts);
     this.marks = { ...this.marks, ...change };
-    if (change.ghosts)
-      this.ghostJoints = change.ghosts.flatMap(({ q }) =>
-        this.parts.arm.skeleton(q).joints.map(({ centre }) => centre),
-      );
+    if (change.ghosts) this.ghostBones = change.ghosts.map(({ q }) => this.parts.arm.skeleton(q));
     if (appear && !this.view.shows(extentOf(this.ghostJoints, 0))) this.home();
     this.changed();
+  }
+
+  private get ghostJoints(): number[][] {
+    return this.ghostBones.flatMap(({ joints }) => joints.map(({ centre }) => centre));
   }
 
   say(text: string, tone: "hint" | "refusal" = "refusal"): void {
@@ -267,6 +268,7 @@ export class PlanarPicture implements Picture {
   private obstacles(): Obstacle[] {
     const { view, marks } = this;
     const links = linkLines(this.bones).links.map((line) => line.map((point) => view.pixel(point)));
+    const ghosts = this.ghostBones.flatMap((bones) => linkLines(bones).links);
     const ring = ([x, y]: Pixel): Pixel[] =>
       [0, 1, 2, 3, 4, 5].map((k) => [x + 12 * Math.cos(k), y + 12 * Math.sin(k)]);
     const tool = view.pixel(this.bones.tool);
@@ -281,6 +283,7 @@ export class PlanarPicture implements Picture {
     return [
       ...support,
       ...wide(links.flatMap(along), 2 + width / 2),
+      ...ghosts.flatMap((line) => along(line.map((point) => view.pixel(point)))),
       ...trails.flatMap(thinned),
       ...marks.waypoints.flatMap(({ pose }) => [...ring(view.pixel(pose.slice(12, 14))), ...axes(pose, 26)]),
       ...axes(this.poses.at(-1) ?? [], 30 * view.unit),

@@ -19,6 +19,7 @@ import {
 } from "three";
 import type { Skeleton } from "../../core/types.js";
 import { jointColour, resolved } from "../colours.js";
+import { centreLine } from "../picture.js";
 import { castShadow } from "./floor_shadow.js";
 
 type Kind = Skeleton["joints"][number]["kind"];
@@ -28,7 +29,8 @@ export const drawOrder = { ground: -3, shadow: -2, ghosts: -1 };
 
 const along = new Vector3(0, 1, 0); // the axis of three's cylinders
 const ghostOpacity = { fill: 0.25, rim: 0.75 };
-const lightness = 0.5; // of the joint's colour in a link that the mouse points at
+/** Of the joint's colour in a link that the mouse points at. */
+export const lightness = 0.5;
 
 /** The sizes of an arm with a reach and a number of joints, m. */
 function sizesOf(reach: number, joints: number): { tube: number; rim: number } {
@@ -205,9 +207,7 @@ export class ArmFigure extends Group {
   /** Shows the arm at a configuration; `up`: the z axis of its base. */
   place(skeleton: Skeleton, up: number[] = [0, 0, 1]): void {
     const vector = (values: number[]): Vector3 => new Vector3(...values);
-    const line = [skeleton.base, ...skeleton.joints.flatMap((joint) => [joint.enter, joint.leave]), skeleton.tool].map(
-      vector,
-    );
+    const line = centreLine(skeleton).map(vector);
     this.tubes.forEach((tube, i) => {
       stretch(tube, line[i] as Vector3, line[i + 1] as Vector3);
       if (this.covered[i]) tube.visible = false;

@@ -1,6 +1,7 @@
 import type { Pixel } from "../labels.js";
 import type { ArmFigure } from "./arm_figure.js";
 import type { Overlay } from "./overlay.js";
+import type { RobotMeshes } from "./robot_meshes.js";
 
 /** What the mouse points at, and could take hold of: an arrow or ring of the handle, the tool, a waypoint, a link. */
 export type Pointed =
@@ -15,6 +16,7 @@ export class Hover {
   constructor(
     private readonly canvas: HTMLElement,
     private readonly figure: ArmFigure,
+    private readonly meshes: () => RobotMeshes | null,
     private readonly overlay: Overlay,
     private readonly names: string[],
     private readonly changed: () => void,
@@ -24,7 +26,9 @@ export class Hover {
     if (pointed) this.canvas.dataset["hold"] = pointed.what;
     else delete this.canvas.dataset["hold"];
     this.overlay.point(this.wordOf(pointed), mouse, pointed && "at" in pointed ? pointed.at : null);
-    if (this.figure.light(pointed?.what === "link" ? pointed.joint : null)) this.changed();
+    const joint = pointed?.what === "link" ? pointed.joint : null;
+    const isNew = [this.figure, this.meshes()].map((one) => one?.light(joint) === true);
+    if (isNew.includes(true)) this.changed();
   }
 
   private wordOf(pointed: Pointed | null): string {

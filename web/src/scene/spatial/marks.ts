@@ -3,6 +3,7 @@ import {
   BufferGeometry,
   CanvasTexture,
   Color,
+  GreaterDepth,
   Group,
   Line,
   LineBasicMaterial,
@@ -85,6 +86,16 @@ function disc(): CanvasTexture {
   return new CanvasTexture(canvas);
 }
 
+/** The same material for what is behind the arm, through which it is seen faintly. */
+function veiled<M extends Material>(material: M): M {
+  const behind = material.clone() as M;
+  behind.depthFunc = GreaterDepth;
+  behind.depthWrite = false;
+  behind.transparent = true; // drawn after the arm
+  behind.opacity = 0.55;
+  return behind;
+}
+
 /** A path of the tool with a dot at each step: dots close together are slow. Removed from the scene, it frees its
  * memory on the graphics card; added again, it takes it again. */
 export function trail({ points, tone, dots, every = 1 }: Trail, size: number): Group {
@@ -98,14 +109,15 @@ export function trail({ points, tone, dots, every = 1 }: Trail, size: number): G
       ? new LineDashedMaterial({ color, dashSize: dash, gapSize: dash })
       : new LineBasicMaterial({ color });
   const steps = new PointsMaterial({ color, size: 6, sizeAttenuation: false, map: disc(), alphaTest: 0.5 });
+  const [veiledLine, veiledSteps] = [veiled(line), veiled(steps)];
   const group = new Group();
   const path = new Line(geometry, line);
   if (tone === "preview") path.computeLineDistances();
-  group.add(path);
-  if (dots) group.add(new Points(stepped, steps));
+  group.add(path, new Line(geometry, veiledLine));
+  if (dots) group.add(new Points(stepped, steps), new Points(stepped, veiledSteps));
   group.addEventListener("removed", () => {
     steps.map?.dispose();
-    for (const part of [geometry, stepped, line, steps]) part.dispose();
+    for (const part of [geometry, stepped, line, steps, veiledLine, veiledSteps]) part.dispose();
   });
   return group;
 }

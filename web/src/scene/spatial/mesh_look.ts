@@ -10,6 +10,7 @@ import {
 } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { resolved } from "../colours.js";
+import { lightness } from "./arm_figure.js";
 import { castShadow } from "./floor_shadow.js";
 
 const mostMerged = 150_000; // corners: a larger mesh is outlined as it is
@@ -17,6 +18,9 @@ const mostMerged = 150_000; // corners: a larger mesh is outlined as it is
 /** The look of the drawn arms for meshes of files: matt, darker than a white ground, outlined, with a shadow. */
 export class MeshLook {
   private readonly matt = new Map<Material, { material: MeshLambertMaterial; colour: Color }>();
+  /** Of the link that the mouse points at: for each material a mix with the colour of the joint. */
+  private readonly glow = new Map<Material, MeshLambertMaterial>();
+  private readonly plain = new Map<Mesh, Mesh["material"]>();
   private readonly ink = new MeshBasicMaterial({ side: BackSide });
 
   /** `rim`: how wide outlines are, m. */
@@ -38,6 +42,26 @@ export class MeshLook {
     mesh.material = Array.isArray(material) ? material.map((one) => this.mattOf(one)) : this.mattOf(material);
     castShadow(mesh);
     mesh.add(new Mesh(outlineOf(mesh.geometry), this.ink));
+  }
+
+  /** Mixes a mesh that was dressed with a colour; null: none. */
+  light(mesh: Mesh, colour: Color | null): void {
+    const plain = this.plain.get(mesh) ?? (mesh.material as MeshLambertMaterial);
+    this.plain.set(mesh, plain);
+    if (colour === null) mesh.material = plain;
+    else
+      mesh.material = Array.isArray(plain) ? plain.map((one) => this.glowOf(one, colour)) : this.glowOf(plain, colour);
+  }
+
+  dispose(): void {
+    for (const material of this.glow.values()) material.dispose();
+  }
+
+  private glowOf(plain: Material, colour: Color): MeshLambertMaterial {
+    const glow = this.glow.get(plain) ?? (plain as MeshLambertMaterial).clone();
+    this.glow.set(plain, glow);
+    glow.color.copy((plain as MeshLambertMaterial).color).lerp(colour, lightness);
+    return glow;
   }
 
   /** Takes the colours of the page, light or dark. */

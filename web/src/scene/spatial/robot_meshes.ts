@@ -1,5 +1,6 @@
-import { Group, LoadingManager, Mesh, Texture, type Material, type Object3D } from "three";
+import { Color, Group, LoadingManager, Mesh, Texture, type Material, type Object3D } from "three";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
+import { jointColour, resolved } from "../colours.js";
 import { baseName, fileAt, visualMeshes, type PathFile } from "../mesh_files.js";
 import { putAt } from "./marks.js";
 import { MeshLook } from "./mesh_look.js";
@@ -25,6 +26,9 @@ export class RobotMeshes extends Group {
   private readonly addresses = new Map<File, string>();
 
   private readonly look: MeshLook;
+  /** All but the outlines. */
+  private readonly surfaces: Mesh[] = [];
+  private lit: number | null = null;
 
   private constructor(links: number, rim: number) {
     super();
@@ -35,8 +39,14 @@ export class RobotMeshes extends Group {
   }
 
   /** `links`: the names of the arm's links, the root's first, as the poses of place() are ordered; `rim`: the width of
-   * outlines, m. Reads nothing but these files. */
-  static async read(urdf: string, links: string[], files: PathFile[], rim: number): Promise<RobotMeshes> {
+   * outlines, m; `loaded` is called when its pictures are there. Reads nothing but these files. */
+  static async read(
+    urdf: string,
+    links: string[],
+    files: PathFile[],
+    rim: number,
+    loaded: () => void,
+  ): Promise<RobotMeshes> {
     const made = new RobotMeshes(links.length, rim);
     const bytes = new Map<string, ArrayBuffer>();
     for (const name of visualMeshes(urdf)) {
@@ -45,7 +55,7 @@ export class RobotMeshes extends Group {
       else made.missing.push(baseName(name));
     }
     try {
-      made.build(urdf, links, bytes, files);
+      made.build(made.robot(urdf, bytes, files, loaded), links);
     } catch (error) {
       made.dispose();
       throw error;
@@ -68,8 +78,23 @@ export class RobotMeshes extends Group {
     this.look.paint();
   }
 
+  /** Shows the link that a joint moves in the joint's colour; null: none. Returns whether it looks different now. */
+  light(joint: number | null): boolean {
+    if (joint === this.lit) return false;
+    this.lit = joint;
+    const colour = joint === null ? null : new Color(resolved(jointColour(joint)));
+    for (const mesh of this.surfaces) this.look.light(mesh, this.jointOf(mesh) === joint ? colour : null);
+    return this.surfaces.length > 0;
+  }
+
+  /** The joint that moves a part of a mesh; null for the root's and for other parts. */
+  jointOf(part: Object3D): number | null {
+    const link = this.linkOf(part);
+    return link === null || link === 0 ? null : link - 1;
+  }
+
   /** The link that a part of a mesh belongs to, 0 the root; null for other parts. */
-  linkOf(part: Object3D): number | null {
+  private linkOf(part: Object3D): number | null {
     for (let now: Object3D | null = part; now !== null; now = now.parent) {
       const link = this.frames.indexOf(now as Group);
       if (link >= 0) return link;
@@ -86,13 +111,13 @@ export class RobotMeshes extends Group {
         material.dispose();
       }
     });
+    this.look.dispose();
     for (const address of this.addresses.values()) URL.revokeObjectURL(address);
     return this.removeFromParent();
   }
 
   /** Hangs each visual into the frame of the arm's link that it moves with. */
-  private build(urdf: string, links: string[], bytes: Map<string, ArrayBuffer>, files: PathFile[]): void {
-    const robot = this.robot(urdf, bytes, files);
+  private build(robot: URDFRobot, links: string[]): void {
     robot.updateMatrixWorld(true);
     const frames = new Map<Object3D, number>([[robot, 0]]);
     links.forEach((name, i) => {
@@ -113,23 +138,22 @@ export class RobotMeshes extends Group {
       const file = visual.userData["file"] as string | undefined;
       if (file !== undefined) this.meshes.push({ file, link: link.name, frame: visual });
     }
-    const bare: Mesh[] = [];
     this.traverse((part) => {
-      if (part instanceof Mesh) bare.push(part);
+      if (part instanceof Mesh) this.surfaces.push(part);
     });
-    for (const mesh of bare) this.look.dress(mesh);
+    for (const mesh of this.surfaces) this.look.dress(mesh);
     this.paint();
   }
 
   /** The robot with all joints at 0. */
-  private robot(urdf: string, bytes: Map<string, ArrayBuffer>, files: PathFile[]): URDFRobot {
+  private robot(urdf: string, bytes: Map<string, ArrayBuffer>, files: PathFile[], loaded: () => void): URDFRobot {
     const document = new DOMParser().parseFromString(urdf, "text/xml");
     // The core moves the arm: what else a joint holds is not needed, and some of it stops the loader.
     for (const part of document.querySelectorAll("mimic, axis, limit, inertial")) part.remove();
     const meshes = document.querySelectorAll("link > visual > geometry > mesh[filename]");
     const names = [...meshes].map((mesh) => mesh.getAttribute("filename") ?? "");
     meshes.forEach((mesh, i) => mesh.setAttribute("filename", String(i)));
-    const manager = new LoadingManager();
+    const manager = new LoadingManager(loaded);
     manager.setURLModifier((address) => (/^(data|blob):/.test(address) ? address : this.addressOf(address, files)));
     const loader = new URDFLoader(manager);
     loader.packages = (name) => name; // textures may be in one

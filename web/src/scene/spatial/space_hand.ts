@@ -4,12 +4,15 @@ import type { Hand } from "../picture.js";
 import type { Pixel } from "../labels.js";
 import type { ArmFigure } from "./arm_figure.js";
 import type { Pointed } from "./hover.js";
+import type { RobotMeshes } from "./robot_meshes.js";
 import type { Stage } from "./stage.js";
 
 /** What the hand needs of the picture. */
 export interface Held {
   stage: Stage;
   figure: ArmFigure;
+  /** The meshes of the links, if they are shown. */
+  meshes(): RobotMeshes | null;
   /** Whether the arrows at the tool have been taken, and what the one does that the mouse points at. */
   handleTaken(): boolean;
   handlePointed(): string;
@@ -158,8 +161,10 @@ export class SpaceHand {
 
   /** The nearest link below the mouse, by its joint. */
   private hit(event: PointerEvent): { joint: number; point: Vector3 } | null {
-    for (const { object, point } of this.ray(event).intersectObject(this.held.figure, true)) {
-      const joint = this.held.figure.jointOf(object);
+    const { figure } = this.held;
+    const meshes = this.held.meshes();
+    for (const { object, point } of this.ray(event).intersectObjects(meshes ? [figure, meshes] : [figure], true)) {
+      const joint = meshes?.jointOf(object) ?? figure.jointOf(object);
       if (joint !== null) return { joint, point };
     }
     return null;

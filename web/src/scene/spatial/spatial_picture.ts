@@ -6,6 +6,7 @@ import { onTheme } from "../colours.js";
 import { along, columnLabels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
 import type { PathFile } from "../mesh_files.js";
 import {
+  centreLine,
   hasSolutions,
   noMarks,
   shortening,
@@ -93,11 +94,13 @@ export class SpatialPicture implements Picture {
 
   private held(): ConstructorParameters<typeof SpaceHand>[1] {
     const names = this.parts.description.joints.map(({ name }) => name);
-    const hover = new Hover(this.stage.canvas, this.figure, this.overlay, names, () => this.stage.changed());
+    const meshes = (): RobotMeshes | null => this.meshes;
+    const hover = new Hover(this.stage.canvas, this.figure, meshes, this.overlay, names, () => this.stage.changed());
     const held = (): Marks["waypoints"] => this.marks.waypoints.filter((mark) => mark.held);
     return {
       stage: this.stage,
       figure: this.figure,
+      meshes,
       handleTaken: () => this.handle.taken,
       handlePointed: () => this.handle.pointed,
       canHold: () => this.marks.handle,
@@ -221,7 +224,7 @@ export class SpatialPicture implements Picture {
   async showMeshes(urdf: string, links: string[], files: PathFile[], moved: () => void): Promise<MeshReport | null> {
     const { RobotMeshes: Meshes } = await import("./robot_meshes.js");
     const turn = ++this.reading; // of several readings the last one's is shown
-    const meshes = await Meshes.read(urdf, links, files, this.figure.rim);
+    const meshes = await Meshes.read(urdf, links, files, this.figure.rim, () => this.stage.changed());
     if (turn !== this.reading) {
       meshes.dispose();
       return null;
@@ -336,11 +339,9 @@ export class SpatialPicture implements Picture {
 
   /** What texts should not cover: the arm, its handle, and what is drawn beside it. */
   private obstacles(): Obstacle[] {
-    const { base, joints, tool } = this.bones;
-    const line = [base, ...joints.flatMap(({ enter, leave }) => [enter, leave]), tool].map((point) =>
-      this.pixel(point),
-    );
-    const [x, y] = this.pixel(tool);
+    const line = (bones: Skeleton): Pixel[] => along(centreLine(bones).map((point) => this.pixel(point)));
+    const goals = this.marks.ghosts.filter(({ tone }) => tone !== "solution");
+    const [x, y] = this.pixel(this.bones.tool);
     const ring = [0, 1, 2, 3, 4, 5].map((k): Pixel => [x + 13 * Math.cos(k), y + 13 * Math.sin(k)]);
     const axes = (pose: ArrayLike<number>, length: number): Pixel[] =>
       [0, 4, 8].flatMap((k) =>
@@ -351,7 +352,8 @@ export class SpatialPicture implements Picture {
       );
     const thick = 1.65 * this.figure.radius * this.stage.pixelsPerMetre; // of the symbols of the joints
     return [
-      ...wide(along(line), thick),
+      ...wide(line(this.bones), thick),
+      ...goals.flatMap(({ q }) => line(this.parts.arm.skeleton(q))),
       ...ring,
       ...this.handle.points().map((point) => this.stage.pixel(point)),
       ...axes(this.poses.at(-1) ?? [], frameLength.tool * this.size),
