@@ -76,15 +76,15 @@ bool is_urdf(const std::string& path) {
 /// keeps the names that no scene has.
 void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
   std::map<std::string, double> remaining = options.hold;
-  for (auto& [path, scene] : files) {
-    if (!is_urdf(path)) continue;
+  for (SceneFile& file : files) {
+    if (!is_urdf(file.path)) continue;
     ShapeOptions of_file{.package = options.package};
-    scene = read_scene(path, of_file);
+    file.scene = read_scene(file.path, of_file);
     for (const auto& [joint, value] : options.hold) {
-      if (scene.held.contains(joint)) of_file.hold.emplace(joint, value);
+      if (file.scene.held.contains(joint)) of_file.hold.emplace(joint, value);
     }
     if (!of_file.hold.empty()) {
-      scene = for_option("--hold", [&] { return read_scene(path, of_file); });
+      file.scene = for_option("--hold", [&] { return read_scene(file.path, of_file); });
     }
     for (const auto& [joint, value] : of_file.hold) remaining.erase(joint);
   }

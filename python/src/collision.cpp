@@ -273,6 +273,15 @@ std::vector<Vector3> Value<std::vector<Vector3>>::from(nb::handle value, const c
   return points;
 }
 
+nb::object Value<std::map<std::string, std::string>>::to(
+    const std::map<std::string, std::string>& value) {
+  nb::dict texts;
+  for (const auto& [name, text] : value) {
+    texts[Value<std::string>::to(name)] = Value<std::string>::to(text);
+  }
+  return texts;
+}
+
 std::map<std::string, std::string> Value<std::map<std::string, std::string>>::from(
     nb::handle value, const char* name) {
   if (!nb::isinstance<nb::dict>(value)) raise_type(name, "a dict", value);

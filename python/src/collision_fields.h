@@ -63,14 +63,20 @@ struct Value<std::map<std::string, Named>> {
   }
 };
 
-/// Folders by name. Any path is accepted.
+/// Texts by name; as an argument folders, for which any path is accepted.
 template <>
 struct Value<std::map<std::string, std::string>> {
+  static constexpr bool large = true;
   static std::string type() { return "dict[str, str]"; }
   static std::string argument_type() {
     return "collections.abc.Mapping[str, str | os.PathLike[str]]";
   }
+  static nb::object to(const std::map<std::string, std::string>& value);
   static std::map<std::string, std::string> from(nb::handle value, const char* name);
+  static bool same(const std::map<std::string, std::string>& a,
+                   const std::map<std::string, std::string>& b) {
+    return a == b;
+  }
 };
 
 /// It has no members.
