@@ -91,11 +91,18 @@ void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
   options.hold = std::move(remaining);
 }
 
-/// Reads the other scenes. Their frames are the links of the arm's base.
+/// Reads the other scenes. Their frames are the links of the arm's base, which --mount moves, and
+/// MoveIt's planning frame, which it does not: the scene stands in the world.
 void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmShapes& shapes,
                        ShapeOptions options) {
   options.hold.clear();
-  for (const auto& [link, pose] : shapes.base_links) options.frames[link] = arm.base() * pose;
+  const auto root = shapes.base_links.find("");
+  for (const auto& [link, pose] : shapes.base_links) {
+    const bool is_planning_frame =
+        link.empty() || (link == "world" && root != shapes.base_links.end() &&
+                         pose.matrix() == root->second.matrix());
+    options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
+  }
   for (auto& [path, scene] : files) {
     if (!is_urdf(path)) scene = read_scene(path, options);
   }
@@ -117,8 +124,11 @@ Scene joined(std::vector<SceneFile> files, std::vector<std::string>& known) {
   Scene all;
   std::unordered_set<std::string> taken(known.begin(), known.end());
   std::vector<std::pair<std::string, NamedPair>> pairs;  // with their files
+  const std::vector<std::string> links = known;
   for (auto& [path, scene] : files) {
+    std::vector<std::string> bodies = links;  // a matrix concerns the scene of its file
     for (Obstacle& obstacle : scene.obstacles) {
+      bodies.push_back(obstacle.name);
       if (!taken.insert(obstacle.name).second) {
         throw FileError(path, 0,
                         "has an obstacle \"" + obstacle.name +
@@ -128,8 +138,8 @@ Scene joined(std::vector<SceneFile> files, std::vector<std::string>& known) {
       all.obstacles.push_back(std::move(obstacle));
     }
     for (const NamedPair& pair : scene.allowed_pairs) pairs.emplace_back(path, pair);
-    all.exempted_pairs.insert(all.exempted_pairs.end(), scene.exempted_pairs.begin(),
-                              scene.exempted_pairs.end());
+    const std::vector<NamedPair> exempted = pairs_among(std::move(scene.exempted_pairs), bodies);
+    all.exempted_pairs.insert(all.exempted_pairs.end(), exempted.begin(), exempted.end());
   }
   for (const auto& [path, pair] : pairs) {
     for (const std::string& name : pair) {
@@ -335,7 +345,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .allowed_pairs = std::move(allowed),
       .srdf = arm_argument.srdf,
       .srdf_pairs = shapes.allowed_pairs,
-      .exempted_pairs = pairs_among(scene.exempted_pairs, known),
+      .exempted_pairs = scene.exempted_pairs,
       .held = shapes.held,
       .held_by_state = shapes.held_by_state,
       .scenes_held = std::move(scenes_held),

@@ -36,6 +36,7 @@ KEYWORDS = {
     "RecordingOptions::needs_times": ("read_recording", "needs_times"),
     "RecordingOptions::time_unit": ("Trajectory.load", "time_unit"),
     "ReachMapOptions::shard": ("compute_reach_map", "shard"),
+    "ShapeOptions::frames": ("read_scene", "frames"),
     "ShapeOptions::hold": ("read_arm_shapes", "hold"),
     "ShapeOptions::package": ("read_arm_shapes", "package"),
     "ShapeOptions::srdf": ("read_arm_shapes", "srdf"),

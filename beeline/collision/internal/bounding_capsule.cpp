@@ -75,7 +75,7 @@ BoundingCapsule around_balls_of(const ConvexBody& body, const std::vector<Ball>&
 std::vector<Ball> corners_of(const ConvexBody& box) {
   std::vector<Ball> corners;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vector3 signs((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1);
+    const Vector3 signs((corner & 1) * 2 - 1, (corner & 2) - 1, ((corner >> 2) & 1) * 2 - 1);
     corners.push_back({box.origin + box.axes * box.half.cwiseProduct(signs), box.radius});
   }
   return corners;

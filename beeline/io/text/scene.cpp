@@ -84,10 +84,18 @@ Scene scene_from_text(std::string_view text, const std::string& path, const Shap
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
   }
-  if (ending == "scene") return internal::moveit_scene(text, path);
+  if (ending == "scene") {
+    const auto planning = options.frames.find("");
+    if (planning == options.frames.end() && !options.frames.empty()) {
+      throw FileError(path, 0, "is posed in MoveIt's planning frame, whose pose is not known");
+    }
+    return internal::moveit_scene(text, path,
+                                  options.frames.empty() ? Pose::Identity() : planning->second);
+  }
   if (ending == "yaml" || ending == "yml") return internal::planning_scene(text, path, options);
   const JsonDocument document(text, path);
-  const bool is_message = document.find(document.root(), "world") != nullptr;
+  const bool is_message = document.find(document.root(), "world") != nullptr &&
+                          document.find(document.root(), "obstacles") == nullptr;
   return is_message ? internal::planning_scene(text, path, options) : scene_of(document);
 }
 

@@ -20,7 +20,8 @@ struct ShapeOptions {
   /// Folders of packages of ROS, by name, for meshes `package://NAME/...`.
   std::map<std::string, std::string> package = {};
   /// Poses in the world of the frames that a scene of MoveIt may name, such as the arm's base link.
-  /// The frame "world" and the planning frame, "", are the world.
+  /// "" is MoveIt's planning frame, and "world" where no other pose is given for it. Without any
+  /// frame, the planning frame is the world.
   std::map<std::string, Pose> frames = {};
   /// Path of an SRDF file, whose exempted pairs of links may touch, and whose named states give
   /// the values of joints that `hold` does not; empty: none. Of arms only.
@@ -48,20 +49,20 @@ struct ShapeOptions {
 /// with `<visual>` alone are no obstacles: Scene::links_without_shapes.
 ///
 /// A file `.scene` is the text that MoveIt's RViz panel exports, of either version, posed in the
-/// planning frame, which is the world. A file `.yaml` or a JSON file with a `world` is a message
+/// planning frame. A file `.yaml` or a JSON file with a `world` is a message
 /// moveit_msgs/PlanningScene of a whole scene: `world.collision_objects` are obstacles, each in a
 /// frame of `options.frames` or of `fixed_frame_transforms`, and `allowed_collision_matrix` gives
 /// Scene::exempted_pairs. Points and quaternions are maps of x, y, z, w or lists in this order. In
 /// both, a cone is the pyramid of 64 sides around it, a plane is a box without thickness, 1000 km
 /// long, and a mesh, also of `resource` and `dimensions` as Robowflex writes, is its convex hull.
-/// Colours, types, subframes and the robot's state are ignored. Objects without shapes are none.
+/// Colours, types, subframes and the robot's state are ignored.
 ///
 /// Throws FileError for anything else, with the line and the value, such as
 /// `obstacles[2].shapes[0].box.size`; in a URDF file for a link that is not connected to the root,
 /// a joint that cannot be read, and a file without `<collision>`; in a message for an unknown
-/// frame, a change of another scene, attached objects, an octree, and padding of links; Error for a
-/// name in `options.hold` that is not a joint of the file, a value outside its limits, and
-/// `options.srdf`.
+/// frame, a change of another scene, attached objects, an octree, and padding of links, and in both
+/// for an object without shapes; Error for a name in `options.hold` that is not a joint of the
+/// file, a value outside its limits, and `options.srdf`.
 Scene read_scene(const std::string& path, const ShapeOptions& options = {});
 /// The same from the text of a file; the ending of `path` gives its format.
 Scene scene_from_text(std::string_view text, const std::string& path,
@@ -88,8 +89,8 @@ struct ArmShapes {
   std::vector<NamedPair> allowed_pairs = {};
   /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
   std::vector<std::string> links_without_shapes = {};
-  /// The links of a URDF file that no joint of the chain moves, with their poses in link 0, the
-  /// base: what scenes call their frame, see ShapeOptions::frames.
+  /// The links of a URDF file that only fixed joints connect to link 0, the base, with their poses
+  /// in its frame, for ShapeOptions::frames; "" is the root link, MoveIt's planning frame.
   std::map<std::string, Pose> base_links = {};
 };
 

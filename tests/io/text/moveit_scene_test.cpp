@@ -110,6 +110,7 @@ TEST(MoveitScene, ConesPlanesAndMeshesAreContained) {
 
 TEST(MoveitScene, RefusalsNameTheLine) {
   const auto of = [](const std::string& text) { return refusal([&] { exported(text); }); };
+  const std::string ball = "* a\n1\nsphere\n1\n0 0 0\n0 0 0 1\n0 0 0 0\n";
   EXPECT_EQ(of(""), "cell.scene:1: ends before the line \".\" or an object");
   EXPECT_EQ(of("s\nbox\n"), "cell.scene:2: an object begins with *, not with \"box\"");
   EXPECT_EQ(
@@ -122,8 +123,14 @@ TEST(MoveitScene, RefusalsNameTheLine) {
             "cell.scene:7: the orientation of a s");
   EXPECT_EQ(of("s\n* a\n1000000000\n").substr(0, 47),
             "cell.scene:3: the number of shapes of \"a\" is 1e");
-  EXPECT_EQ(of("s\n* a\n0\n* a\n0\n.\n"), "cell.scene:4: has two objects \"a\"");
+  EXPECT_EQ(of("s\n" + ball + ball + ".\n"), "cell.scene:9: has two objects \"a\"");
   EXPECT_EQ(of("s\n* \n0\n.\n").substr(0, 13), "cell.scene:2:");
+  EXPECT_EQ(of("s\n* a\n0\n.\n"), "cell.scene:3: object \"a\" has no shapes");
+  EXPECT_EQ(of("* a\n1\n.\n").substr(0, 35), "cell.scene:1: begins with an object");
+  EXPECT_EQ(of("s\n" + ball + ".\n"), "accepted");
+  EXPECT_EQ(of("s\n" + ball + ".\ns\n").substr(0, 28), "cell.scene:10: has text afte");
+  EXPECT_EQ(of("s\n* a\n1e7 0 0\n0 0 0 1\n1\nsphere\n1\n0 0 0\n0 0 0 1\n").substr(0, 13),
+            "cell.scene:9:");
   EXPECT_EQ(of("s\n* a\n1\nmesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 3\n").substr(0, 13),
             "cell.scene:9:");
 }

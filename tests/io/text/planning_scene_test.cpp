@@ -86,13 +86,20 @@ TEST(PlanningScene, FramesAreKnownOrRefused) {
 )",
                         transforms);
   };
-  const ShapeOptions options{.frames = {{"base", base}}};
+  const ShapeOptions options{.frames = {{"", Pose::Identity()}, {"base", base}}};
   const auto pose_in = [&](const std::string& frame) {
     return message(in_frame(frame), options).obstacles.at(0).shapes.at(0).pose;
   };
   EXPECT_EQ(pose_in("/base").matrix(), base.matrix());
   EXPECT_TRUE(pose_in("camera").isApprox(base * fixed, 1e-14));
   EXPECT_TRUE(pose_in("world").isApprox(Pose::Identity()));
+  const auto moved = [&](const std::string& child) {
+    return message(with_objects(box, "fixed_frame_transforms: [{child_frame_id: " + child +
+                                         ", transform: {translation: [0, 0, 5]}}]\n"),
+                   {.frames = {{"", Pose::Identity()}, {"base", base}}});
+  };
+  EXPECT_REFUSED(moved("base"), "is \"base\", whose pose is known, and another one");
+  EXPECT_REFUSED(moved("world"), "is \"world\", whose pose is known, and another one");
   EXPECT_EQ(refusal([&] { message(in_frame("hand"), options); }),
             "cell.yaml:6: world.collision_objects[0] is in the frame \"hand\", whose pose in the "
             "world is not known; known frames: base, camera, world, and others by "
@@ -141,6 +148,21 @@ TEST(PlanningScene, RefusalsNameTheValue) {
   EXPECT_EQ(of(with_objects("    - {id: a, operation: 1}\n")),
             "cell.yaml:4: world.collision_objects[0].operation is \"1\"; objects of a whole scene "
             "are added (0)");
+  // What is misspelt is not lost.
+  EXPECT_EQ(of("world: {collision_object: []}\n").substr(0, 30), "cell.yaml:1: world: unknown ke");
+  EXPECT_EQ(of(with_objects("    - {id: a, primitive: []}\n")).substr(0, 50),
+            "cell.yaml:4: world.collision_objects[0]: unknown k");
+  EXPECT_EQ(of(with_objects("    - {id: a, primitives: [{type: 2, dimensions: [1]}], "
+                            "primitive_poses: [{orientaton: [0, 0, 0, 1]}]}\n"))
+                .substr(0, 13),
+            "cell.yaml:4: ");
+  EXPECT_EQ(
+      of(with_objects("    - {id: a}\n")),
+      "cell.yaml:4: world.collision_objects[0] has no shapes; types of a database are not read");
+  EXPECT_EQ(of(with_objects(box + "---\n")), "accepted");
+  EXPECT_EQ(of(with_objects("    - {id: a, operation: \"\\0\", planes: [{coef: [0, 0, 1, 0]}], "
+                            "plane_poses: [{}]}\n")),
+            "accepted");
   for (const std::string others :
        {"is_diff: true\n", "link_padding: [{link_name: a, padding: 0.01}]\n",
         "link_scale: [{link_name: a, scale: 1.1}]\n",

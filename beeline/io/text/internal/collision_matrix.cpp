@@ -1,17 +1,15 @@
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/collision_matrix.h>
+#include <beeline/io/text/internal/name.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t max_pairs = 10'000'000;  ///< that defaults are looked up for
+constexpr std::size_t max_matrix_names = 10'000, max_matrix_pairs = 100'000;
 
 /// Returns the values of a row, {enabled: [...]} or a list.
 std::vector<bool> row_of(const RosMessage& row, std::size_t size) {
@@ -25,83 +23,99 @@ std::vector<bool> row_of(const RosMessage& row, std::size_t size) {
              " entry_names");
 }
 
-/// The entries of a matrix, and the defaults by name.
+/// A name that a matrix concerns: the index of its row, and its default.
+struct MatrixName {
+  std::string name;
+  std::optional<std::size_t> row;
+  std::optional<bool> by_default;
+};
+
+/// The names of a matrix and its entries.
 class Matrix {
  public:
-  explicit Matrix(const RosMessage& message) {
-    const std::vector<RosMessage> names = message.items("entry_names");
+  Matrix(const RosMessage& message, const Scene& scene) {
+    message.check_keys(
+        {"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
+    std::map<std::string, MatrixName> names;
+    const auto named = [&](const std::string& name) -> MatrixName& {
+      return names.try_emplace(name, MatrixName{name, {}, {}}).first->second;
+    };
     const std::vector<RosMessage> rows = message.items("entry_values");
-    require_one_for_each(message, "entry_values", rows.size(), "entry_names", names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!index_of_.emplace(names[i].text(), i).second) names[i].refuse("is given twice");
-      entries_.push_back(row_of(rows[i], names.size()));
+    const std::vector<std::string> entries = names_of(message, "entry_names", rows.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      MatrixName& name = named(entries[i]);
+      if (name.row) rows[i].refuse("is of " + in_quotes(name.name) + ", which has another row");
+      name.row = i;
+      entries_.push_back(row_of(rows[i], entries.size()));
     }
-    const std::vector<RosMessage> named = message.items("default_entry_names");
     const std::vector<RosMessage> values = message.items("default_entry_values");
-    require_one_for_each(message, "default_entry_values", values.size(), "default_entry_names",
-                         named.size());
-    for (std::size_t i = 0; i < named.size(); ++i) {
-      defaults_[named[i].text()] = values[i].boolean();
+    const std::vector<std::string> defaults =
+        names_of(message, "default_entry_names", values.size());
+    for (std::size_t i = 0; i < defaults.size(); ++i) {
+      named(defaults[i]).by_default = values[i].boolean();
     }
+    if (!defaults.empty()) {
+      for (const Obstacle& obstacle : scene.obstacles) named(obstacle.name);
+    }
+    for (auto& [key, name] : names) names_.push_back(std::move(name));
   }
 
-  bool has_defaults() const { return !defaults_.empty(); }
+  const std::vector<MatrixName>& names() const { return names_; }
 
-  /// Returns the names of entries and defaults.
-  std::set<std::string> names() const {
-    std::set<std::string> names;
-    for (const auto& [name, value] : defaults_) names.insert(name);
-    for (const auto& [name, index] : index_of_) names.insert(name);
-    return names;
-  }
-
-  bool allows(const std::string& a, const std::string& b) const {
-    std::vector<bool> found;
-    const auto row = index_of_.find(a), column = index_of_.find(b);
-    if (row != index_of_.end() && column != index_of_.end()) {
-      found.push_back(entries_[row->second][column->second]);
-      found.push_back(entries_[column->second][row->second]);
+  bool allows(const MatrixName& a, const MatrixName& b) const {
+    bool any = false, all = true;
+    const auto ask = [&](bool allowed) {
+      any = true;
+      all = all && allowed;
+    };
+    if (a.row && b.row) {
+      ask(entries_[*a.row][*b.row]);
+      ask(entries_[*b.row][*a.row]);
     }
-    for (const std::string& name : {a, b}) {
-      if (const auto value = defaults_.find(name); value != defaults_.end()) {
-        found.push_back(value->second);
-      }
-    }
-    return !found.empty() && std::find(found.begin(), found.end(), false) == found.end();
+    if (a.by_default) ask(*a.by_default);
+    if (b.by_default) ask(*b.by_default);
+    return any && all;
   }
 
  private:
-  static void require_one_for_each(const RosMessage& message, const std::string& values,
-                                   std::size_t count, const std::string& names,
-                                   std::size_t expected) {
-    if (count == expected) return;
-    message.refuse("has " + std::to_string(count) + " " + values + " for " +
-                   std::to_string(expected) + " " + names);
+  /// Returns the names of a list that has one for each of `count` values.
+  static std::vector<std::string> names_of(const RosMessage& message, const std::string& key,
+                                           std::size_t count) {
+    std::vector<std::string> names;
+    for (const RosMessage& item : message.items(key)) {
+      names.push_back(item.text());
+      try {
+        check_name(names.back(), "the name");
+      } catch (const Error& error) {
+        item.refuse(error.what());
+      }
+    }
+    if (names.size() == count) return names;
+    message.refuse("has " + std::to_string(count) + " values for " + std::to_string(names.size()) +
+                   " " + key);
   }
 
-  std::map<std::string, std::size_t> index_of_;
+  std::vector<MatrixName> names_;
   std::vector<std::vector<bool>> entries_;
-  std::map<std::string, bool> defaults_;
 };
 
 }  // namespace
 
 std::vector<NamedPair> exempted_pairs(const RosMessage& message, const Scene& scene) {
-  const Matrix matrix(message);
-  std::set<std::string> names = matrix.names();
-  if (matrix.has_defaults()) {
-    for (const Obstacle& obstacle : scene.obstacles) names.insert(obstacle.name);
-  }
-  if (names.size() * names.size() > max_pairs) {
-    message.refuse("concerns " + std::to_string(names.size()) + " names, which are too many");
-  }
+  const Matrix matrix(message, scene);
+  const std::vector<MatrixName>& names = matrix.names();
   std::vector<NamedPair> pairs;
-  for (auto a = names.begin(); a != names.end(); ++a) {
-    for (auto b = std::next(a); b != names.end(); ++b) {
-      if (matrix.allows(*a, *b)) pairs.push_back({*a, *b});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names.size() > max_matrix_names) break;
+    for (std::size_t j = i + 1; j < names.size(); ++j) {
+      if (matrix.allows(names[i], names[j])) pairs.push_back({names[i].name, names[j].name});
+      if (pairs.size() > max_matrix_pairs) break;
     }
   }
-  return pairs;
+  if (names.size() <= max_matrix_names && pairs.size() <= max_matrix_pairs) return pairs;
+  message.refuse("concerns " + std::to_string(names.size()) + " names; up to " +
+                 std::to_string(max_matrix_names) + " names and " +
+                 std::to_string(max_matrix_pairs) + " allowed pairs are read");
 }
 
 }  // namespace beeline::internal

@@ -27,7 +27,7 @@ std::string quoted(const std::string& filename) { return "\"" + shown_path(filen
 Shape hull_of_corners(std::vector<Vector3> corners, const std::string& path) {
   for (const Vector3& corner : corners) {
     if (corner.cwiseAbs().maxCoeff() <= max_shape_size) continue;
-    throw Error("the mesh has a corner beyond " + number(max_shape_size) + " m");
+    throw Error("has a corner, multiplied by scale, beyond " + number(max_shape_size) + " m");
   }
   ReducedHull hull = reduced_hull(std::move(corners));
   return {.body = ConvexHull{std::move(hull.vertices)},

@@ -7,6 +7,7 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/ros_shapes.h>
+#include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/numbers.h>
 
 namespace beeline::internal {
@@ -122,11 +123,12 @@ Shape typed_shape(Words& words, const std::string& path) {
   throw unknown_name("shape", type, {"box", "sphere", "cylinder", "cone", "plane", "mesh"});
 }
 
-/// A shape with its pose and colour.
-Shape placed_shape(Words& words, const std::string& path) {
+/// A shape of an object at this pose, with its own pose and its colour.
+Shape placed_shape(Words& words, const Pose& object, const std::string& path) {
   try {
     Shape shape = typed_shape(words, path);
     shape.pose = words.pose("a shape") * shape.pose;
+    shape.pose = object * shape.pose;
     check_shape(shape);
     for (int i = 0; i < 4; ++i) words.real("the colour of a shape");
     return shape;
@@ -139,9 +141,11 @@ Shape placed_shape(Words& words, const std::string& path) {
 
 }  // namespace
 
-Scene moveit_scene(std::string_view text, const std::string& path) {
-  Words words(text, path);
-  words.rest_of_line();  // the name of the scene
+Scene moveit_scene(std::string_view bytes, const std::string& path, const Pose& planning_frame) {
+  Words words(text_in(bytes, path), path);
+  if (words.rest_of_line().starts_with("* ")) {
+    words.refuse("begins with an object; the first line is the name of the scene");
+  }
   Scene scene;
   std::unordered_set<std::string> names;
   // The pose of an object, which the first version lacks, has blanks; the number of shapes has
@@ -158,11 +162,10 @@ Scene moveit_scene(std::string_view text, const std::string& path) {
     const std::string quoted = in_quotes(obstacle.name);
     if (!names.insert(obstacle.name).second) words.refuse("has two objects " + quoted);
     if (!has_poses) has_poses = words.next_line().find_first_of(" \t") != std::string_view::npos;
-    const Pose pose = *has_poses ? words.pose("object " + quoted) : Pose::Identity();
+    const Pose pose = *has_poses ? planning_frame * words.pose("object " + quoted) : planning_frame;
     const std::size_t count = words.count("the number of shapes of " + quoted, 100'000);
     for (std::size_t i = 0; i < count; ++i) {
-      obstacle.shapes.push_back(placed_shape(words, path));
-      obstacle.shapes.back().pose = pose * obstacle.shapes.back().pose;
+      obstacle.shapes.push_back(placed_shape(words, pose, path));
     }
     if (*has_poses) {
       const std::size_t subframes = words.count("the number of subframes of " + quoted, 100'000);
@@ -171,8 +174,10 @@ Scene moveit_scene(std::string_view text, const std::string& path) {
         words.pose("a subframe");
       }
     }
-    if (!obstacle.shapes.empty()) scene.obstacles.push_back(std::move(obstacle));
+    if (obstacle.shapes.empty()) words.refuse("object " + quoted + " has no shapes");
+    scene.obstacles.push_back(std::move(obstacle));
   }
+  if (!words.next_line().empty()) words.refuse("has text after the line \".\", which ends it");
   return scene;
 }
 

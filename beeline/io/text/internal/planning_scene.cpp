@@ -28,21 +28,30 @@ class ObjectReader {
  public:
   ObjectReader(const std::string& path, const ShapeOptions& options)
       : path_(path), meshes_(path, options.package), frames_(options.frames) {
-    frames_.try_emplace("", Pose::Identity());
-    frames_.try_emplace("world", Pose::Identity());
+    if (frames_.empty()) frames_.emplace("", Pose::Identity());
+    const auto planning = frames_.find("");
+    if (planning != frames_.end()) frames_.try_emplace("world", planning->second);
   }
 
   /// Adds the frames of `fixed_frame_transforms` whose parent is known.
   void add_frames(const RosMessage& scene) {
     for (const RosMessage& stamped : scene.items("fixed_frame_transforms")) {
+      stamped.check_keys({"header", "child_frame_id", "transform"});
       const auto parent = frames_.find(frame_id(stamped));
-      const std::string& child = stamped.need("child_frame_id").text();
+      const RosMessage child = stamped.need("child_frame_id");
       const Pose pose = stamped.need("transform").pose("translation", "rotation");
-      if (parent != frames_.end()) frames_.try_emplace(child, parent->second * pose);
+      if (parent == frames_.end()) continue;
+      const auto [known, is_new] =
+          frames_.emplace(without_slash(child.text()), parent->second * pose);
+      if (is_new || known->second.isApprox(parent->second * pose, 1e-9)) continue;
+      child.refuse("is " + in_quotes(child.text()) + ", whose pose is known, and another one");
     }
   }
 
   Obstacle read(const RosMessage& object) {
+    object.check_keys({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes",
+                       "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses",
+                       "operation"});
     const RosMessage id = object.need("id");
     Obstacle obstacle{.name = id.text()};
     try {
@@ -55,7 +64,8 @@ class ObjectReader {
     }
     if (const auto operation = object.find("operation")) {
       const std::string& kind = operation->text();
-      if (kind != "0" && kind != "ADD") {
+      // The message has a byte, which some programs write as a character.
+      if (kind != "0" && kind != "ADD" && kind != "add" && kind != std::string(1, '\0')) {
         operation->refuse("is " + in_quotes(kind) + "; objects of a whole scene are added (0)");
       }
     }
@@ -66,20 +76,26 @@ class ObjectReader {
     add(obstacle, object, pose, "meshes", "mesh_poses",
         [&](const RosMessage& shape) { return mesh(shape); });
     add(obstacle, object, pose, "planes", "plane_poses", [](const RosMessage& shape) {
+      shape.check_keys({"coef"});
       const std::vector<double> c = shape.need("coef").numbers({"a", "b", "c", "d"});
       return plane(c[0], c[1], c[2], c[3]);
     });
+    if (obstacle.shapes.empty()) object.refuse("has no shapes; types of a database are not read");
     return obstacle;
   }
 
  private:
-  /// Returns the name in the header, without the slash of tf's first version.
+  /// Returns a name without the slash of tf's first version.
+  static std::string without_slash(const std::string& name) {
+    return name.starts_with('/') ? name.substr(1) : name;
+  }
+
+  /// Returns the name of the frame in the header.
   static std::string frame_id(const RosMessage& stamped) {
     const auto header = stamped.find("header");
     const auto frame = header ? header->find("frame_id") : std::nullopt;
     if (!frame) return "";
-    const std::string& name = frame->text();
-    return name.starts_with('/') ? name.substr(1) : name;
+    return without_slash(frame->text());
   }
 
   Pose frame_of(const RosMessage& object) const {
@@ -121,6 +137,7 @@ class ObjectReader {
   }
 
   static Shape primitive(const RosMessage& shape) {
+    shape.check_keys({"type", "dimensions", "polygon"});
     const RosMessage type = shape.need("type");
     std::size_t kind = 0;
     while (kind < primitives.size() && type.text() != primitives[kind].name &&
@@ -151,6 +168,7 @@ class ObjectReader {
 
   /// A mesh of corners or, as in files of Robowflex, of a file that `resource` names.
   Shape mesh(const RosMessage& shape) {
+    shape.check_keys({"triangles", "vertices", "resource", "dimensions"});
     if (const auto resource = shape.find("resource")) {
       const auto scale = shape.find("dimensions");
       return meshes_.read(resource->text(), scale ? scale->vector() : Vector3::Ones());
@@ -169,6 +187,9 @@ class ObjectReader {
 
 /// Refuses what would change the meaning of a proof and is not read.
 void refuse_others(const RosMessage& scene) {
+  scene.check_keys({"name", "robot_state", "robot_model_name", "fixed_frame_transforms",
+                    "allowed_collision_matrix", "link_padding", "link_scale", "object_colors",
+                    "world", "is_diff"});
   if (const auto diff = scene.find("is_diff"); diff && diff->boolean()) {
     diff->refuse("is true: the file changes another scene; export the whole scene");
   }
@@ -176,8 +197,9 @@ void refuse_others(const RosMessage& scene) {
     const std::vector<RosMessage> attached = state->items("attached_collision_objects");
     if (!attached.empty()) attached[0].refuse("is an attached object, which is not read");
   }
-  const auto world = scene.find("world");
-  const auto octomap = world ? world->find("octomap") : std::nullopt;
+  const RosMessage world = scene.need("world");
+  world.check_keys({"collision_objects", "octomap"});
+  const auto octomap = world.find("octomap");
   const auto map = octomap ? octomap->find("octomap") : std::nullopt;
   if (map && !map->items("data").empty()) map->refuse("is an octree, which is not read");
   const auto refuse_other = [&](std::string_view list, std::string_view key, double usual) {
@@ -196,14 +218,16 @@ void refuse_others(const RosMessage& scene) {
 
 Scene planning_scene(std::string_view text, const std::string& path, const ShapeOptions& options) {
   const Yaml yaml = parse_yaml(text, path, {.bytes = std::size_t{1} << 24, .values = 1'000'000});
+  if (!std::holds_alternative<Yaml::Members>(yaml.value)) {
+    throw FileError(path, yaml.line, "is no message PlanningScene: it must be a map with world");
+  }
   const RosMessage message(yaml, path);
   refuse_others(message);
   ObjectReader reader(path, options);
   reader.add_frames(message);
   Scene scene;
   for (const RosMessage& object : message.need("world").items("collision_objects")) {
-    Obstacle obstacle = reader.read(object);
-    if (!obstacle.shapes.empty()) scene.obstacles.push_back(std::move(obstacle));
+    scene.obstacles.push_back(reader.read(object));
   }
   if (const auto matrix = message.find("allowed_collision_matrix")) {
     scene.exempted_pairs = exempted_pairs(*matrix, scene);

@@ -13,6 +13,16 @@ void RosMessage::refuse(const std::string& why) const {
   throw FileError(*path_, yaml_->line, (name_.empty() ? "the message" : name_) + " " + why);
 }
 
+void RosMessage::check_keys(const std::vector<std::string>& known) const {
+  const auto* members = std::get_if<Yaml::Members>(&yaml_->value);
+  if (members == nullptr) refuse("must be a map of " + listed(known));
+  for (const YamlMember& member : *members) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    const Error unknown = unknown_name("key", member.key, known);
+    throw FileError(*path_, member.line, (name_.empty() ? "" : name_ + ": ") + unknown.what());
+  }
+}
+
 std::optional<RosMessage> RosMessage::find(std::string_view key) const {
   const auto* members = std::get_if<Yaml::Members>(&yaml_->value);
   if (members == nullptr) refuse("must be a map with " + std::string(key));
@@ -96,6 +106,7 @@ Vector3 RosMessage::vector() const {
 }
 
 Pose RosMessage::pose(std::string_view position, std::string_view orientation) const {
+  check_keys({std::string(position), std::string(orientation)});
   const auto point = find(position), quaternion = find(orientation);
   const std::vector<double> q =
       quaternion ? quaternion->numbers({"x", "y", "z", "w"}) : std::vector<double>{0, 0, 0, 1};

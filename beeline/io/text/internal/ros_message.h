@@ -22,6 +22,8 @@ class RosMessage {
 
   bool is_map() const { return std::holds_alternative<Yaml::Members>(yaml_->value); }
 
+  /// Refuses a map with another key: what it says would be lost.
+  void check_keys(const std::vector<std::string>& known) const;
   /// Returns the member of a key; none without it, and where it is null.
   std::optional<RosMessage> find(std::string_view key) const;
   /// The same, refused where there is none.

@@ -41,12 +41,17 @@ class LinkPlacement {
     place_others();
   }
 
-  /// The links that no joint of the chain moves, with their poses in link 0.
+  /// The links that only fixed joints connect to link 0, with their poses in its frame; "" is the
+  /// root.
   std::map<std::string, Pose> base_links() const {
+    std::unordered_set<std::string> children;
+    for (const UrdfFile::Joint& joint : file_.joints) children.insert(joint.child);
     std::map<std::string, Pose> found;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if (placed_[i] && placed_[i]->frame == 0)
-        found.emplace(file_.links[i].name, placed_[i]->pose);
+      if (!placed_[i] || placed_[i]->frame != 0 || !is_fixed(i)) continue;
+      const std::string& name = file_.links[i].name;
+      found.emplace(name, placed_[i]->pose);
+      if (!children.contains(name)) found.emplace("", placed_[i]->pose);
     }
     return found;
   }
@@ -79,6 +84,14 @@ class LinkPlacement {
   std::size_t link_called(const std::string& name) const {
     const auto found = links_.find(name);
     return found == links_.end() ? none : found->second;
+  }
+
+  /// Whether only fixed joints connect a link to the chain.
+  bool is_fixed(std::size_t link) const {
+    for (std::size_t at = link; placed_[at]->joint != none; at = placed_[at]->before) {
+      if (file_.joints[placed_[at]->joint].type != "fixed") return false;
+    }
+    return true;
   }
 
   void place_chain(const std::vector<ChainJoint>& chain) {

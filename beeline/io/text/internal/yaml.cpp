@@ -34,10 +34,11 @@ class YamlBuilder final : public YAML::EventHandler {
   Yaml take() { return std::move(root_.yaml); }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (documents_++ > 0) refuse(line_of(mark), "has a second document; give one in each file");
+    if (documents_++ > 0) second_line_ = line_of(mark);
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    if (documents_ == 2 && open_.empty()) return;  // the last line may be ---
     add({.yaml = {.value = "", .tag = "", .line = line_of(mark)}}, anchor);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -96,6 +97,7 @@ class YamlBuilder final : public YAML::EventHandler {
   }
 
   void add(Measured&& value, YAML::anchor_t anchor) {
+    if (second_line_ > 0) refuse(second_line_, "has a second document; give one in each file");
     if (static_cast<int>(open_.size()) + value.levels > max_yaml_depth + 1) {
       refuse(value.yaml.line, "is nested deeper than 64 levels");
     }
@@ -176,6 +178,7 @@ class YamlBuilder final : public YAML::EventHandler {
   std::map<YAML::anchor_t, Measured> anchors_;
   std::size_t values_ = 0;
   int documents_ = 0;
+  int second_line_ = 0;  // of the second document, if there is one
 };
 
 }  // namespace

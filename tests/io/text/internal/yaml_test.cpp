@@ -58,6 +58,8 @@ TEST(Yaml, RefusesWhatIsAmbiguous) {
   EXPECT_REFUSED(parsed("a: 1\nb: 2\na: 3"), "a.yaml:3: the key \"a\" is given twice");
   EXPECT_REFUSED(parsed("[1]: 2"), "a key must be a name");
   EXPECT_REFUSED(parsed("a: 1\n---\nb: 2"), "has a second document");
+  EXPECT_REFUSED(parsed("a: 1\n---\n---\nb: 2"), "has a second document");
+  EXPECT_EQ(testing::refusal([] { (void)parsed("a: 1\n---\n"); }), "accepted");
   EXPECT_REFUSED(parsed("a: 'x"), "a.yaml:1: is not YAML");
   EXPECT_REFUSED(parsed("a: 1\n b: 2"), "a.yaml:2: is not YAML");
 }
