@@ -6,6 +6,7 @@ import subprocess
 import pytest
 
 from arms import text
+from shaped_arm import planar_arm, trajectory
 
 
 class Answer:
@@ -99,3 +100,15 @@ def ik(beeline):
         return document
 
     return solve
+
+
+@pytest.fixture
+def arm(written):
+    """A planar arm whose links have shapes."""
+    return written("arm.json", planar_arm())
+
+
+@pytest.fixture
+def motion(written):
+    """The arm moves from the right to the left, slowly enough for the assumed limits."""
+    return written("motion.csv", trajectory((0.0, 0.2, 0.4, 0.3), (4.0, 1.4, 0.4, 0.3)))

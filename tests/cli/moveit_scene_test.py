@@ -6,7 +6,7 @@ import tarfile
 
 import pytest
 
-from scene_test import MOVING, check, planar_arm, trajectory
+from scene_test import MOVING, check
 
 DATA = pathlib.Path(__file__).resolve().parents[3] / "shared/data/motion_bench_maker"
 
@@ -25,16 +25,6 @@ URDF = """<robot name="r"><link name="stand"/><link name="foot"/>
 <link name="arm"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
 <joint name="plate" type="fixed"><parent link="stand"/><child link="foot"/><origin xyz="0 0 1"/></joint>
 <joint name="j" type="revolute"><parent link="foot"/><child link="arm"/><limit lower="-3" upper="3" velocity="1"/></joint></robot>"""
-
-
-@pytest.fixture
-def arm(written):
-    return written("arm.json", planar_arm())
-
-
-@pytest.fixture
-def motion(written):
-    return written("motion.csv", trajectory((0.0, 0.2, 0.4, 0.3), (4.0, 1.4, 0.4, 0.3)))
 
 
 def test_all_forms_are_the_same_scene(beeline, arm, motion, written):

@@ -3,19 +3,8 @@
 import json
 import math
 
-import pytest
-
-from scene_test import MOVING, URDF, ball, check, planar_arm, scene, trajectory, words_of
-
-
-@pytest.fixture
-def arm(written):
-    return written("arm.json", planar_arm())
-
-
-@pytest.fixture
-def motion(written):
-    return written("motion.csv", trajectory((0.0, 0.2, 0.4, 0.3), (4.0, 1.4, 0.4, 0.3)))
+from scene_test import MOVING, URDF, ball, check, scene, words_of
+from shaped_arm import trajectory
 
 
 def test_reports_list_what_does_not_count(beeline, arm, motion, written):

@@ -7,20 +7,7 @@ import shlex
 
 import pytest
 
-LENGTHS = (3.5, 3.5, 2.0)
-
-
-def capsule(length, radius=0.1):
-    """Along a link of a planar arm, whose frame is at its end."""
-    return {"capsule": {"radius": radius, "length": length},
-            "pose": {"xyz": [-length / 2, 0, 0], "rpy": [0, math.pi / 2, 0]}}
-
-
-def planar_arm(**keys):
-    bodies = [{"joint": f"joint{i + 1}", "name": f"link{i + 1}", "shapes": [capsule(length)]}
-              for i, length in enumerate(LENGTHS)]
-    return json.dumps({"name": "planar", "joint_string": "RRR:3.5,3.5,2", "shapes": bodies, **keys})
-
+from shaped_arm import LENGTHS, planar_arm, trajectory
 
 def scene(*obstacles, **keys):
     return json.dumps({"obstacles": list(obstacles), **keys})
@@ -31,26 +18,10 @@ def ball(name, position, radius=0.1, **keys):
             **keys}
 
 
-def trajectory(*rows):
-    names = ",".join(f"joint{i + 1}" for i in range(len(rows[0]) - 1))
-    return f"t,{names}\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)
-
-
 def tip(q):
     angles = [sum(q[: i + 1]) for i in range(3)]
     return (sum(a * math.cos(t) for a, t in zip(LENGTHS, angles)),
             sum(a * math.sin(t) for a, t in zip(LENGTHS, angles)))
-
-
-@pytest.fixture
-def arm(written):
-    return written("arm.json", planar_arm())
-
-
-@pytest.fixture
-def motion(written):
-    """From the right to the left, slowly enough for the assumed limits."""
-    return written("motion.csv", trajectory((0.0, 0.2, 0.4, 0.3), (4.0, 1.4, 0.4, 0.3)))
 
 
 MOVING = ("--moving-start", "--moving-end")

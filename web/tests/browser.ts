@@ -167,6 +167,20 @@ export async function frames(page: Page, count = 2): Promise<void> {
   })()`);
 }
 
+/** Evaluates in the page the body of a function of `data`: the pixels of the picture of a spatial arm, drawn again, of four
+ * numbers each. */
+export function ofPixels<Result>(page: Page, body: string): Promise<Result> {
+  return page.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+    const canvas = document.querySelector("#stage canvas");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    done((() => { ${body} })());
+  })))`);
+}
+
 /** Where the picture shows the tool, in pixels of the window, once the tool is at rest there. */
 export async function toolAt(page: Page): Promise<{ x: number; y: number }> {
   const stage = page.locator("#stage");

@@ -1,19 +1,15 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { pages, toolAt } from "./browser.js";
+import { ofPixels, pages, toolAt } from "./browser.js";
 
 const { opened } = pages();
 
 /** Compares the rendered picture with the first one that this was asked of: counts the pixels that differ, of the joints'
  * bands, which have the strongest colours, and other ones. */
 function compared(page: Page): Promise<{ joints: number; covered: number; others: number }> {
-  return page.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-    const canvas = document.querySelector("#stage canvas");
-    const copy = document.createElement("canvas");
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext("2d");
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+  return ofPixels(
+    page,
+    `
     const before = (window.kept ??= data);
     const count = { joints: 0, covered: 0, others: 0 };
     for (let i = 0; i < data.length; i += 4) {
@@ -23,8 +19,8 @@ function compared(page: Page): Promise<{ joints: number; covered: number; others
       count.joints += Number(isJoint);
       if (!isSame) ++count[isJoint ? "covered" : "others"];
     }
-    done(count);
-  })))`);
+    return count;`,
+  );
 }
 
 const listed = (page: Page) => page.getByLabel("Inverse kinematics").locator("li button");

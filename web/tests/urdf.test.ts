@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { Euler, Matrix4, Quaternion, Vector3 } from "three";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { axe, chooseArm, frames, ownFiles, pages, shared, toolAt } from "./browser.js";
+import { axe, chooseArm, frames, ofPixels, ownFiles, pages, shared, toolAt } from "./browser.js";
 import { binaryStl, collada, obj, textStl, urdf } from "./meshes.js";
 import { json, run } from "./native.js";
 
@@ -225,13 +225,9 @@ test.each([
 /** Counts the pixels of the rendered picture that are black, which no colour of the page is, and those that differ from the
  * first picture without black ones that this was asked of. */
 function counted(page: Page): Promise<{ black: number; changed: number }> {
-  return page.evaluate(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-    const canvas = document.querySelector("#stage canvas");
-    const copy = document.createElement("canvas");
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext("2d");
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+  return ofPixels(
+    page,
+    `
     const count = { black: 0, changed: 0 };
     const before = window.kept ?? data;
     for (let i = 0; i < data.length; i += 4) {
@@ -239,8 +235,8 @@ function counted(page: Page): Promise<{ black: number; changed: number }> {
       count.changed += Number([0, 1, 2].some((k) => Math.abs(data[i + k] - before[i + k]) > 8));
     }
     if (count.black === 0) window.kept ??= data;
-    done(count);
-  })))`);
+    return count;`,
+  );
 }
 
 test("meshes are painted once their pictures are there; a link that they cover takes the colour of its joint under the mouse, and gives it back", async () => {
