@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/scene.h>
+#include <beeline/io/text/urdf.h>
 
 #include "command/streams.h"
 
@@ -68,16 +69,12 @@ struct SceneFile {
   Scene scene;
 };
 
-bool is_urdf(const std::string& path) {
-  return extension(path) == "urdf" || extension(path) == "xml";
-}
-
 /// Reads the URDF files among the scenes. Their joints take their values from options.hold, which
 /// keeps the names that no scene has.
 void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
   std::map<std::string, double> remaining = options.hold;
   for (SceneFile& file : files) {
-    if (!is_urdf(file.path)) continue;
+    if (!is_urdf_path(file.path)) continue;
     ShapeOptions of_file{.package = options.package};
     file.scene = read_scene(file.path, of_file);
     for (const auto& [joint, value] : options.hold) {
@@ -104,7 +101,7 @@ void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmS
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
   for (auto& [path, scene] : files) {
-    if (!is_urdf(path)) scene = read_scene(path, options);
+    if (!is_urdf_path(path)) scene = read_scene(path, options);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_tree.h>
 #include <beeline/io/text/json.h>
+#include <beeline/io/text/urdf.h>
 
 namespace beeline::internal {
 namespace {
@@ -163,15 +164,10 @@ std::vector<UrdfFault> faults_by_line(const UrdfFile& file) {
   return faults;
 }
 
-bool is_urdf(const std::string& path) {
-  const std::string ending = extension(path);
-  return ending == "urdf" || ending == "xml";
-}
-
 /// Appends the faults of the file: up to 100, and the number of the others. `text` writes one.
 void append_faults(const std::string& path, std::string (*text)(const ReadWarning&),
                    std::vector<Finding>& found) {
-  if (!is_urdf(path)) return;
+  if (!is_urdf_path(path)) return;
   constexpr std::size_t most = 100;
   const UrdfFile file = parse_urdf(read_file(path), path);
   const std::vector<UrdfFault> faults = faults_by_line(file);
@@ -194,7 +190,7 @@ void find_faults(const std::string& path, std::vector<Finding>& found) {
 
 AngleUnit find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   if (extension(path) == "json") return find_in_json(path, arm, found);
-  if (is_urdf(path)) find_in_urdf(path, arm, found);
+  if (is_urdf_path(path)) find_in_urdf(path, arm, found);
   return AngleUnit::radians;
 }
 

@@ -8,6 +8,7 @@
 #include <beeline/io/text/internal/shape_json.h>
 #include <beeline/io/text/internal/urdf_shapes.h>
 #include <beeline/io/text/scene.h>
+#include <beeline/io/text/urdf.h>
 
 namespace beeline {
 namespace {
@@ -69,11 +70,10 @@ ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
 
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends, const ShapeOptions& options) {
-  const std::string ending = extension(path);
   Srdf srdf;
   if (!options.srdf.empty()) srdf = read_srdf(options.srdf);
   ArmShapes read;
-  if (ending == "urdf" || ending == "xml") {
+  if (is_urdf_path(path)) {
     read = internal::shapes_from_urdf(text, path, ends, options, srdf.states);
   } else {
     refuse_hold(options);
@@ -85,8 +85,7 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
 
 ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
                           const ShapeOptions& options) {
-  const std::string ending = extension(text);
-  const bool is_file = ending == "urdf" || ending == "xml" || ending == "json";
+  const bool is_file = is_urdf_path(text) || extension(text) == "json";
   if (is_file) return arm_shapes_from_text(read_file(text), text, ends, options);
   read_arm(text, ends);  // refuses what is no arm
   refuse_hold(options);

@@ -7,11 +7,16 @@
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/planning_scene.h>
 #include <beeline/io/text/internal/shape_json.h>
+#include <beeline/io/text/internal/yaml.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/scene.h>
+#include <beeline/io/text/urdf.h>
 
 namespace beeline {
 namespace {
+
+/// Of a message of MoveIt.
+constexpr internal::YamlBounds message_bounds{.bytes = std::size_t{1} << 24, .values = 1'000'000};
 
 Obstacle obstacle_from_json(const JsonDocument& document, const Json& json) {
   document.check_keys(json, {"name", "clearance", "shapes"});
@@ -72,6 +77,15 @@ Scene scene_of(const JsonDocument& document) {
   return scene;
 }
 
+/// Returns the frames that a scene of MoveIt may name. "" is the planning frame: the world where no
+/// frames are given. "world" is the planning frame, too, unless it has a pose of its own.
+std::map<std::string, Pose> moveit_frames(std::map<std::string, Pose> given) {
+  if (given.empty()) given.emplace("", Pose::Identity());
+  const auto planning = given.find("");
+  if (planning != given.end()) given.try_emplace("world", planning->second);
+  return given;
+}
+
 }  // namespace
 
 Scene scene_from_json(std::string_view text, const std::string& path) {
@@ -79,24 +93,33 @@ Scene scene_from_json(std::string_view text, const std::string& path) {
 }
 
 Scene scene_from_text(std::string_view text, const std::string& path, const ShapeOptions& options) {
-  const std::string ending = extension(path);
-  if (ending == "urdf" || ending == "xml") return scene_from_urdf(text, path, options);
+  if (is_urdf_path(path)) return scene_from_urdf(text, path, options);
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
   }
+  const ShapeOptions in_moveit{.package = options.package, .frames = moveit_frames(options.frames)};
+  const std::string ending = extension(path);
   if (ending == "scene") {
-    const auto planning = options.frames.find("");
-    if (planning == options.frames.end() && !options.frames.empty()) {
-      throw FileError(path, 0, "is posed in MoveIt's planning frame, whose pose is not known");
+    const auto planning = in_moveit.frames.find("");
+    if (planning != in_moveit.frames.end()) {
+      return internal::moveit_scene(text, path, planning->second);
     }
-    return internal::moveit_scene(text, path,
-                                  options.frames.empty() ? Pose::Identity() : planning->second);
+    throw FileError(path, 0, "is posed in MoveIt's planning frame, whose pose is not known");
   }
-  if (ending == "yaml" || ending == "yml") return internal::planning_scene(text, path, options);
+  if (ending == "yaml" || ending == "yml") {
+    return internal::planning_scene(internal::parse_yaml(text, path, message_bounds), path,
+                                    in_moveit);
+  }
+  if (ending != "json" && !ending.empty()) {
+    throw FileError(path, 0,
+                    "is not a known kind of scene; known are " +
+                        listed({".json", ".urdf", ".xml", ".scene", ".yaml", ".yml"}));
+  }
   const JsonDocument document(text, path);
   const bool is_message = document.find(document.root(), "world") != nullptr &&
                           document.find(document.root(), "obstacles") == nullptr;
-  return is_message ? internal::planning_scene(text, path, options) : scene_of(document);
+  if (!is_message) return scene_of(document);
+  return internal::planning_scene(internal::as_yaml(document.root()), path, in_moveit);
 }
 
 Scene read_scene(const std::string& path, const ShapeOptions& options) {

@@ -12,6 +12,9 @@
 
 namespace beeline {
 
+/// Returns whether a path has the ending of a URDF file: `.urdf` or `.xml`, in any case of letters.
+bool is_urdf_path(std::string_view path);
+
 /// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
 /// frame. Both may be any links of the tree.
 ///   - Without `ends.base` the chain begins at the root or, if a floating or planar joint places

@@ -79,7 +79,7 @@ TEST(InverseKinematics, AReachedPositionWithTheWrongOrientationSaysHowMuchTurnIs
   joints.pop_back();
   const Arm five("five", joints);
   testing::Random random;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < testing::cases(60); ++i) {
     Pose pose = forward_kinematics(five, random.configuration(five));
     pose.linear() = pose.linear() * so3_exp(Vector3(0.3, 0, 0));
     const InverseResult no = inverse_kinematics(five, pose, {.ignore_limits = true});
@@ -93,7 +93,7 @@ TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
   const Arm scara = built_in("scara"), rrr = built_in("rrr"), gantry = built_in("gantry");
   const double heading = to_plane(forward_kinematics(gantry, Configuration::Zero(2))).theta;
   testing::Random random;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < testing::cases(300); ++i) {
     const double off = random.uniform(1e-6, 3);
     Pose tilted = forward_kinematics(scara, random.configuration(scara));
     const double tilt = random.uniform(1e-6, 3);

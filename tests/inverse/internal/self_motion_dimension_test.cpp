@@ -95,7 +95,9 @@ TEST(InverseKinematics, SaysThatSolutionsAreInfinitelyManyWhereEachIsSingular) {
 
 TEST(InverseKinematics, SaysThatSolutionsAreInfinitelyMany) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  const std::vector<std::string> names = built_in_names();
+  for (std::size_t i = 0; i < names.size(); i += testing::slow_build ? 5 : 1) {
+    const std::string& name = names[i];
     const Arm arm = built_in(name);
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const InverseResult result =

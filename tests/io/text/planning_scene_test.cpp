@@ -68,6 +68,21 @@ TEST(PlanningScene, JsonIsTheSameMessage) {
                           "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}]}]}})";
   const Scene scene = scene_from_text(json, "cell.json");
   EXPECT_EQ(scene_to_json(scene), scene_to_json(message(with_objects(box))));
+  // Escapes, half a megabyte on one line, and lines in refusals are JSON's.
+  std::string objects, comma;
+  for (int i = 0; i < 20'000; ++i) {
+    objects += comma + R"({"id": "\ud83d\ude00)" + std::to_string(i) +
+               R"(", "planes": [{"coef": [0, 0, 1, 0]}], "plane_poses": [{}]})";
+    comma = ",";
+  }
+  const auto in_world = [](const std::string& text) {
+    return "{\"world\": {\"collision_objects\": [\n" + text + "]}}";
+  };
+  const Scene many = scene_from_text(in_world(objects), "cell.json");
+  ASSERT_EQ(many.obstacles.size(), 20'000U);
+  EXPECT_EQ(many.obstacles[7].name, "\xf0\x9f\x98\x80" + std::string("7"));
+  EXPECT_EQ(refusal([&] { scene_from_text(in_world("{\"id\": null}"), "cell.json"); }),
+            "cell.json:2: world.collision_objects[0] has no id");
 }
 
 TEST(PlanningScene, FramesAreKnownOrRefused) {
@@ -148,6 +163,13 @@ TEST(PlanningScene, RefusalsNameTheValue) {
   EXPECT_EQ(of(with_objects("    - {id: a, operation: 1}\n")),
             "cell.yaml:4: world.collision_objects[0].operation is \"1\"; objects of a whole scene "
             "are added (0)");
+  EXPECT_EQ(
+      of(with_objects("    - {id: a, meshes: [{vertices: [{x: 0}, '...']}]}\n")),
+      "cell.yaml:4: world.collision_objects[0].meshes[0].vertices is cut off at \"...\"; ros2 "
+      "topic echo --full-length writes all of it");
+  EXPECT_EQ(refusal([] { scene_from_text("", "cell.txt"); }),
+            "cell.txt: is not a known kind of scene; known are .json, .urdf, .xml, .scene, .yaml, "
+            ".yml");
   // What is misspelt is not lost.
   EXPECT_EQ(of("world: {collision_object: []}\n").substr(0, 30), "cell.yaml:1: world: unknown ke");
   EXPECT_EQ(of(with_objects("    - {id: a, primitive: []}\n")).substr(0, 50),

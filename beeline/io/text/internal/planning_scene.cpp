@@ -27,11 +27,7 @@ const std::array<Primitive, 4> primitives{
 class ObjectReader {
  public:
   ObjectReader(const std::string& path, const ShapeOptions& options)
-      : path_(path), meshes_(path, options.package), frames_(options.frames) {
-    if (frames_.empty()) frames_.emplace("", Pose::Identity());
-    const auto planning = frames_.find("");
-    if (planning != frames_.end()) frames_.try_emplace("world", planning->second);
-  }
+      : path_(path), meshes_(path, options.package), frames_(options.frames) {}
 
   /// Adds the frames of `fixed_frame_transforms` whose parent is known.
   void add_frames(const RosMessage& scene) {
@@ -216,8 +212,7 @@ void refuse_others(const RosMessage& scene) {
 
 }  // namespace
 
-Scene planning_scene(std::string_view text, const std::string& path, const ShapeOptions& options) {
-  const Yaml yaml = parse_yaml(text, path, {.bytes = std::size_t{1} << 24, .values = 1'000'000});
+Scene planning_scene(const Yaml& yaml, const std::string& path, const ShapeOptions& options) {
   if (!std::holds_alternative<Yaml::Members>(yaml.value)) {
     throw FileError(path, yaml.line, "is no message PlanningScene: it must be a map with world");
   }

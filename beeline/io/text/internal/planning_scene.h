@@ -1,13 +1,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
+#include <beeline/io/text/internal/yaml.h>
 #include <beeline/io/text/scene.h>
 
 namespace beeline::internal {
 
-/// Reads a message moveit_msgs/PlanningScene, YAML or JSON, see read_scene(). Throws FileError.
-Scene planning_scene(std::string_view text, const std::string& path, const ShapeOptions& options);
+/// Returns the scene of a message moveit_msgs/PlanningScene, see read_scene(). `options.frames` has
+/// all frames that it may name. Throws FileError.
+Scene planning_scene(const Yaml& yaml, const std::string& path, const ShapeOptions& options);
 
 }  // namespace beeline::internal

@@ -47,6 +47,10 @@ std::vector<RosMessage> RosMessage::items() const {
   if (items == nullptr) refuse("must be a list");
   std::vector<RosMessage> values;
   for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto* text = std::get_if<std::string>(&(*items)[i].value);
+    if (text != nullptr && *text == "...") {
+      refuse("is cut off at \"...\"; ros2 topic echo --full-length writes all of it");
+    }
     values.push_back(RosMessage((*items)[i], *this, name_ + "[" + std::to_string(i) + "]"));
   }
   return values;

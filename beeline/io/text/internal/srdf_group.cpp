@@ -7,6 +7,7 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/srdf_file.h>
 #include <beeline/io/text/internal/urdf_chain.h>
+#include <beeline/io/text/urdf.h>
 
 namespace beeline {
 namespace {
@@ -125,8 +126,7 @@ ChainEnds internal::group_ends(const Srdf& srdf, const std::string& group, std::
 }
 
 ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path) {
-  const std::string ending = extension(urdf_path);
-  if (ending != "urdf" && ending != "xml") {
+  if (!is_urdf_path(urdf_path)) {
     throw Error("a group selects a chain of a URDF file; " + internal::in_quotes(urdf_path) +
                 " is not one");
   }

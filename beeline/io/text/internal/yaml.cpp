@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -17,6 +19,8 @@ namespace beeline::internal {
 namespace {
 
 constexpr int max_yaml_depth = 64;
+/// yaml-cpp keeps all words of a line, as a list may be a key.
+constexpr std::size_t max_line_bytes = std::size_t{1} << 20;
 
 /// A value with its bounds: the number of values in it, itself included, and its levels.
 struct Measured {
@@ -50,7 +54,9 @@ class YamlBuilder final : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& text) override {
-    add({.yaml = {.value = text, .tag = tag, .line = line_of(mark)}}, anchor);
+    add({.yaml = {.value = text, .tag = tag, .line = line_of(mark)},
+         .values = 1 + text.size() / 64},
+        anchor);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value /*style*/) override {
@@ -181,6 +187,16 @@ class YamlBuilder final : public YAML::EventHandler {
   int second_line_ = 0;  // of the second document, if there is one
 };
 
+void refuse_long_lines(std::string_view text, const std::string& path, int line) {
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > max_line_bytes) {
+      throw FileError(path, line, "is longer than 1 MiB; write the lists on several lines");
+    }
+    begin = end + 1;
+  }
+}
+
 }  // namespace
 
 Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds,
@@ -188,7 +204,9 @@ Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds
   if (text.size() > bounds.bytes) {
     throw FileError(path, 0, "is larger than " + std::to_string(bounds.bytes >> 20) + " MiB");
   }
-  std::istringstream stream{std::string(text_in(text, path))};
+  text = text_in(text, path);
+  refuse_long_lines(text, path, first_line);
+  std::istringstream stream{std::string(text)};
   YamlBuilder builder(path, bounds.values, first_line);
   try {
     YAML::Parser parser(stream);
@@ -198,6 +216,29 @@ Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds
     throw FileError(path, error.mark.line + first_line, "is not YAML: " + printable(error.msg));
   }
   return builder.take();
+}
+
+Yaml as_yaml(const Json& json) {
+  Yaml yaml{.value = "", .tag = "", .line = json.line};
+  if (const auto* text = std::get_if<std::string>(&json.value)) {
+    yaml.value = *text;
+    yaml.tag = "!";
+  } else if (const auto* items = std::get_if<Json::Items>(&json.value)) {
+    Yaml::Items list;
+    list.reserve(items->size());
+    for (const Json& item : *items) list.push_back(as_yaml(item));
+    yaml.value = std::move(list);
+  } else if (const auto* members = std::get_if<Json::Members>(&json.value)) {
+    Yaml::Members map;
+    for (const auto& [key, value] : *members) map.push_back({key, value.line, as_yaml(value)});
+    yaml.value = std::move(map);
+  } else if (const auto* number = std::get_if<double>(&json.value);
+             number != nullptr && std::abs(*number) < 1e15 && *number == std::trunc(*number)) {
+    yaml.value = std::to_string(static_cast<std::int64_t>(*number));
+  } else if (!std::holds_alternative<std::nullptr_t>(json.value)) {
+    yaml.value = json.text();
+  }
+  return yaml;
 }
 
 }  // namespace beeline::internal

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include <beeline/io/text/json.h>
+
 namespace beeline::internal {
 
 struct YamlMember;
@@ -30,16 +32,20 @@ struct YamlMember {
 /// Bounds of the content of a YAML text.
 struct YamlBounds {
   std::size_t bytes = std::size_t{1} << 20;
-  std::size_t values = 100'000;  ///< copies of aliases included
+  /// Copies of aliases included; each 64 bytes of a text count as one more.
+  std::size_t values = 100'000;
 };
 
 /// Parses a YAML text of one document; `path` names it in messages, `first_line` is its first line
 /// in the file. An alias becomes a copy of the named value. A merge key (<<) adds the members of
 /// its map that this map lacks. Throws FileError for text that is not YAML, a second document, a
-/// repeated key, a key that is not a scalar, an alias inside its own anchor, a text beyond the
-/// bounds and nesting deeper than 64 levels. These bounds keep memory, time and stack bounded for
-/// any text.
+/// repeated key, a key that is not a scalar, an alias inside its own anchor, a line of more than
+/// 1 MiB, a text beyond the bounds and nesting deeper than 64 levels. These bounds keep memory,
+/// time and stack bounded for any text.
 Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds = {},
                 int first_line = 1);
+
+/// Returns a JSON value. Its texts are texts in quotes, its whole numbers have no point.
+Yaml as_yaml(const Json& json);
 
 }  // namespace beeline::internal

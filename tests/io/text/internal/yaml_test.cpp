@@ -83,6 +83,11 @@ TEST(Yaml, BoundsDepthSizeAndCopies) {
   }
   EXPECT_REFUSED(parsed(bomb), "more than 100000 values");
   EXPECT_REFUSED(parsed(nested), "is nested deeper than 64 levels");
+  const std::string text = "a: &a " + std::string(100'000, 'x') + "\nb: [";
+  EXPECT_REFUSED(parsed(text + repeated("*a, ", 100) + "1]\n"), "more than 100000 values");
+  const YamlBounds large{.bytes = std::size_t{1} << 24};
+  EXPECT_REFUSED(parse_yaml("a: 1\nb: [" + repeated("1,", 1 << 19) + "1]", "a.yaml", large),
+                 "a.yaml:2: is longer than 1 MiB");
 }
 
 }  // namespace
