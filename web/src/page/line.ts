@@ -29,6 +29,7 @@ export class LineSection implements PageSection {
   private readonly report = element("div", { role: "status" });
   private readonly branches = element("div");
   private readonly player: MotionPlayer;
+  private readonly bar = element("div");
   private readonly work: Work;
   private readonly rest = new Rest();
   private shown: Shown | null = null;
@@ -42,9 +43,9 @@ export class LineSection implements PageSection {
   constructor(private readonly services: Services) {
     const { store } = services;
     this.player = new MotionPlayer(services, () => void this.retime());
+    this.bar.append(this.player.bar);
     this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
-      this.intro,
       () => this.toolPose(),
       (waypoints) => store.set({ waypoints }),
       () => this.changed(),
@@ -57,6 +58,9 @@ export class LineSection implements PageSection {
     );
     this.root.append(
       element("h2", {}, "Line"),
+      this.waypoints.buttons, // nothing above them changes its height: they stay under the finger
+      this.bar,
+      this.intro,
       this.waypoints.root,
       this.work.root,
       this.report,
@@ -122,6 +126,7 @@ export class LineSection implements PageSection {
 
   /** Other waypoints: the preview follows, the plan once they are dropped. */
   private changed(): void {
+    this.bar.className = this.waypoints.enough ? "awaits-player" : "";
     if (this.waypoints.enough && !this.dragging && this.waypoints.asFile.text === this.plannedFor) return this.draw();
     this.clear();
     this.draw();
@@ -176,7 +181,6 @@ export class LineSection implements PageSection {
         this.player.show("motion.csv", csv);
         const { q } = this.services.store.get();
         if (q) this.player.follow(q);
-        if (chosen === null) this.player.root.firstElementChild?.scrollIntoView({ block: "nearest" });
         this.planned = this.player.trail(line.status === "reached" ? "planned" : "refused");
       }
       this.draw();
