@@ -29,7 +29,6 @@ export class LineSection implements PageSection {
   private readonly report = element("div", { role: "status" });
   private readonly branches = element("div");
   private readonly player: MotionPlayer;
-  private readonly bar = element("div");
   private readonly work: Work;
   private readonly rest = new Rest();
   private shown: Shown | null = null;
@@ -43,7 +42,6 @@ export class LineSection implements PageSection {
   constructor(private readonly services: Services) {
     const { store } = services;
     this.player = new MotionPlayer(services, () => void this.retime());
-    this.bar.append(this.player.bar);
     this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
       () => this.toolPose(),
@@ -59,7 +57,7 @@ export class LineSection implements PageSection {
     this.root.append(
       element("h2", {}, "Line"),
       this.waypoints.buttons, // nothing above them changes its height: they stay under the finger
-      this.bar,
+      this.player.bar,
       this.intro,
       this.waypoints.root,
       this.work.root,
@@ -126,7 +124,7 @@ export class LineSection implements PageSection {
 
   /** Other waypoints: the preview follows, the plan once they are dropped. */
   private changed(): void {
-    this.bar.className = this.waypoints.enough ? "awaits-player" : "";
+    this.player.bar.className = this.waypoints.enough ? "awaits-player" : "";
     if (this.waypoints.enough && !this.dragging && this.waypoints.asFile.text === this.plannedFor) return this.draw();
     this.clear();
     this.draw();
