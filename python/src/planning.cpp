@@ -5,6 +5,17 @@
 
 namespace beeline::python {
 
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::Function
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::from(nb::handle value,
+                                                                     const char* name) {
+  if (value.is_none()) return {};
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+  const auto* const model = &nb::cast<const CollisionModel&>(value);
+  return [model](const Trajectory& motion, const Budget& budget) {
+    return prove_clearance(*model, motion, {.budget = budget}).reason;
+  };
+}
+
 std::function<Configuration(double)> Value<std::function<Configuration(double)>>::from(
     nb::handle value, const char* name) {
   if (value.is_none()) return {};
@@ -133,6 +144,7 @@ void bind_planning(nb::module_& m) {
                       "Whether the samples reach the segment's end.");
   bind_record<Branch>(m);
   bind_record<NearbyPath>(m);
+  bind_record<BlockedBranch>(m);
   bind_record<PathMotion>(m);
   bind_branches(m);
   bind_moves(m);
