@@ -1,3 +1,5 @@
+#include <beeline/certificate/clearance.h>
+
 #include "bindings.h"
 #include "interruption.h"
 #include "plane_poses.h"
