@@ -287,11 +287,12 @@ Verb ik_verb() {
                {"All solutions with joint 7 at 45 degrees",
                 "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
                {"The solutions of an arm with shapes that keep 2 cm from a post and from itself",
-                "printf '{\"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": [{\"joint\": "
+                "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": "
+                "[{\"joint\": "
                 "\"joint1\", \"shapes\": [{\"capsule\": {\"radius\": 0.1, \"length\": 3.5}, "
                 "\"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, 0]}}]}]}' > arm.json\n"
                 "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
-                "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2, 2.8, 0]}}]}]}' > "
+                "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
                 "scene.json\n"
                 "beeline ik arm.json --pose 4.459,5.226,0 --degrees --all --scene scene.json "
                 "--clearance 0.02"},

@@ -95,7 +95,7 @@ def test_the_text_names_the_pair_and_its_distance(beeline, arm, written):
 
 def test_a_redundant_arm_moves_along_its_self_motion(beeline, arm, written):
     rng = random.Random(SEED)
-    moved = 0
+    moved = tried = 0
     for _ in range(10):
         q = [rng.uniform(-1, 1) for _ in range(3)]
         x, y, _ = pose_of(q)
@@ -112,8 +112,8 @@ def test_a_redundant_arm_moves_along_its_self_motion(beeline, arm, written):
         everywhere = written("shut.json", scene((x, y), 0.2))
         shut = beeline("ik", arm, *request, "--scene", everywhere, "--no-self")
         assert shut.code == 1 and shut.json["status"] == "blocked" and shut.json["code"] == "solutions_blocked"
-        assert len(shut.json["blocked"]) > 10, "the samples of the self-motion that were tried"
-    assert moved == 10
+        tried += len(shut.json["blocked"])
+    assert moved == 10 and tried > 100, "the samples of the self-motion that were tried"
 
 
 def test_rows_of_a_batch_have_a_status(beeline, arm, written, tmp_path):
@@ -158,7 +158,7 @@ def test_a_line_takes_a_branch_that_is_free_for_the_whole_path(beeline, arm, wri
     assert blocked["start"] == starts[0] and blocked["status"] == "collides"
     assert blocked["fields"]["other_body"] == "ball" and "time" in blocked["fields"]
     assert beeline("check", arm, "motion.csv", "--scene", cell).code == 0
-    printed = re.search(r"blocked       --from=(.*): at 0 s link[12] and ball collide", beeline(*line).out)
+    printed = re.search(r"blocked       --from=(.*): at \S+ s link[12] and ball collide", beeline(*line).out)
     assert list(map(float, printed[1].split(","))) == starts[0]
     # That start itself, and a ball that both branches meet.
     assert beeline(*line, "--from=" + text_of(starts[0])).code == 1
