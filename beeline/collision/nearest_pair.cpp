@@ -2,9 +2,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include <beeline/collision/internal/collision_bodies.h>
 #include <beeline/collision/internal/nearest_pair.h>
+#include <beeline/collision/internal/pair_reason.h>
 
 namespace beeline {
 namespace {
@@ -169,6 +171,26 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
     return a.lower - a.clearance < b.lower - b.clearance;
   });
   return pairs;
+}
+
+Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q) {
+  check_configuration(model.arm(), q);
+  std::optional<BodyDistance> blocking;
+  const auto is_proved = [](const BodyDistance& pair) { return pair.upper < pair.clearance; };
+  double within = 0;
+  const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
+  distances.visit(within, [&](const FoundPair& found) {
+    const BodyDistance& pair = found.distance;
+    if (pair.lower >= pair.clearance) return;
+    const bool is_deeper =
+        !blocking || (is_proved(pair) == is_proved(*blocking)
+                          ? pair.lower - pair.clearance < blocking->lower - blocking->clearance
+                          : is_proved(pair));
+    if (is_deeper) blocking = pair;
+  });
+  if (!blocking) return {};
+  return is_proved(*blocking) ? internal::too_close_reason(*blocking)
+                              : internal::not_decided_reason(*blocking);
 }
 
 }  // namespace beeline

@@ -11,6 +11,7 @@
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/printed_motion.h>
+#include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/internal/motion_start.h>
@@ -121,6 +122,9 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   const bool followed(motion);
   if (followed && options.duration) keep_duration(request, budget, motion);
   if (motion) {
+    if (options.blocked_by) {
+      motion = unblocked_motion(request, options.blocked_by, std::move(motion), budget);
+    }
     budget.report(1);
     return motion;
   }

@@ -171,6 +171,19 @@ void bind_model(nb::module_& m) {
           "Pairs of bodies of the arm that share a joint and, for this reason, do not count.");
 }
 
+void bind_blocked_by(nb::module_& m) {
+  Signature blocked("blocked_by", "Reason", comment("blocked_by"));
+  blocked.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("q", array_like, "Configuration (n,).")
+      .returns("Empty, which is false, if the configuration is free.");
+  define(
+      m,
+      [](const CollisionModel& model, nb::handle q) {
+        return Value<Reason>::to(blocked_by(model, Value<Configuration>::from(q, "q")));
+      },
+      blocked, nb::arg("model"), nb::arg("q"));
+}
+
 void bind_distances(nb::module_& m) {
   Signature nearest("nearest_pair", "BodyDistance",
                     "Returns the pair with the least distance beyond its clearance at a "
@@ -311,6 +324,7 @@ void bind_collisions(nb::module_& m) {
   bind_shape_files(m);
   bind_model(m);
   bind_distances(m);
+  bind_blocked_by(m);
 }
 
 }  // namespace beeline::python

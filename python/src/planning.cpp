@@ -1,9 +1,22 @@
+#include <beeline/certificate/clearance.h>
+
 #include "bindings.h"
 #include "interruption.h"
 #include "plane_poses.h"
 #include "planning_fields.h"
 
 namespace beeline::python {
+
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::Function
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::from(nb::handle value,
+                                                                     const char* name) {
+  if (value.is_none()) return {};
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+  const auto* const model = &nb::cast<const CollisionModel&>(value);
+  return [model](const Trajectory& motion, const Budget& budget) {
+    return prove_clearance(*model, motion, {.budget = budget}).reason;
+  };
+}
 
 std::function<Configuration(double)> Value<std::function<Configuration(double)>>::from(
     nb::handle value, const char* name) {
@@ -133,6 +146,7 @@ void bind_planning(nb::module_& m) {
                       "Whether the samples reach the segment's end.");
   bind_record<Branch>(m);
   bind_record<NearbyPath>(m);
+  bind_record<BlockedBranch>(m);
   bind_record<PathMotion>(m);
   bind_branches(m);
   bind_moves(m);
