@@ -36,7 +36,7 @@ TEST(MotionTubes, ContainTheMotion) {
         // The position along the tube is the same for all coordinates: an interval of it fits each.
         double lowest = -1, highest = 1;
         for (Eigen::Index j = 0; j < q.size(); ++j) {
-          const double offset = q[j] - tube.middle[j], half = tube.half[j];
+          const double offset = q[j] - tube.middle[j], half = tube.half_motion[j];
           if (std::abs(half) < 1e-9) {
             EXPECT_LE(std::abs(offset), tube.slack[j] + 1e-9);
             continue;
@@ -69,11 +69,11 @@ TEST(TubeGap, BoundsTheMotionAlongADirection) {
     TubeValues tube(arm.dof());
     tube.middle = random.configuration(arm);
     for (Eigen::Index k = 0; k < arm.dof(); ++k) {
-      tube.half[k] = random.uniform(-size, size);
+      tube.half_motion[k] = random.uniform(-size, size);
       tube.slack[k] = random.integer(0, 1) * random.uniform(0, size * size);
     }
     const auto at = [&](double s, Random& any) {
-      Configuration q = tube.middle + s * tube.half;
+      Configuration q = tube.middle + s * tube.half_motion;
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         q[k] += any.integer(-1, 1) * tube.slack[k];
       }
@@ -104,7 +104,8 @@ TEST(TubeGap, BoundsTheMotionAlongADirection) {
       EXPECT_LE(std::abs(value - middle), displacement + 1e-12);
     }
     // To second order the bound is reached.
-    EXPECT_LE(bound - std::max(highest(tube.middle - tube.half), highest(tube.middle + tube.half)),
+    EXPECT_LE(bound - std::max(highest(tube.middle - tube.half_motion),
+                               highest(tube.middle + tube.half_motion)),
               2 * remainder + 1e-12);
   }
 }
