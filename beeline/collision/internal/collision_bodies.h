@@ -31,9 +31,9 @@ struct CollisionBodies {
   };
   std::vector<LinkBody> link_bodies;
 
-  /// A group of bodies: those of one LinkShapes from index `begin` to before `end`, with a capsule
-  /// around them. First in `groups` are the groups of one body, at the index of the body; the
-  /// groups of all bodies of a LinkShapes that has several follow.
+  /// A group of bodies: the bodies of one LinkShapes from index `begin` to before `end`, with a
+  /// capsule around them. First in `groups` are the groups of one body, at the index of the body;
+  /// the groups of all bodies of a LinkShapes that has several follow.
   struct BodyGroup {
     BoundingCapsule capsule;  ///< in the frame that carries it
     std::size_t frame = 0, link_shapes = 0;
