@@ -313,6 +313,31 @@ TEST(Clearance, MatchesJointsByName) {
   EXPECT_REFUSED(clearance_over_time(model, other), "x");
 }
 
+/// The capsules around two plates overlap by far; the plates themselves are tested at once.
+TEST(Clearance, OfTwoFlatLinksNeedsFewParts) {
+  Joint joint;
+  joint.name = "slide";
+  joint.screw = translation_screw(Vector3::UnitX());
+  const Arm arm("slide", {joint}, Pose::Identity(), Pose::Identity());
+  const Shape plate{Box{{0.4, 0.4, 0.002}}};
+  Shape above = plate;
+  above.pose.translation().z() = 0.032;
+  const CollisionModel model(
+      arm,
+      {{.name = "lower", .link = 0, .shapes = {plate}, .at_distal_joint = false},
+       {.name = "upper", .link = 1, .shapes = {above}}},
+      {}, {.budget = {.max_work = 0}});
+  const Trajectory motion{arm.joint_names(),
+                          {0, 1},
+                          {Configuration::Constant(1, -0.15), Configuration::Constant(1, 0.15)},
+                          {},
+                          {}};
+  const ClearanceProof proof = prove_clearance(model, motion);
+  EXPECT_TRUE(proof) << proof;
+  EXPECT_NEAR(proof.least_distance, 0.03, 1e-9);
+  EXPECT_LE(proof.parts, 2U);
+}
+
 TEST(Clearance, EndsWithItsBudget) {
   Random random;
   const Arm arm = built_in("panda");
