@@ -117,7 +117,7 @@ class Distances {
                   const Found& found) const {
     const internal::BoxTree::Node& node = bodies_.tree.node(index);
     const ConvexBody& first = placed_[i];
-    const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half;
+    const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half_extents;
     const double apart = beside.cwiseMax(0).norm() - first.bound;
     if (apart > node.clearance + within) return;
     if (node.right == 0) {
