@@ -118,7 +118,7 @@ std::string batch_text(const BatchArguments& arguments, const std::string& kind,
   if (kind == "ik" && arguments.status) text += statuses_text(report.counts);
   if (arguments.out != "-" && report.counts.ending == Ending::complete)
     text += fmt::format("rows          {}\n", arguments.out);
-  if (work.scene) text += lines_text(conditions(*work.scene));
+  if (work.scene) text += scene_text(*work.scene);
   return text;
 }
 

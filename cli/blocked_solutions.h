@@ -21,7 +21,8 @@ std::string blocked_text(const Arm& arm, const std::vector<BlockedSolution>& blo
 Json json_blocked(const Arm& arm, const std::vector<BlockedSolution>& blocked,
                   const UnitArgument& unit);
 
-/// The pairs that count, the bodies, exemptions and assumptions.
+/// The pairs that count, the clearance, the bodies, exemptions and assumptions.
+std::string scene_text(const CheckedScene& scene);
 Json scene_document(const CheckedScene& scene);
 
 }  // namespace beeline::command

@@ -142,7 +142,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const CheckedSc
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
                         shown(result.nearest->world_T_tool, in_plane, unit));
   }
-  if (scene != nullptr) text += lines_text(conditions(*scene));
+  if (scene != nullptr) text += scene_text(*scene);
   return text;
 }
 
@@ -210,10 +210,10 @@ Answer ik(const IkArguments& arguments) {
   options.budget = arguments.inverse.budget.next();
   for_option("--pose", [&] { check_pose_form(arm, goal, arguments.inverse.task); });
   const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
-  const CheckedScene* const around = scene ? &*scene : nullptr;
-  if (around) {
-    warn_if_unchecked(*around);
-    options.blocked_by = blocked_in(*around);
+  const CheckedScene* const in_scene = scene ? &*scene : nullptr;
+  if (in_scene) {
+    warn_if_unchecked(*in_scene);
+    options.blocked_by = blocked_in(*in_scene);
   }
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), arguments.unit);
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
@@ -223,8 +223,8 @@ Answer ik(const IkArguments& arguments) {
                      number(result.residual)));
   }
   const Residual residual = residual_of(arguments.unit, arm, result);
-  return {.text = ik_text(arm, result, around, arguments.arm.shown_in_plane(arm), arguments.unit),
-          .document = ik_document(arm, result, around, arguments.unit),
+  return {.text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm), arguments.unit),
+          .document = ik_document(arm, result, in_scene, arguments.unit),
           .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
           .yes = solved,
           .reason = sentence(result.reason)};
@@ -257,49 +257,51 @@ std::vector<Option> ik_options(IkArguments& arguments) {
 
 Verb ik_verb() {
   const auto arguments = std::make_shared<IkArguments>();
-  return {.name = "ik",
-          .summary = "Inverse kinematics: the joint values that reach a pose",
-          .description =
-              "Prints a status, then the solutions, one line of joint values each. The status is "
-              "solved, unreachable (the position is out of reach), orientation_unreachable (the "
-              "position can be reached, but not with this orientation), outside_limits (all "
-              "solutions found violate position limits) or not_found (the search ended without a "
-              "proof); or time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found "
-              "so far. With --scene or --self a solution is given only if each pair of bodies is "
-              "proved to keep its clearance there, see `beeline help check`. The others are listed "
-              "as blocked, with the two bodies that are closest; if there are no others, the "
-              "status is blocked. Without --all the first free one is given; a redundant arm "
-              "searches for it on the grid of its self-motion. Without a solution, exit code 1, "
-              "the nearest configuration and the reason "
-              "are given. The residual is the error of the solutions, or the distance, the angle "
-              "or the joint value by which the pose is missed.",
-          .arguments = {arguments->arm.argument()},
-          .options = ik_options(*arguments),
-          .examples =
-              {{"Both solutions of the planar arm",
-                "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
-               {"A redundant arm: the solution most centred between its limits",
-                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
-               {"A pose in the frame of a pallet, turned by 30 degrees",
-                "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
-               {"A pose as a UR shows it: millimetres and a rotation vector",
-                "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
-               {"All solutions with joint 7 at 45 degrees",
-                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
-               {"The solutions of an arm with shapes that keep 2 cm from a post and from itself",
-                "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": "
-                "[{\"joint\": "
-                "\"joint1\", \"shapes\": [{\"capsule\": {\"radius\": 0.1, \"length\": 3.5}, "
-                "\"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, 0]}}]}]}' > arm.json\n"
-                "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
-                "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
-                "scene.json\n"
-                "beeline ik arm.json --pose 4.459,5.226,0 --degrees --all --scene scene.json "
-                "--clearance 0.02"},
-               {"The numerical method for at most 10 ms, as JSON",
-                "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01 "
-                "--json"}},
-          .run = [arguments] { return ik(*arguments); }};
+  return {
+      .name = "ik",
+      .summary = "Inverse kinematics: the joint values that reach a pose",
+      .description =
+          "Prints a status, then the solutions, one line of joint values each. The status is "
+          "solved, unreachable (the position is out of reach), orientation_unreachable (the "
+          "position can be reached, but not with this orientation), outside_limits (all "
+          "solutions found violate position limits) or not_found (the search ended without a "
+          "proof); or time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found "
+          "so far. With --scene or --self a solution is given only if each pair of bodies is "
+          "proved to keep its clearance there, see `beeline help check`. The others are listed "
+          "as blocked, with the two bodies that are closest; if there are no others, the "
+          "status is blocked. Without --all the first free one is given; a redundant arm "
+          "searches for it on the grid of its self-motion; solutions within --pose-tolerance are "
+          "not searched where all exact ones are blocked. Without a solution, exit code 1 and "
+          "the reason are given, and unless the status is blocked the nearest configuration. The "
+          "residual is the error of the solutions, or the distance, the angle "
+          "or the joint value by which the pose is missed.",
+      .arguments = {arguments->arm.argument()},
+      .options = ik_options(*arguments),
+      .examples =
+          {{"Both solutions of the planar arm",
+            "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
+           {"A redundant arm: the solution most centred between its limits",
+            "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
+           {"A pose in the frame of a pallet, turned by 30 degrees",
+            "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
+           {"A pose as a UR shows it: millimetres and a rotation vector",
+            "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
+           {"All solutions with joint 7 at 45 degrees",
+            "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
+           {"The solutions of an arm with shapes that keep 2 cm from a post and from itself",
+            "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": "
+            "[{\"joint\": "
+            "\"joint1\", \"shapes\": [{\"capsule\": {\"radius\": 0.1, \"length\": 3.5}, "
+            "\"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, 0]}}]}]}' > arm.json\n"
+            "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
+            "scene.json\n"
+            "beeline ik arm.json --pose 4.459,5.226,0 --degrees --all --scene scene.json "
+            "--clearance 0.02"},
+           {"The numerical method for at most 10 ms, as JSON",
+            "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01 "
+            "--json"}},
+      .run = [arguments] { return ik(*arguments); }};
 }
 
 }  // namespace beeline::command

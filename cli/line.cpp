@@ -338,8 +338,10 @@ Verb line_verb() {
           "With --scene or --self the planned motion must keep a clearance, see `beeline help "
           "check`; otherwise nothing is written, and the status is collides or not_decided. "
           "Without "
-          "--from the best branch that keeps it is taken, and the others are listed as blocked, "
-          "with what they hit and where. The path is not planned around obstacles.\n\n"
+          "--from the best branch that keeps it is taken, and those that do not are listed as "
+          "blocked, "
+          "with what they hit and where or why they end early; a program has one motion. The path "
+          "is not planned around obstacles.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
       .options =

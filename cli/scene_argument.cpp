@@ -231,8 +231,8 @@ std::vector<Option> SceneArgument::options() {
   return joined(
       {distance_options(),
        {Option("--resolution FRACTION",
-               "Distances that differ from the clearance by less than this fraction of it are not "
-               "decided. Default: " +
+               "The clearance is proved at all times, also between the samples. Distances that "
+               "differ from it by less than this fraction of it are not decided. Default: " +
                    number(ClearanceOptions().resolution) + ".",
                &resolution, {.range = {1e-6, 1}})}});
 }
@@ -344,6 +344,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .model = CollisionModel(arm, shapes.links, scene, options),
       .links = links,
       .obstacles = {known.begin() + static_cast<std::ptrdiff_t>(links.size()), known.end()},
+      .clearance = options.clearance,
       .self_collision = !no_self,
       .obstacles_have_clearances =
           std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
@@ -372,7 +373,7 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   ClearanceOptions options{.closest = true, .budget = budget};
   if (resolution) options.resolution = *resolution;
   ClearanceReport report{.scene = &scene,
-                         .clearance = clearance.value_or(CollisionOptions().clearance),
+                         .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, options)};
   warn_if_unchecked(scene);
   if (report.proof.status != ClearanceStatus::collides) return report;

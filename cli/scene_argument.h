@@ -26,6 +26,7 @@ struct MeshHull {
 struct CheckedScene {
   CollisionModel model;
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
+  double clearance = 0;                                 ///< by --clearance, m
   bool self_collision = true;                           ///< false: --no-self
   bool obstacles_have_clearances = false;      ///< whether an obstacle has a clearance of its own
   std::vector<NamedPair> allowed_pairs = {};   ///< by --allow and the scenes

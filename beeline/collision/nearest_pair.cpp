@@ -89,7 +89,10 @@ class Distances {
   void visit_pair(const PlacedPair& pair, double within, const Found& found) const {
     const ConvexBody& first = placed_[pair.first];
     const Vector3 between = pair.second->centre - first.centre;
-    if (between.norm() - first.bound - pair.second->bound > pair.clearance + within) return;
+    const double rounding =
+        pair.rounding + support_rounding(first) + support_rounding(*pair.second);
+    const double apart = between.norm() - first.bound - pair.second->bound - rounding;
+    if (apart > pair.clearance + within) return;
     const internal::Separation parts = separation(first, *pair.second, between);
     const auto& link = bodies_.link_bodies[pair.first];
     found({bodies_.distance(link, pair.name, parts, pair.clearance, pair.rounding),
@@ -118,7 +121,9 @@ class Distances {
     const internal::BoxTree::Node& node = bodies_.tree.node(index);
     const ConvexBody& first = placed_[i];
     const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half_extents;
-    const double apart = beside.cwiseMax(0).norm() - first.bound;
+    const double rounded = rounding(bodies_.link_bodies[i]) + support_rounding(first) +
+                           bodies_.tree.boxes().rounding_of(index);
+    const double apart = beside.cwiseMax(0).norm() - first.bound - rounded;
     if (apart > node.clearance + within) return;
     if (node.right == 0) {
       return visit_obstacle(i, bodies_.obstacle_bodies[node.body], within, found);

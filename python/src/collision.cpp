@@ -130,6 +130,21 @@ void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
                 listed(far));
 }
 
+/// Whether the joints of both arms carry the links in the same way.
+bool same_links(const Arm& a, const Arm& b) {
+  const auto same_joint = [](const Joint& x, const Joint& y) {
+    return x.offset.matrix() == y.offset.matrix() && x.screw == y.screw;
+  };
+  const auto same_coupling = [](const Arm::JointCoupling& x, const Arm::JointCoupling& y) {
+    return x.coordinate == y.coordinate && x.ratio == y.ratio && x.shift == y.shift;
+  };
+  return a.base().matrix() == b.base().matrix() &&
+         std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
+                    same_joint) &&
+         std::equal(a.couplings().begin(), a.couplings().end(), b.couplings().begin(),
+                    b.couplings().end(), same_coupling);
+}
+
 void bind_model(nb::module_& m) {
   nb::class_<CollisionModel> model(
       m, "CollisionModel", docstring(header_text("CollisionModel", ""), "CollisionModel", ""));
@@ -155,6 +170,12 @@ void bind_model(nb::module_& m) {
         new (self) CollisionModel(std::move(prepared));
       },
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
+  const auto itself = [](nb::handle_t<CollisionModel> self) { return nb::borrow(self); };
+  model.def("__copy__", itself, nb::sig("def __copy__(self) -> CollisionModel"))
+      .def(
+          "__deepcopy__",
+          [itself](nb::handle_t<CollisionModel> self, nb::handle) { return itself(self); },
+          nb::sig("def __deepcopy__(self, memo: object, /) -> CollisionModel"));
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
                    "Number of pairs that count: of a link's shape and an obstacle's, or of two "
@@ -303,6 +324,15 @@ std::map<std::string, std::string> Value<std::map<std::string, std::string>>::fr
     folders[Value<std::string>::from(key, name)] = path_from(folder, name);
   }
   return folders;
+}
+
+void check_model_of(const Arm& arm, const nb::dict& keywords) {
+  if (!keywords.contains("blocked_by")) return;
+  const nb::object model = keywords["blocked_by"];
+  if (nb::isinstance<CollisionModel>(model) &&
+      !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
+    throw Error("blocked_by is a model of another arm");
+  }
 }
 
 void bind_collisions(nb::module_& m) {

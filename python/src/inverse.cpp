@@ -6,6 +6,7 @@
 #include <beeline/collision/collision_model.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "inverse_fields.h"
 #include "plane_poses.h"
@@ -14,25 +15,9 @@
 namespace beeline::python {
 namespace {
 
-/// Whether the joints of both arms carry the links in the same way.
-bool same_links(const Arm& a, const Arm& b) {
-  const auto same_joint = [](const Joint& x, const Joint& y) {
-    return x.offset.matrix() == y.offset.matrix() && x.screw == y.screw;
-  };
-  return a.base().matrix() == b.base().matrix() &&
-         std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
-                    same_joint);
-}
-
 /// The options. Throws Error for a model of another arm.
 InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
-  if (keywords.contains("blocked_by")) {
-    const nb::object model = keywords["blocked_by"];
-    if (nb::isinstance<CollisionModel>(model) &&
-        !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
-      throw Error("blocked_by is a model of another arm");
-    }
-  }
+  check_model_of(arm, keywords);
   return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
 }
 
@@ -81,10 +66,7 @@ class Solver {
   static nb::dict copied(const nb::dict& keywords) {
     nb::dict copies;
     const nb::object deepcopy = nb::module_::import_("copy").attr("deepcopy");
-    for (const auto& [keyword, value] : keywords) {
-      const bool immutable = nb::isinstance<CollisionModel>(value);
-      copies[keyword] = immutable ? nb::borrow(value) : deepcopy(value);
-    }
+    for (const auto& [keyword, value] : keywords) copies[keyword] = deepcopy(value);
     return copies;
   }
 
@@ -309,7 +291,7 @@ void bind_solver(nb::module_& m) {
   });
   solver.def(
       "__getstate__",
-      [](const Solver& self) { return nb::make_tuple(self.arm(), nb::dict(self.keywords())); },
+      [](const Solver& self) { return nb::make_tuple(self.arm(), self.keywords().attr("copy")()); },
       nb::sig("def __getstate__(self) -> tuple[Arm, dict[str, object]]"));
   solver.def(
       "__setstate__",
@@ -330,7 +312,9 @@ Value<std::function<Reason(const ConfigurationRef&)>>::from(nb::handle value, co
   if (value.is_none()) return {};
   if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
   const auto* const model = &nb::cast<const CollisionModel&>(value);
-  return [model](const ConfigurationRef& q) { return blocked_by(*model, q); };
+  return [model, held = shared_object(nb::borrow(value))](const ConfigurationRef& q) {
+    return blocked_by(*model, q);
+  };
 }
 
 void bind_inverse(nb::module_& m) {

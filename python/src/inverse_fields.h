@@ -11,7 +11,7 @@
 
 namespace beeline::python {
 
-/// InverseOptions::blocked_by: a CollisionModel, which must live as long as the options.
+/// InverseOptions::blocked_by: a CollisionModel, which the function keeps.
 template <>
 struct Value<std::function<Reason(const ConfigurationRef&)>> {
   using Function = std::function<Reason(const ConfigurationRef&)>;

@@ -1,6 +1,7 @@
 #include <beeline/certificate/clearance.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "plane_poses.h"
 #include "planning_fields.h"
@@ -13,7 +14,8 @@ Value<std::function<Reason(const Trajectory&, const Budget&)>>::from(nb::handle 
   if (value.is_none()) return {};
   if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
   const auto* const model = &nb::cast<const CollisionModel&>(value);
-  return [model](const Trajectory& motion, const Budget& budget) {
+  return [model, held = shared_object(nb::borrow(value))](const Trajectory& motion,
+                                                          const Budget& budget) {
     return prove_clearance(*model, motion, {.budget = budget}).reason;
   };
 }
@@ -59,6 +61,7 @@ void bind_moves(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle start, const Route& route, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
+        check_model_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] { return move_along(arm, begin, route, asked); });
       },
@@ -79,6 +82,7 @@ void bind_moves(nb::module_& m) {
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
         const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
+        check_model_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] {
           return begin ? move_in_lines(arm, *begin, poses, asked)

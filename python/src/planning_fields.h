@@ -20,7 +20,7 @@ struct Value<std::function<Configuration(double)>> {
   static Function from(nb::handle value, const char* name);
 };
 
-/// PathMotionOptions::blocked_by: a CollisionModel, which must live as long as the options.
+/// PathMotionOptions::blocked_by: a CollisionModel, which the function keeps.
 template <>
 struct Value<std::function<Reason(const Trajectory&, const Budget&)>> {
   using Function = std::function<Reason(const Trajectory&, const Budget&)>;

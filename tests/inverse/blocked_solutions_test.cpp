@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <beeline/batch/batch.h>
 #include <beeline/collision/collision_model.h>
@@ -77,6 +78,30 @@ bool contains(const std::vector<Configuration>& all, const Configuration& q) {
 
 constexpr const char* arms[] = {"rrr", "puma560", "ur5", "panda", "scara"};
 
+// What is skipped as far away is proved to be, as what is measured is.
+TEST(BlockedSolutions, AreAtExactlyTheClearanceNotCalledFreeWithoutProof) {
+  Random random;
+  constexpr double radius = 0.03, clearance = 0.01;
+  int blocked = 0;
+  for (int i = 0; i < testing::cases(600); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "ur5" : "gantry");
+    const Configuration q = random.configuration(arm);
+    const Vector3 place = link_poses(arm, q).back().translation();
+    const Vector3 beside = place + (2 * radius + clearance) * random.direction();
+    const CollisionModel model(
+        arm, {{.name = "hand", .link = arm.joints().size(), .shapes = {{.body = Sphere{radius}}}}},
+        {.obstacles = {{.name = "ball",
+                        .shapes = {{.body = Sphere{radius},
+                                    .pose = Pose(Eigen::Translation3d(beside))}}}}},
+        {.clearance = clearance});
+    const BodyDistance nearest = nearest_pair(model, q);
+    const bool is_blocked = static_cast<bool>(blocked_by(model, q));
+    EXPECT_EQ(is_blocked, nearest.lower < clearance) << arm.name() << ' ' << q.transpose();
+    blocked += is_blocked;
+  }
+  EXPECT_GT(blocked, 0);
+}
+
 TEST(BlockedSolutions, AndFreeOnesAreAllSolutions) {
   Random random;
   int free = 0, blocked = 0;
@@ -132,6 +157,39 @@ TEST(BlockedSolutions, OfOneRequestLeadToTheFirstFreeOne) {
     EXPECT_EQ(one.solutions.front(), all.solutions.front());
   }
   EXPECT_GT(replaced, 0);
+}
+
+TEST(BlockedSolutions, OfAnArmThatIsNotRedundantLeadToTheNearestToTheSeed) {
+  Random random;
+  const Arm arm = built_in("puma560");
+  for (int i = 0; i < testing::cases(60); ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    InverseOptions options{.seed = random.configuration(arm), .redundancy = Redundancy::centred};
+    const Configuration first = inverse_kinematics(arm, pose, options).solutions.at(0);
+    options.blocked_by = [&](const ConfigurationRef& q) {
+      return (q - first).norm() < 1e-6 ? Reason(ReasonCode::bodies_collide) : Reason();
+    };
+    const InverseResult one = inverse_kinematics(arm, pose, options);
+    options.all = true;
+    for (const Configuration& q : inverse_kinematics(arm, pose, options).solutions) {
+      ASSERT_TRUE(one);
+      EXPECT_LE((one.solutions[0] - *options.seed).norm(), (q - *options.seed).norm() + 1e-9);
+    }
+  }
+}
+
+TEST(BlockedSolutions, BesideAToleranceAreNotCalledAllThatExist) {
+  const Arm arm = built_in("rrr");
+  InverseOptions options{.blocked_by = [](const ConfigurationRef& /*q*/) {
+    return Reason(ReasonCode::bodies_collide);
+  }};
+  const Pose pose = forward_kinematics(arm, {0.3, 0.4, 0.5});
+  EXPECT_TRUE(inverse_kinematics(arm, pose, options).complete);
+  options.pose_tolerance = Eigen::Vector3d(0, 0, std::numbers::pi);
+  const InverseResult result = inverse_kinematics(arm, pose, options);
+  EXPECT_EQ(result.status, InverseStatus::blocked);
+  EXPECT_EQ(result.reason.code, ReasonCode::solutions_blocked);
+  EXPECT_FALSE(result.complete);
 }
 
 TEST(BlockedSolutions, OfTheMostCentredOneLeadToTheMostCentredOnTheGrid) {

@@ -205,7 +205,9 @@ def test_solutions_that_are_blocked(name, rng):
         for pose, row in zip(poses, batch.q):
             one = solver.solve(pose)
             assert np.array_equal(row, one.q) if one else np.isnan(row).all()
-        assert copy.deepcopy(beeline.InverseSolver(arm)).solve(poses[0])
+        assert copy.deepcopy(solver).solve(poses[0]) == solver.solve(poses[0])
+        solver.__getstate__()[1].clear()
+        assert copy.copy(solver).solve(poses[0]) == solver.solve(poses[0])
     assert free and blocked
 
 
@@ -214,7 +216,8 @@ def test_a_model_of_another_arm_blocks_nothing_by_mistake(rng):
     model = model_among_balls(other, rng, 1)
     pose = beeline.forward_kinematics(arm, arm.middle)
     for call in (lambda: beeline.inverse_kinematics(arm, pose, blocked_by=model), lambda: beeline.InverseSolver(arm, blocked_by=model),
-                 lambda: beeline.batch_inverse(arm, [pose], blocked_by=model)):
+                 lambda: beeline.batch_inverse(arm, [pose], blocked_by=model),
+                 lambda: beeline.move_in_lines(arm, None, [pose, pose], blocked_by=model)):
         with pytest.raises(beeline.Error, match="another arm"):
             call()
     with pytest.raises(TypeError, match="blocked_by"):

@@ -12,7 +12,12 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t every = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t all_of_them = std::numeric_limits<std::size_t>::max();
+constexpr double same = 1e-6;  // radians or metres
+
+bool equal(const Configuration& a, const Configuration& b) {
+  return (a - b).lpNorm<Eigen::Infinity>() < same;
+}
 
 InverseResult any_result(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
                          bool explain_failure, BudgetMeter& budget) {
@@ -21,8 +26,8 @@ InverseResult any_result(SolverState& state, const Pose& world_T_tool, const Con
 }
 
 /// Moves blocked solutions to result.blocked, until `max_free` others are found.
-void divide(const InverseOptions& options, std::size_t max_free, BudgetMeter& budget,
-            InverseResult& result) {
+void separate_blocked(const InverseOptions& options, std::size_t max_free, BudgetMeter& budget,
+                      InverseResult& result) {
   std::vector<Configuration> found = std::exchange(result.solutions, {});
   for (Configuration& q : found) {
     if (result.solutions.size() == max_free || budget.ended()) break;
@@ -48,6 +53,8 @@ void set_status(const InverseOptions& options, const BudgetMeter& budget, Invers
     return;
   }
   if (has_free) return;
+  // Solutions within the tolerance, beside the exact ones, were not searched.
+  if (options.pose_tolerance) result.complete = result.branches_complete = false;
   result.status = InverseStatus::blocked;
   result.reason = {
       result.complete ? ReasonCode::all_solutions_blocked : ReasonCode::solutions_blocked,
@@ -104,21 +111,21 @@ void add_along_self_motion(const Request& request, const Configuration& q, Inver
 InverseResult all_in_order(SolverState& state, const Pose& world_T_tool,
                            const ConfigurationRef& seed, const Configuration& first,
                            BudgetMeter& budget) {
-  constexpr double same = 1e-6;  // radians or metres
   SolverState& all = solver_of_all(state);
   InverseResult result = solve(all, world_T_tool, seed, /*explain_failure=*/false, budget);
   std::vector<Configuration>& found = result.solutions;
-  const auto is_first = [&](const Configuration& q) {
-    return (q - first).lpNorm<Eigen::Infinity>() < same;
-  };
+  const auto is_first = [&](const Configuration& q) { return equal(q, first); };
   if (std::none_of(found.begin(), found.end(), is_first)) found.insert(found.begin(), first);
   const Request request = make_request(all, world_T_tool, seed, budget);
   if (result.self_motion_dimension > 0 && !request.options.lock && !result.grid) {
     add_along_self_motion(request, first, result);
   }
-  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
-    return redundancy_objective(request, a) < redundancy_objective(request, b);
-  });
+  const bool redundant = request.arm.dof() > request.task.size();
+  const auto objective = [&](const Configuration& q) {
+    return redundant ? redundancy_objective(request, q) : distance_from_seed(request, q);
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const auto& a, const auto& b) { return objective(a) < objective(b); });
   return result;
 }
 
@@ -131,7 +138,7 @@ InverseResult solve_unblocked(SolverState& state, const Pose& world_T_tool,
   InverseResult result = any_result(state, world_T_tool, seed, explain_failure, budget);
   if (result.solutions.empty()) return result;
   if (options.all) {
-    divide(options, every, budget, result);
+    separate_blocked(options, all_of_them, budget, result);
     set_status(options, budget, result);
     return result;
   }
@@ -139,9 +146,11 @@ InverseResult solve_unblocked(SolverState& state, const Pose& world_T_tool,
   if (budget.complete() && !options.blocked_by(first)) return result;
   InverseResult all = all_in_order(state, world_T_tool, seed, first, budget);
   all.residual = std::max(all.residual, result.residual);
-  all.deviation = std::move(result.deviation);
   all.status = InverseStatus::solved;
-  divide(options, 1, budget, all);
+  separate_blocked(options, 1, budget, all);
+  if (!all.solutions.empty() && equal(all.solutions.front(), first)) {
+    all.deviation = std::move(result.deviation);
+  }
   set_status(options, budget, all);
   if (!all.solutions.empty()) {
     all.complete = all.branches_complete = false;
