@@ -140,7 +140,8 @@ BoundingCapsule capsule_around(const std::vector<BoundingCapsule>& capsules) {
 double estimated_excess(const BoundingCapsule& capsule, const ConvexBody& body) {
   double most = 0;
   for (int i = 0; i < 27; ++i) {
-    const Vector3 direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const Eigen::Vector3i steps(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const Vector3 direction = steps.cast<double>();
     if (direction.isZero(0)) continue;
     const Vector3 n = direction.normalized();
     const double of_capsule =
