@@ -221,8 +221,8 @@ class InverseSolver {
   /// `solutions`, as many as fit (one suffices unless options.all), and returns their number.
   /// Returns 0, without a diagnosis, if there is none, or if the budget ended before one was found.
   /// Solutions of a closed form are checked by closing the loop. Does not allocate in the ordinary
-  /// case; `blocked_by` does, and so does a lock with a new value in each call, unless it is the
-  /// first or last of seven joints. Throws Error when a size does not fit or a number is not finite.
+  /// case; `blocked_by` does, and a lock with a new value in each call, unless it is the first or
+  /// last of seven joints. Throws Error when a size does not fit or a number is not finite.
   int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
             Eigen::Ref<Eigen::MatrixXd> solutions);
 
