@@ -60,13 +60,9 @@ Json json_blocked(const Arm& arm, const std::vector<BlockedSolution>& blocked,
 }
 
 std::string scene_text(const CheckedScene& scene) {
-  const auto number_of = [](const std::vector<std::string>& bodies, const std::string& noun) {
-    return counted(static_cast<std::int64_t>(bodies.size()), noun);
-  };
   const char* own = scene.obstacles_have_clearances ? ", or an obstacle's own clearance" : "";
-  return fmt::format("pairs         {} of {} and {}, {} m are required{}\n",
-                     scene.model.pair_count(), number_of(scene.links, "link"),
-                     number_of(scene.obstacles, "obstacle"), shown(scene.clearance), own) +
+  return fmt::format("pairs         {} of {}, {} m are required{}\n", scene.model.pair_count(),
+                     number_of_bodies(scene), shown(scene.clearance), own) +
          lines_text(conditions(scene));
 }
 

@@ -186,6 +186,11 @@ std::vector<SceneLine> conditions(const CheckedScene& scene) {
   return lines;
 }
 
+std::string number_of_bodies(const CheckedScene& scene) {
+  return counted(static_cast<std::int64_t>(scene.links.size()), "link") + " and " +
+         counted(static_cast<std::int64_t>(scene.obstacles.size()), "obstacle");
+}
+
 std::string lines_text(const std::vector<SceneLine>& lines) {
   std::string text;
   for (const SceneLine& line : lines) text += fmt::format("{:<14}{}\n", line.label, line.text);
@@ -227,9 +232,7 @@ std::string ClearanceReport::text() const {
                         pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
                         shown(proof.pair.clearance));
   }
-  text += fmt::format("pairs         {} of {} and {}", proof.pairs,
-                      counted(static_cast<std::int64_t>(scene->links.size()), "link"),
-                      counted(static_cast<std::int64_t>(scene->obstacles.size()), "obstacle"));
+  text += fmt::format("pairs         {} of {}", proof.pairs, number_of_bodies(*scene));
   const std::size_t apart = scene->model.apart_count();
   if (proof.pairs > scene->model.pair_count()) {
     text +=

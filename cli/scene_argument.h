@@ -59,6 +59,8 @@ struct SceneLine {
 std::vector<SceneLine> conditions(const CheckedScene& scene);
 /// The same in JSON, with the names of the bodies.
 Json conditions_document(const CheckedScene& scene);
+/// Returns the number of bodies: "4 links and 3 obstacles".
+std::string number_of_bodies(const CheckedScene& scene);
 /// Returns the lines as they stand in a report.
 std::string lines_text(const std::vector<SceneLine>& lines);
 

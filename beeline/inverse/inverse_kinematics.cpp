@@ -68,11 +68,7 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
   if (state_->plane) state_->plane->check(world_T_tool);
   internal::BudgetMeter budget(state_->options.budget);
-  if (state_->options.blocked_by) {
-    return internal::solve_unblocked(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
-  }
-  if (auto found = internal::one_solution_fast(*state_, world_T_tool, seed, budget)) return *found;
-  return internal::solve(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
+  return internal::solve_unblocked(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,

@@ -56,9 +56,7 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
 
 /// Whether the motion is planned, timed and proved.
 bool is_possible(const MotionRequest& request, BudgetMeter& budget) {
-  PathMotion motion = planned_motion(request, budget);
-  if (motion && request.timing.duration) keep_duration(request, budget, motion);
-  return motion && budget.complete();
+  return planned_motion_in_time(request, budget) && budget.complete();
 }
 
 struct Suggestions {

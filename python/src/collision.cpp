@@ -170,12 +170,7 @@ void bind_model(nb::module_& m) {
         new (self) CollisionModel(std::move(prepared));
       },
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
-  const auto itself = [](nb::handle_t<CollisionModel> self) { return nb::borrow(self); };
-  model.def("__copy__", itself, nb::sig("def __copy__(self) -> CollisionModel"))
-      .def(
-          "__deepcopy__",
-          [itself](nb::handle_t<CollisionModel> self, nb::handle) { return itself(self); },
-          nb::sig("def __deepcopy__(self, memo: object, /) -> CollisionModel"));
+  bind_copy(model, "CollisionModel", itself);
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
                    "Number of pairs that count: of a link's shape and an obstacle's, or of two "

@@ -61,7 +61,7 @@ TEST(Separation, CarriesAPointOfEachBodyNearTheBound) {
             kind_name(a) + " and " + kind_name(b) + ", case " + std::to_string(i);
         const Separation found = separation(convex_body(a), convex_body(b));
         const double out = std::max(outside(a, found.points.on_a), outside(b, found.points.on_b));
-        EXPECT_LE(out, 1e-8) << what;  // bodies are up to 30 m long
+        EXPECT_LE(out, 1e-9) << what;
         const double between = (found.points.on_a - found.points.on_b).norm();
         const double gap = std::min(between, between - found.lower);
         EXPECT_LE(gap, 1e-6) << what;
@@ -95,7 +95,7 @@ TEST(Separation, IsAsExactForATinyBodyAtALongOne) {
     const Separation found = separation(convex_body(a), convex_body(b));
     const double between = (found.points.on_a - found.points.on_b).norm();
     const double gap = std::min(between, between - found.lower);
-    EXPECT_LE(gap, 1e-6) << kind_name(a) << " and " << kind_name(b) << ", case " << i;
+    EXPECT_LE(gap, 1e-7) << kind_name(a) << " and " << kind_name(b) << ", case " << i;
     worst = std::max(worst, gap);
   }
   std::cout << "the points are at most " << worst << " m above the bound\n";

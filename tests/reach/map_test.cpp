@@ -79,17 +79,18 @@ TEST(Slabs, AreRangesThatCoverThePositions) {
 TEST_F(ReachMapFile, ReadsBackWhatWasComputed) {
   for (const char* name : {"puma560", "rrr", "panda"}) {
     const Arm arm = built_in(name);
-    const double coarse = testing::slow_build ? 0.7 : 0.5;
-    std::vector<ReachGridOptions> all{{.resolution = coarse, .directions = 60 * deg}};
+    const double coarse = testing::slow_build ? 1.4 : 1;
+    std::vector<ReachGridOptions> all{{.resolution = coarse * 0.4, .directions = 60 * deg}};
     if (!arm.planar()) {
-      all.push_back({.resolution = coarse, .orientation = Random().rotation()});
-      all.push_back({.resolution = coarse, .directions = 60 * deg, .rolls = 2.0});
+      all.push_back({.resolution = coarse * 0.4, .orientation = Random().rotation()});
+      all.push_back({.resolution = coarse * 0.5, .directions = 60 * deg, .rolls = 2.0});
     }
     if (arm.dof() < 7) {
-      all.push_back({.resolution = coarse, .azimuths = 1.0, .directions = 60 * deg});
+      all.push_back({.resolution = coarse * 0.5, .azimuths = 1.0, .directions = 60 * deg});
     }
     if (arm.dof() == 6) {
-      all.push_back({.resolution = coarse, .azimuths = 1.0, .directions = 60 * deg, .rolls = 1.0});
+      all.push_back(
+          {.resolution = coarse * 0.5, .azimuths = 1.0, .directions = 60 * deg, .rolls = 1.0});
     }
     for (const ReachGridOptions& options : all) {
       const ReachGrid grid(arm, options);

@@ -21,7 +21,7 @@ bool equal(const Configuration& a, const Configuration& b) {
 
 InverseResult any_result(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
                          bool explain_failure, BudgetMeter& budget) {
-  if (auto found = one_solution_fast(state, world_T_tool, seed, budget)) return *found;
+  if (auto found = one_solution_fast(state, world_T_tool, seed, budget)) return std::move(*found);
   return solve(state, world_T_tool, seed, explain_failure, budget);
 }
 
@@ -64,12 +64,12 @@ void set_status(const InverseOptions& options, const BudgetMeter& budget, Invers
 
 /// The solver of all solutions.
 SolverState& solver_of_all(SolverState& state) {
-  if (state.every.empty()) {
+  if (state.all_solutions.empty()) {
     InverseOptions options = state.options;
     options.all = true;
-    state.every = {make_solver_state(state.arm, options)};
+    state.all_solutions = {make_solver_state(state.arm, options)};
   }
-  return state.every.front();
+  return state.all_solutions.front();
 }
 
 /// The coordinate that changes most in the self-motion at q.
@@ -136,7 +136,7 @@ InverseResult solve_unblocked(SolverState& state, const Pose& world_T_tool,
                               BudgetMeter& budget) {
   const InverseOptions& options = state.options;
   InverseResult result = any_result(state, world_T_tool, seed, explain_failure, budget);
-  if (result.solutions.empty()) return result;
+  if (!options.blocked_by || result.solutions.empty()) return result;
   if (options.all) {
     separate_blocked(options, all_of_them, budget, result);
     set_status(options, budget, result);

@@ -42,8 +42,7 @@ PathMotion motion_of(const MotionRequest& request, const Branch& branch,
   MotionRequest from_start = request;
   from_start.start = branch.start;
   from_start.branch.budget = budget.part();
-  PathMotion motion = planned_motion(from_start, budget);
-  if (motion && request.timing.duration) keep_duration(from_start, budget, motion);
+  PathMotion motion = planned_motion_in_time(from_start, budget);
   if (motion) refuse_blocked(blocked_by, budget, motion);
   return motion;
 }
