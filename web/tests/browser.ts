@@ -1,5 +1,5 @@
 import { createServer, type Server } from "node:http";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
@@ -9,6 +9,11 @@ import { afterAll, afterEach, beforeAll, expect } from "vitest";
 import { patience } from "../vitest.config.js";
 
 const root = fileURLToPath(new URL("../../build/web", import.meta.url));
+
+/** The headless shell has the engine of Chromium without its windows, and opens a page with half of the computation. */
+const browsers = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"];
+const executablePath = process.env["CHROMIUM"] ?? browsers.find((path) => existsSync(path)) ?? "/usr/bin/chromium";
+
 const types: Record<string, string> = {
   html: "text/html",
   js: "text/javascript",
@@ -45,7 +50,7 @@ export async function visit(): Promise<Visit> {
   const address = server.address();
   if (address === null || typeof address === "string") throw new Error("the server has no port");
   const browser = await chromium.launch({
-    executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
+    executablePath,
     // The processor computes WebGL: without antialiasing, and only for the picture, frames come eight times as fast.
     args: [
       "--no-sandbox",
