@@ -12,6 +12,7 @@ export default defineConfig({
     hookTimeout: 0,
     include: ["tests/**/*.test.ts"],
     maxWorkers,
+    isolate: false, // what tests import is loaded once; no test changes it
     // A browser on loaded cores: one repetition, named in the report, where nobody watches.
     retry: process.env.CI ? 1 : 0,
     expect: { poll: { timeout: patience } },
