@@ -68,7 +68,7 @@ TEST(InverseKinematics, AtItsOwnSeedStaysThere) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < testing::example_size(100); ++i) {
       const Configuration q = random.configuration(arm);
       const InverseResult result = inverse_kinematics(arm, forward_kinematics(arm, q), {.seed = q});
       ASSERT_EQ(result.status, InverseStatus::solved);

@@ -111,7 +111,7 @@ TEST(Reach, AzimuthsByTheFirstJointAreThoseOfTheirCentres) {
       arm = with_limits(arm, {{arm.joints()[0].name, {.lower = -1.1, .upper = upper}}});
       if (upper > 1) arm = with_tool(arm, arm.tool() * beside);
       ASSERT_EQ(internal::roll_joint(arm).has_value(), upper < 1);
-      const double coarse = testing::slow_build ? 2 : 1;
+      const double coarse = testing::slow_build ? 3 : 1;
       const ReachGrid grid(
           arm, {.azimuths = coarse * 40 * deg, .directions = 80 * deg, .rolls = coarse * 60 * deg});
       for (int i = 0; i < cases(1); ++i) {
@@ -185,7 +185,8 @@ TEST(Reach, ACellOfARedundantArmIsReachedWhereItHasASolution) {
   Random random;
   for (const char* name : {"panda", "iiwa14", "gen3"}) {
     const Arm arm = built_in(name);
-    const ReachGrid grid(arm, {.directions = 60 * deg, .rolls = 90 * deg});
+    const double coarse = testing::slow_build ? 2 : 1;
+    const ReachGrid grid(arm, {.directions = coarse * 60 * deg, .rolls = coarse * 90 * deg});
     int reached = 0;
     for (int i = 0; i < cases(4); ++i) {
       const Pose world_T_tool = forward_kinematics(arm, random.configuration(arm));

@@ -14,6 +14,7 @@ namespace {
 
 using testing::axes_with;
 using testing::Axis;
+using testing::example_size;
 using testing::holds;
 using testing::Random;
 using Family = PieperLoop::Family;
@@ -78,7 +79,7 @@ void for_each_family(Visit&& visit) {
 TEST(PieperLoop, IsRecognisedWhateverTheLinkFrames) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < example_size(100); ++i) {
       for (const double size : {1e-3, 1.0, 1e3}) {
         const auto axes = axes_with(family, first, "RRRRRR", random, size);
         const auto loop = pieper_loop(chain_of(arm_through(axes, random, size)));
@@ -127,7 +128,7 @@ TEST(PieperLoop, FindsTheConfigurationOfAPose) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
     SCOPED_TRACE(words(family, first));
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < example_size(40); ++i) {
       expect_found(arm_through(axes_with(family, first, "RRRRRR", random), random), 10, random);
     }
   });
@@ -139,7 +140,7 @@ TEST(PieperLoop, FindsItWithPrismaticJoints) {
     for (int slides = 1; slides < 3; ++slides) {
       const auto letters = with_prismatic(first, slides == 1, slides == 2);
       SCOPED_TRACE(words(family, first) + ' ' + letters);
-      for (int i = 0; i < 20; ++i) {
+      for (int i = 0; i < example_size(20); ++i) {
         expect_found(arm_through(axes_with(family, first, letters, random), random), 10, random);
       }
     }
@@ -151,7 +152,7 @@ TEST(PieperLoop, FindsItForRightAngledArms) {
   Random random;
   int arms = 0;
   for_each_family([&](Family family, std::size_t first) {
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < example_size(150); ++i) {
       std::vector<Axis> axes;
       const Vector3 centre(0.5, -0.25, 1);
       const int along = random.integer(0, 2);
@@ -177,7 +178,7 @@ TEST(PieperLoop, FindsItForRightAngledArms) {
       expect_found(arm, 3, random);
     }
   });
-  EXPECT_GT(arms, 200);
+  EXPECT_GT(arms, example_size(200));
 }
 
 TEST(PieperLoop, FindsEverySolutionThatASearchFinds) {

@@ -12,6 +12,7 @@ namespace {
 
 using testing::arm_through;
 using testing::axes_with;
+using testing::example_size;
 using testing::holds;
 using testing::largest;
 using testing::Random;
@@ -83,12 +84,12 @@ TEST(PieperSolver, OfFiveJointsIsComplete) {
   Counts counts;
   const Arm puma = shortened(built_in("puma560"), 5);
   for (const Task& task : {Task::spatial(), rolling}) {
-    expect_complete(puma, task, 200, random, counts, false);
+    expect_complete(puma, task, example_size(200), random, counts, false);
     expect_complete(puma, task, 10, random, counts);
   }
   for (const Family family : {Family::intersecting, Family::parallel}) {
     for (std::size_t first = 0; first < 3; ++first) {
-      for (int i = 0; i < 20; ++i) {
+      for (int i = 0; i < example_size(20); ++i) {
         const Arm arm = arm_through(axes_with(family, first, "RRRRR", random), random);
         for (const Task& task : {Task::spatial(), rolling}) {
           expect_complete(arm, task, 10, random, counts, false);
@@ -103,12 +104,12 @@ TEST(PieperSolver, OfFiveJointsIsComplete) {
 TEST(PieperSolver, OfFourJointsIsComplete) {
   Random random;
   Counts counts;
-  expect_complete(built_in("scara"), Task::spatial(), 300, random, counts, false);
+  expect_complete(built_in("scara"), Task::spatial(), example_size(300), random, counts, false);
   expect_complete(built_in("scara"), Task::spatial(), 10, random, counts);
   for (const Family family : {Family::intersecting, Family::parallel}) {
     for (const auto& [first, letters] :
          {std::pair<std::size_t, const char*>{0, "RRRR"}, {1, "RRRR"}, {0, "RRRP"}}) {
-      for (int i = 0; i < 20; ++i) {
+      for (int i = 0; i < example_size(20); ++i) {
         const Arm arm = arm_through(axes_with(family, first, letters, random), random);
         expect_complete(arm, Task::spatial(), 10, random, counts, false);
         if (i < 3) expect_complete(arm, Task::spatial(), 1, random, counts);
@@ -121,9 +122,9 @@ TEST(PieperSolver, OfFourJointsIsComplete) {
 TEST(PieperSolver, OfThreeJointsForThePositionIsComplete) {
   Random random;
   Counts counts;
-  expect_complete(shortened(built_in("puma560"), 3), Task::position(), 200, random, counts, false);
+  expect_complete(shortened(built_in("puma560"), 3), Task::position(), example_size(200), random, counts, false);
   for (const char* letters : {"RRR", "RRP"}) {
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < example_size(40); ++i) {
       std::vector<testing::Axis> axes;
       for (const char* letter = letters; *letter != 0; ++letter) {
         axes.push_back(testing::random_axis(random, *letter == 'P'));
@@ -140,7 +141,7 @@ TEST(PieperSolver, OfThreeJointsForThePositionIsComplete) {
 TEST(PieperSolver, IsNotNeededForGantries) {
   Random random;
   for (const char* letters : {"PPPRRR", "RRPRRR", "PPRRRR", "RPRRRR"}) {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < example_size(20); ++i) {
       auto axes = axes_with(Family::intersecting, 3, letters, random);
       const bool square = i % 2 == 0 && axes[0].slides && axes[1].slides && axes[2].slides;
       for (int k = 0; k < 3 && square; ++k) axes[k].direction = Vector3::Unit(2 - k);
@@ -156,7 +157,7 @@ TEST(PieperSolver, IsNotNeededForGantries) {
 
 /// Solves the poses of random configurations with the given value of coordinate k.
 void expect_singular(const Arm& arm, int k, double value, bool singular, Random& random) {
-  for (int i = 0; i < testing::example_size(200); ++i) {
+  for (int i = 0; i < example_size(200); ++i) {
     Configuration q = random.configuration(arm);
     q[k] = value;
     const Pose pose = forward_kinematics(arm, q);
@@ -194,7 +195,7 @@ TEST(PieperSolver, IsExactNearSingularPoses) {
     for (const auto& [name, k] :
          {std::pair{"puma560", 4}, {"stanford", 4}, {"ur5", 4}, {"ur5", 2}}) {
       const Arm arm = built_in(name);
-      for (int i = 0; i < testing::example_size(50); ++i) {
+      for (int i = 0; i < example_size(50); ++i) {
         Configuration q = random.configuration(arm);
         q[k] = near;
         const Pose pose = forward_kinematics(arm, q);

@@ -19,6 +19,7 @@ namespace beeline::internal {
 namespace {
 
 using testing::cases;
+using testing::example_size;
 using testing::Random;
 
 using std::numbers::pi;
@@ -120,7 +121,7 @@ void expect_found(Random& random, const Arm& arm, int poses) {
 TEST(RaghavanRothSolver, FindsTheConfigurationOfAnyArm) {
   Random random;
   for (int i = 0; i < cases(30); ++i) {
-    expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)), 300);
+    expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)), example_size(300));
   }
 }
 
@@ -129,10 +130,10 @@ TEST(RaghavanRothSolver, FindsItWhereTwoAxesIntersectOrAreParallel) {
   for (int joint = 0; joint < 5; ++joint) {
     Rows rows = random_rows(random);
     rows[joint][0] = 0;
-    expect_found(random, arm_of(rows), 300);
+    expect_found(random, arm_of(rows), example_size(300));
     rows = random_rows(random);
     rows[joint][1] = 0;
-    expect_found(random, arm_of(rows), 300);
+    expect_found(random, arm_of(rows), example_size(300));
   }
 }
 
@@ -149,13 +150,13 @@ TEST(RaghavanRothSolver, FindsItForACalibratedUr5) {
   Random random;
   for (const double by : {1e-2, 1e-4, 1e-6, 1e-8}) {
     for (int i = 0; i < cases(3); ++i)
-      expect_found(random, arm_of(disturbed(random, ur5, by)), 300);
+      expect_found(random, arm_of(disturbed(random, ur5, by)), example_size(300));
   }
 }
 
 TEST(RaghavanRothSolver, FindsItForASlantedWrist) {
   Random random;
-  expect_found(random, arm_of(slanted_wrist()), 3000);
+  expect_found(random, arm_of(slanted_wrist()), example_size(3000));
 }
 
 /// An arm like FANUC's CRX: right angles everywhere and an offset in the wrist.
@@ -275,7 +276,7 @@ TEST(RaghavanRothSolver, FindsDoubleSolutions) {
 TEST(RaghavanRothSolver, FindsNothingOutOfReach) {
   Random random;
   Columns q(6, 16);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < example_size(20); ++i) {
     const Arm arm = arm_of(random_rows(random));
     const RaghavanRothSolver solver(chain_of(arm));
     Pose pose = random.pose();
