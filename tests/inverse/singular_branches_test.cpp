@@ -209,7 +209,7 @@ TEST_P(SingularBranches, AreAllRepresented) {
   for (const Singularity wanted :
        {Singularity::one, Singularity::wrist, Singularity::wrist_and_another}) {
     Count count;
-    for (int i = 0; i < testing::cases(30); ++i) {
+    for (int i = 0; i < testing::cases(testing::example_size(30)); ++i) {
       const auto q = singular(arm, wanted, random);
       const int starts = wanted == Singularity::wrist_and_another ? 0 : testing::example_size(60);
       if (q) compare(arm, *q, starts, random, count);
@@ -250,7 +250,7 @@ TEST(RightAngles, AreAmongCompleteSolutions) {
     const Arm arm = built_in(name);
     InverseSolver solver(arm, {.all = true, .max_restarts = 0});
     int complete = 0;
-    for (int i = 0; i < testing::cases(9000); ++i) {
+    for (int i = 0; i < testing::cases(testing::example_size(9000)); ++i) {
       Configuration q = random.configuration(arm);
       for (double& each : q) {
         if (random.integer(0, 3) > 0) each = pi / 2 * std::round(2 * each / pi);
@@ -284,7 +284,7 @@ TEST(SeedThatIsASolution, ComesFirst) {
   Random random;
   for (const char* name : {"puma560", "ur5", "crx10ia", "panda"}) {
     const Arm arm = built_in(name);
-    for (int i = 0; i < testing::cases(60); ++i) {
+    for (int i = 0; i < testing::cases(testing::slow_build ? 20 : 60); ++i) {
       Configuration q = random.configuration(arm);
       for (double& each : q) {
         if (random.integer(0, 1)) each = pi / 2 * std::round(2 * each / pi);

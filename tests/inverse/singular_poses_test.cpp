@@ -82,7 +82,7 @@ TEST(SingularPoses, AreAnsweredWithAStretchedArm) {
   for (const char* name : {"gen3", "iiwa14", "iiwa7"}) {
     const Arm arm = built_in(name);
     InverseSolver solver(arm);
-    for (int i = 0; i < testing::cases(300); ++i, ++asked) {
+    for (int i = 0; i < testing::cases(testing::example_size(300)); ++i, ++asked) {
       Configuration q = random.configuration(arm);
       q.segment<3>(2).setZero();
       expect_answer(solver, arm, q, unanswered);

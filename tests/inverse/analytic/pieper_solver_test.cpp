@@ -122,7 +122,8 @@ TEST(PieperSolver, OfFourJointsIsComplete) {
 TEST(PieperSolver, OfThreeJointsForThePositionIsComplete) {
   Random random;
   Counts counts;
-  expect_complete(shortened(built_in("puma560"), 3), Task::position(), example_size(200), random, counts, false);
+  expect_complete(shortened(built_in("puma560"), 3), Task::position(), example_size(200), random,
+                  counts, false);
   for (const char* letters : {"RRR", "RRP"}) {
     for (int i = 0; i < example_size(40); ++i) {
       std::vector<testing::Axis> axes;

@@ -121,7 +121,8 @@ void expect_found(Random& random, const Arm& arm, int poses) {
 TEST(RaghavanRothSolver, FindsTheConfigurationOfAnyArm) {
   Random random;
   for (int i = 0; i < cases(30); ++i) {
-    expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)), example_size(300));
+    expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)),
+                 example_size(300));
   }
 }
 
