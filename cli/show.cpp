@@ -79,10 +79,13 @@ void add_source(const std::string& name, Answer& answer) {
     if (!std::equal(about.name.begin(), about.name.end(), name.begin(), name.end(), same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
+    answer.text += fmt::format("shapes of its links: {}\n",
+                               about.shapes_source.empty() ? "none" : about.shapes_source);
     answer.document.add(Json{{"maker", about.maker},
                              {"model", about.model},
                              {"source", about.source},
-                             {"note", about.note}});
+                             {"note", about.note},
+                             {"shapes_source", about.shapes_source}});
   }
 }
 
@@ -114,8 +117,8 @@ Verb show_verb() {
               "the frames of all links and of the tool at zero joint values; and a ball that the "
               "tool cannot leave. Limits that are not known are assumed in motions; they are "
               "marked with an a, and with --json null, with the assumed ones in `assumed`. Of a "
-              "built-in arm also its maker and the document that the numbers are from; with --srdf "
-              "the groups and named states.",
+              "built-in arm also its maker, the document that the numbers are from and what the shapes "
+              "of its links contain; with --srdf the groups and named states.",
           .arguments = {arguments->arm.argument()},
           .options = joined(
               {arguments->unit.options(),

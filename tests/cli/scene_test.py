@@ -318,8 +318,8 @@ def test_shapes_of_a_urdf_file(beeline, written):
 
 def test_refusals(refused, written, motion, beeline):
     arm, empty = written("arm.json", planar_arm()), written("empty.json", scene())
-    refused(2, "check", "panda", motion, "--scene", empty, says=["panda has no shapes", "<collision>", "\"shapes\""])
-    refused(2, "check", "panda", motion, "--self", says=["--self: panda"])
+    refused(2, "check", "fr3", motion, "--scene", empty, says=["fr3 has no shapes", "<collision>", "\"shapes\""])
+    refused(2, "check", "fr3", motion, "--self", says=["--self: fr3"])
     refused(2, "check", arm, motion, "--through", "a.csv", "--clearance", "1", says=["--clearance needs --scene"])
     refused(2, "check", arm, motion, "--self", "--no-self", says=["--no-self"])
     refused(2, "check", arm, motion, "--self", "--clearance", "0", says=["--clearance", "above 0"])
@@ -345,7 +345,7 @@ def test_refusals(refused, written, motion, beeline):
     cone = written("cone.urdf", URDF.replace("<sphere radius=\"0.1\"/>", "<cone radius=\"1\"/>"))
     still = written("still.csv", "t,j1,j2\n0,0,0\n1,0,0\n")
     refused(3, "check", cone, still, "--tip", "hand", "--self", says=["cone.urdf:4", "hand", "<cone>", "<mesh>"])
-    refused(2, "draw", "panda", "--scene", empty, "--out", "a.svg", says=["panda has no shapes"])
+    refused(2, "draw", "fr3", "--scene", empty, "--out", "a.svg", says=["fr3 has no shapes"])
     refused(2, "draw", arm, "--scene", "a.svg", "--out", "a.svg", says=["a.svg"])
     refused(2, "draw", arm, "--clearance", "1", "--out", "a.svg", says=["--clearance needs --scene"])
     refused(2, "export", arm, motion, "--as", "ros2", "--out", "a.yaml", "--allow", "a,b", says=["--allow needs --scene"])
