@@ -30,7 +30,7 @@ from scipy.spatial.transform import Rotation
 from arm_meshes import meshes_of_links
 
 GRID, EDGE, ROUNDING = 0.004, 0.008, 1e-4  # m
-MOST_POINTS = 60
+MOST_POINTS, MOST_DIVISIONS = 60, 5
 ARMS = pathlib.Path(__file__).resolve().parents[1] / "beeline" / "model" / "arms"
 
 
@@ -49,7 +49,10 @@ def subdivided(triangles, edge):
 
 
 class Field:
-    """The distance to a mesh on a grid, negative inside it. The inside of an open shell counts as inside."""
+    """The distance to a mesh on a grid, negative inside it.
+
+    A point that has the mesh on five of its six sides along the axes is inside: openings of shells count as closed.
+    """
 
     def __init__(self, triangles, margin=0.04):
         points = np.unique(subdivided(triangles, 0.25 * EDGE).reshape(-1, 3), axis=0)
@@ -65,6 +68,10 @@ class Field:
             walls_around += np.maximum.accumulate(wall, axis)
             walls_around += np.flip(np.maximum.accumulate(np.flip(wall, axis), axis), axis)
         inside = ~wall & ((regions != regions[0, 0, 0]) | (walls_around >= 5))
+        openings = inside & ndimage.binary_dilation(~wall & ~inside)
+        if openings.any():
+            self.tree = cKDTree(np.concatenate([points, nodes[openings]]))
+            distance = np.where(inside, distance, self.tree.query(nodes.reshape(-1, 3))[0].reshape(sizes))
         self.values = np.where(inside, -distance, distance)
 
     def at(self, points):
@@ -251,14 +258,18 @@ def extreme(triangles):
     return points[ConvexHull(points).vertices]
 
 
-def parts_of(triangles, field, excess, depth=0):
-    """Parts of the triangles, as the vertices of their hulls, and the block of a part that needs no hull."""
+def bodies_of(triangles, field, excess, depth=0):
+    """The body that contains the triangles within the excess, or the bodies of two parts of them."""
     whole = extreme(triangles)
     block, reached = best_block(whole, field)
     if reached <= 0.9 * excess:
-        return [(whole, block)]
-    if excess_of_hull(whole, field.exactly) <= max(0.6 * excess, 0.002) or depth == 4:
-        return [(whole, None)]
+        return [block]
+    if excess_of_hull(whole, field.exactly) <= max(0.6 * excess, 0.002) or depth == MOST_DIVISIONS:
+        hull = simplified(whole, field, 0.96 * excess)
+        if hull is not None:
+            return [hull]
+        if depth == MOST_DIVISIONS or excess < 0.004:
+            return [Hull(whole.round(4), ROUNDING)]
     best = None
     for axis in np.eye(3):
         heights = triangles @ axis
@@ -271,7 +282,7 @@ def parts_of(triangles, field, excess, depth=0):
             score = sum(both) + 0.5 * max(both)
             if best is None or score < best[0]:
                 best = score, sides
-    return [part for side in best[1] for part in parts_of(side, field, excess, depth + 1)]
+    return [body for side in best[1] for body in bodies_of(side, field, excess, depth + 1)]
 
 
 def eroded(vertices, radius):
@@ -292,7 +303,7 @@ def deepest_radius(vertices):
 
 
 def simplified(vertices, field, excess):
-    """The hull of the fewest points, with the padding that contains the vertices, within the excess."""
+    """The hull of the fewest points, with the padding that contains the vertices, within the excess; None if there is none."""
     found, largest = None, deepest_radius(vertices)
     for radius in np.linspace(0, 0.97, 7) * largest:
         inner = eroded(vertices, radius)
@@ -312,17 +323,13 @@ def simplified(vertices, field, excess):
                         found = hull
                     break
             chosen.append(hull.distance(inner).argmax())
-    if found is None:
-        found = Hull(vertices.round(4))
-        found.padding = ROUNDING
     return found
 
 
 def fit(triangles, excess):
     small = subdivided(triangles, EDGE)
     field = Field(small)
-    parts = parts_of(small, field, excess)
-    bodies = [block or simplified(part, field, 0.96 * excess) for part, block in parts]
+    bodies = bodies_of(small, field, excess)
     return bodies, verified_excess(bodies, small, field)
 
 
