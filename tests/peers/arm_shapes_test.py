@@ -101,8 +101,11 @@ class Body:
         self.shape, self.pose = shape, np.asarray(shape.pose)
         if isinstance(shape.body, beeline.ConvexHull):
             vertices = np.array(shape.body.vertices)
-            hull = ConvexHull(vertices)
-            self.triangles, self.planes = vertices[hull.simplices], hull.equations
+            if len(vertices) == 3:  # flat: every point counts as outside its planes
+                self.triangles, self.planes = vertices[None], np.array([[0, 0, 0, 1e-12]])
+            else:
+                hull = ConvexHull(vertices)
+                self.triangles, self.planes = vertices[hull.simplices], hull.equations
 
     def distance(self, points, beyond=np.inf):
         """The distance of points outside, 0 or less inside; of points farther than `beyond` at least that."""
@@ -153,16 +156,16 @@ def excess_of(triangles, bodies):
         edges = np.linalg.norm(small - np.roll(small, -1, axis=1), axis=2).max(1)
         edge = edges.max()
         small = np.concatenate([small[edges <= 0.5 * SPACING], halved(small[edges > 0.5 * SPACING])])
-    corners = np.unique(small.reshape(-1, 3), axis=0)
-    low, high = corners.min(0) - 2 * MOST, corners.max(0) + 2 * MOST
+    points = small.mean(1)
+    low, high = points.min(0) - 2 * MOST, points.max(0) + 2 * MOST
     axes = [np.arange(a, b, SPACING) for a, b in zip(low, high)]
     lattice = np.stack(np.meshgrid(*axes, indexing="ij"), -1)
-    wall = cKDTree(corners).query(lattice)[0] <= 0.75 * SPACING
+    wall = cKDTree(points).query(lattice, distance_upper_bound=SPACING)[0] <= 0.75 * SPACING
     walls_around = sum(np.maximum.accumulate(wall, k).astype(int) for k in range(3))
     walls_around += sum(np.flip(np.maximum.accumulate(np.flip(wall, k), k), k).astype(int) for k in range(3))
-    closed = np.concatenate([corners, lattice[~wall & (walls_around >= 5)]])
+    closed = np.concatenate([points, lattice[~wall & (walls_around >= 5)]])
     lattice = lattice[~wall & (walls_around < 5)]
-    to_mesh = cKDTree(closed).query(lattice)[0]
+    to_mesh = cKDTree(closed).query(lattice, distance_upper_bound=4 * MOST)[0]
     lattice, to_mesh = lattice[to_mesh > 0.7 * MOST], to_mesh[to_mesh > 0.7 * MOST]
     to_bodies = np.min([body.distance(lattice, SPACING) for body in bodies], axis=0)
     near = (to_bodies >= 0) & (to_bodies <= SPACING)
