@@ -33,10 +33,12 @@ enum class ReasonCode {
   // Inverse kinematics.
   all_solutions_outside_limits,  ///< proved: every solution was examined
   solutions_outside_limits,      ///< every solution that was found exceeds a joint limit
-  no_solution_found,             ///< a search found no solution; one may exist
-  no_closed_form_solution,       ///< the closed form found none; a numerical search finds one
-  position_unreachable,          ///< no search brings the tool to the position
-  orientation_unreachable,       ///< the tool comes to the position, not with this orientation
+  all_solutions_blocked,  ///< proved: every solution was examined and is blocked; `details` has why
+  solutions_blocked,      ///< every solution that was found is blocked; `details` has why
+  no_solution_found,      ///< a search found no solution; one may exist
+  no_closed_form_solution,  ///< the closed form found none; a numerical search finds one
+  position_unreachable,     ///< no search brings the tool to the position
+  orientation_unreachable,  ///< the tool comes to the position, not with this orientation
   beyond_reach,       ///< proved from the arm's reach; the next four are proved from its geometry
   tilted_off_axes,    ///< the pose is tilted relative to the common direction of all joint axes
   off_plane,          ///< the arm's tool stays in a plane, and the pose is outside it

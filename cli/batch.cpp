@@ -8,6 +8,7 @@
 #include <beeline/io/text/file.h>
 
 #include "batch_work.h"
+#include "blocked_solutions.h"
 #include "command/progress.h"
 #include "command/streams.h"
 #include "format.h"
@@ -95,16 +96,29 @@ void warn_of_rows(const BatchArguments& arguments, const BatchReport& report) {
   }
 }
 
+/// A line for each status of poses without a solution.
+std::string statuses_text(const BatchCounts& counts) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.statuses.size(); ++i) {
+    const auto status = static_cast<InverseStatus>(i);
+    if (counts.statuses[i] == 0 || status == InverseStatus::solved) continue;
+    text += fmt::format("{:<13} {}\n", name(status), counts.statuses[i]);
+  }
+  return text;
+}
+
 std::string batch_text(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
-                       const BatchReport& report) {
+                       const BatchWork& work, const BatchReport& report) {
   std::string text = fmt::format("{} of {}: {} in {:.3g} s, {:.3g} rows/s\n", kind, arm.name(),
                                  counted(report.rows, "row"), report.seconds, report.rate());
   if (kind == "jacobian") {
     text += fmt::format("frame         {}\n", name(arguments.jacobian.read(arm).frame));
   }
   if (kind == "ik") text += fmt::format("solved        {}\n", report.counts.solved);
+  if (kind == "ik" && arguments.status) text += statuses_text(report.counts);
   if (arguments.out != "-" && report.counts.ending == Ending::complete)
     text += fmt::format("rows          {}\n", arguments.out);
+  if (work.scene) text += scene_text(*work.scene);
   return text;
 }
 
@@ -136,6 +150,7 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   if (kind == "jacobian") {
     document.add("frame", name(arguments.jacobian.read(arm).frame));
   }
+  if (work.scene) document.add("scene", scene_document(*work.scene));
   document.add("columns", work.columns);
   document.add("out", arguments.out);
   return document;
@@ -160,7 +175,9 @@ using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
 Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
   row_format(arguments.out);
-  refuse_overwriting(arguments.out, arguments.arm.inputs({arguments.in}));
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  inputs.push_back(arguments.in);
+  refuse_overwriting(arguments.out, arguments.arm.inputs(inputs));
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
     throw Error("--json cannot be combined with --out -: both would write to stdout");
@@ -170,7 +187,7 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   const BatchReport report = process(arguments, work);
   warn_of_rows(arguments, report);
   const Reason reason = reason_of(report, kind == "ik", rows_on_stdout);
-  Answer answer{.text = batch_text(arguments, kind, arm, report),
+  Answer answer{.text = batch_text(arguments, kind, arm, work, report),
                 .document = batch_document(arguments, kind, arm, work, report),
                 .units = kind == "jacobian" ? Json{{"rows", jacobian_units}} : Json(),
                 .yes = !reason,
@@ -269,14 +286,17 @@ Verb batch_ik() {
                           ") and residual, m or rad, as in ik --json. Poses without a solution "
                           "then take longer.",
                       &arguments->status);
-  Verb verb = common(
-      arguments, "ik", poses_help,
-      joined({arguments->inverse.choice_options(), arguments->inverse.search_options(), {status}}),
-      inverse_work);
+  Verb verb = common(arguments, "ik", poses_help,
+                     joined({arguments->inverse.choice_options(),
+                             arguments->inverse.search_options(),
+                             arguments->scene.distance_options(),
+                             {status}}),
+                     inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";
   verb.description =
       "Writes the joint values of one solution in each row of the output, the first of beeline ik; "
-      "nan if there is none; then the exit code is 1.";
+      "nan if there is none; then the exit code is 1. With --scene or --self it is the first that "
+      "keeps the clearance; a pose whose solutions all do not has the status blocked.";
   verb.examples = {{"Two poses of the planar arm, solutions in degrees",
                     "printf 'x,y,theta\\n4,3,0\\n4.5,5.2,30\\n' > poses.csv\n"
                     "beeline batch ik rrr --in poses.csv --degrees --out q.csv"},

@@ -8,6 +8,8 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
 
+#include "blocked_solutions.h"
+
 namespace beeline::command {
 namespace {
 
@@ -242,8 +244,24 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
   return work;
 }
 
+namespace {
+
+/// Reads the scene, if one is given, and sets the option that blocks solutions.
+std::shared_ptr<const CheckedScene> scene_of(const BatchArguments& arguments, const Arm& arm,
+                                             InverseOptions& options) {
+  std::optional<CheckedScene> read = arguments.scene.read(arguments.arm, arm);
+  if (!read) return nullptr;
+  auto scene = std::make_shared<const CheckedScene>(std::move(*read));
+  warn_if_unchecked(*scene);
+  options.blocked_by = blocked_in(*scene);
+  return scene;
+}
+
+}  // namespace
+
 BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
-  const InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
+  InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
+  const auto scene = scene_of(arguments, arm, options);
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
   // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
@@ -264,6 +282,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
       std::count_if(goals_by_form.begin(), goals_by_form.end(),
                     [&](const auto& columns) { return reads_without_names(columns, format); }));
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
+  work.scene = scene;
   work.step = [&arguments, &arm, options, seed, world_T_work, goals_by_form,
                width = work.columns.size(), goals = Eigen::MatrixXd(),
                outcomes = std::vector<InverseOutcome>()](

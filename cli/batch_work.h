@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <beeline/io/number_rows.h>
 
 #include "inverse_argument.h"
+#include "scene_argument.h"
 
 namespace beeline::command {
 
@@ -21,6 +23,7 @@ struct BatchArguments {
   std::string layout = {};    ///< of fk; empty: --pose-form, by default the matrix
   JacobianArgument jacobian;  ///< of jacobian
   InverseArgument inverse;    ///< of ik
+  SceneArgument scene;        ///< of ik
   BudgetArgument budget;
   int threads = 0;
   bool status = false;  ///< of ik: the columns `status` and `residual`
@@ -69,6 +72,7 @@ struct BatchWork {
   std::function<void(std::size_t form, RowBlock& block, Eigen::MatrixXd& results,
                      BatchCounts& counts, BadRows& bad)>
       step;
+  std::shared_ptr<const CheckedScene> scene = nullptr;  ///< that `step` uses, if any
 };
 
 /// `arguments` and `arm` must outlive the result.

@@ -170,20 +170,54 @@ std::string ClearanceReport::guarantee() const {
   return fmt::format("each of the {} pairs that count keeps at least {} m", proof.pairs, least);
 }
 
-std::vector<SceneLine> ClearanceReport::conditions() const {
-  std::vector<SceneLine> lines = exempted_lines(*scene);
-  for (SceneLine& line : held_lines(*scene)) lines.push_back(std::move(line));
-  for (const auto& [path, held] : scene->scenes_held) {
+std::vector<SceneLine> conditions(const CheckedScene& scene) {
+  std::vector<SceneLine> lines = exempted_lines(scene);
+  for (SceneLine& line : held_lines(scene)) lines.push_back(std::move(line));
+  for (const auto& [path, held] : scene.scenes_held) {
     lines.push_back({"held", held_text(held) + " (" + path + ")"});
   }
-  if (!scene->mesh_hulls.empty()) lines.push_back(meshes_line(*scene));
-  if (!scene->links_without_shapes.empty()) {
-    lines.push_back({"no shapes", listed(scene->links_without_shapes)});
+  if (!scene.mesh_hulls.empty()) lines.push_back(meshes_line(scene));
+  if (!scene.links_without_shapes.empty()) {
+    lines.push_back({"no shapes", listed(scene.links_without_shapes)});
   }
-  for (const auto& [path, links] : scene->scenes_without_shapes) {
+  for (const auto& [path, links] : scene.scenes_without_shapes) {
     lines.push_back({"no shapes", listed(links) + " (" + path + ")"});
   }
   return lines;
+}
+
+std::string number_of_bodies(const CheckedScene& scene) {
+  return counted(static_cast<std::int64_t>(scene.links.size()), "link") + " and " +
+         counted(static_cast<std::int64_t>(scene.obstacles.size()), "obstacle");
+}
+
+std::string lines_text(const std::vector<SceneLine>& lines) {
+  std::string text;
+  for (const SceneLine& line : lines) text += fmt::format("{:<14}{}\n", line.label, line.text);
+  return text;
+}
+
+Json conditions_document(const CheckedScene& scene) {
+  Json document{{"self_collision", scene.self_collision},
+                {"neighbour_pairs", json_pairs(scene.model.neighbour_pairs())},
+                {"links", scene.links},
+                {"obstacles", scene.obstacles},
+                {"allowed_pairs", json_pairs(scene.allowed_pairs)},
+                {"srdf_pairs", json_pairs(scene.srdf_pairs)},
+                {"exempted_pairs", json_pairs(scene.exempted_pairs)},
+                {"held", json_held(scene.held)}};
+  Json held_by_state = Json::object();
+  for (const auto& [joint, state] : scene.held_by_state) held_by_state.add(joint, state);
+  document.add("held_by_state", held_by_state);
+  Json scenes_held = Json::object();
+  for (const auto& [path, values] : scene.scenes_held) scenes_held.add(path, json_held(values));
+  document.add("scenes_held", scenes_held);
+  document.add("mesh_hulls", json_hulls(scene.mesh_hulls));
+  document.add("links_without_shapes", scene.links_without_shapes);
+  Json scenes_without = Json::object();
+  for (const auto& [path, links] : scene.scenes_without_shapes) scenes_without.add(path, links);
+  document.add("scenes_without_shapes", scenes_without);
+  return document;
 }
 
 std::string ClearanceReport::text() const {
@@ -198,9 +232,7 @@ std::string ClearanceReport::text() const {
                         pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
                         shown(proof.pair.clearance));
   }
-  text += fmt::format("pairs         {} of {} and {}", proof.pairs,
-                      counted(static_cast<std::int64_t>(scene->links.size()), "link"),
-                      counted(static_cast<std::int64_t>(scene->obstacles.size()), "obstacle"));
+  text += fmt::format("pairs         {} of {}", proof.pairs, number_of_bodies(*scene));
   const std::size_t apart = scene->model.apart_count();
   if (proof.pairs > scene->model.pair_count()) {
     text +=
@@ -208,10 +240,7 @@ std::string ClearanceReport::text() const {
   } else if (apart > 0) {
     text += fmt::format("; {} more never meet within the joint limits, proved", apart);
   }
-  text += "\n";
-  for (const SceneLine& line : conditions())
-    text += fmt::format("{:<14}{}\n", line.label, line.text);
-  return text;
+  return text + "\n" + lines_text(conditions(*scene));
 }
 
 Json ClearanceReport::document() const {
@@ -235,25 +264,7 @@ Json ClearanceReport::document() const {
   document.add("nothing_checked", checks_nothing());
   document.add("pairs", proof.pairs);
   document.add("apart_pairs", scene->model.pair_count() + scene->model.apart_count() - proof.pairs);
-  document.add("self_collision", scene->self_collision);
-  document.add("neighbour_pairs", json_pairs(scene->model.neighbour_pairs()));
-  document.add("links", scene->links);
-  document.add("obstacles", scene->obstacles);
-  document.add("allowed_pairs", json_pairs(scene->allowed_pairs));
-  document.add("srdf_pairs", json_pairs(scene->srdf_pairs));
-  document.add("exempted_pairs", json_pairs(scene->exempted_pairs));
-  document.add("held", json_held(scene->held));
-  Json held_by_state = Json::object();
-  for (const auto& [joint, state] : scene->held_by_state) held_by_state.add(joint, state);
-  document.add("held_by_state", held_by_state);
-  Json scenes_held = Json::object();
-  for (const auto& [path, values] : scene->scenes_held) scenes_held.add(path, json_held(values));
-  document.add("scenes_held", scenes_held);
-  document.add("mesh_hulls", json_hulls(scene->mesh_hulls));
-  document.add("links_without_shapes", scene->links_without_shapes);
-  Json scenes_without = Json::object();
-  for (const auto& [path, links] : scene->scenes_without_shapes) scenes_without.add(path, links);
-  document.add("scenes_without_shapes", scenes_without);
+  document.add(conditions_document(*scene));
   document.add("reason", reason_text());
   document.add(reason_members(proof.reason));
   return document;

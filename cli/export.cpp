@@ -100,7 +100,7 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
       fmt::format("Clearance of {} m{} {}: {}", number(clearance.clearance),
                   clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
                   fmt::join(others, " and "), proved)};
-  for (SceneLine& line : clearance.conditions()) {
+  for (SceneLine& line : conditions(*clearance.scene)) {
     line.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line.label[0])));
     remarks.push_back(line.label + ": " + line.text);
   }

@@ -6,6 +6,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 
 #include "arm_argument.h"
+#include "blocked_solutions.h"
 #include "command/streams.h"
 #include "format.h"
 #include "inverse_argument.h"
@@ -20,6 +21,7 @@ struct IkArguments {
   UnitArgument unit;
   std::string pose;
   InverseArgument inverse;
+  SceneArgument scene;
 };
 
 /// The residual with the unit that follows from the status: metres, an angle, or the unit of the
@@ -46,6 +48,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
     case InverseStatus::time_limit:
     case InverseStatus::cancelled:
     case InverseStatus::work_limit:
+    case InverseStatus::blocked:
       break;
   }
   return {result.residual};
@@ -54,7 +57,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
 /// Which of the solutions that exist are given; empty if that is not known.
 std::string completeness(const Arm& arm, const InverseResult& result) {
   if (result.complete) return ", all that exist,";
-  if (!result.grid || result.solutions.empty()) return {};
+  if (!result.grid || result.solutions.size() + result.blocked.size() == 0) return {};
   return fmt::format(", all that exist at {} of {} of {},", result.grid->complete.size(),
                      counted(static_cast<std::int64_t>(result.grid->values.size()), "value"),
                      arm.joint_of(result.grid->joint).name);
@@ -69,12 +72,19 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
   return deviation;
 }
 
-/// "8 solutions", or "infinitely many solutions (self-motion of dimension 1), 312 samples".
-std::string number_of_solutions(const InverseResult& result) {
-  const auto count = static_cast<std::int64_t>(result.solutions.size());
-  if (result.self_motion_dimension == 0) return counted(count, "solution");
+/// "8 solutions", or "infinitely many solutions (self-motion of dimension 1), 312 samples"; in a
+/// scene "3 free solutions and 5 blocked".
+std::string number_of_solutions(const InverseResult& result, bool in_scene) {
+  const auto number_of = [&](const std::string& noun) {
+    const auto count = static_cast<std::int64_t>(result.solutions.size());
+    const std::size_t blocked = result.blocked.size();
+    if (!in_scene || (count == 0 && blocked == 0)) return counted(count, noun);
+    const std::string free = counted(count, "free " + noun);
+    return blocked == 0 ? free : fmt::format("{} and {} blocked", free, blocked);
+  };
+  if (result.self_motion_dimension == 0) return number_of("solution");
   return fmt::format("infinitely many solutions (self-motion of dimension {}), {}{}",
-                     result.self_motion_dimension, counted(count, "sample"),
+                     result.self_motion_dimension, number_of("sample"),
                      result.branches_complete ? ", one of every branch," : "");
 }
 
@@ -113,14 +123,15 @@ std::string residual_text(const InverseResult& result, const Residual& residual)
   return (error ? fmt::format("{:.2g}", residual.value) : shown(residual.value)) + residual.unit;
 }
 
-std::string ik_text(const Arm& arm, const InverseResult& result, bool in_plane,
-                    const UnitArgument& unit) {
+std::string ik_text(const Arm& arm, const InverseResult& result, const CheckedScene* scene,
+                    bool in_plane, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
-      fmt::format("{}: {}{} by {}, residual {}\n", name(result.status), number_of_solutions(result),
-                  completeness(arm, result), result.method, residual_text(result, residual)) +
-      solutions_text(arm, result, unit);
+      fmt::format("{}: {}{} by {}, residual {}\n", name(result.status),
+                  number_of_solutions(result, scene != nullptr), completeness(arm, result),
+                  result.method, residual_text(result, residual)) +
+      solutions_text(arm, result, unit) + blocked_text(arm, result.blocked, unit);
   if (result.deviation) {
     text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
                         arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
@@ -131,6 +142,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, bool in_plane,
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
                         shown(result.nearest->world_T_tool, in_plane, unit));
   }
+  if (scene != nullptr) text += scene_text(*scene);
   return text;
 }
 
@@ -158,7 +170,8 @@ Json nearest_document(const Arm& arm, const NearestMiss& nearest, const UnitArgu
   return document;
 }
 
-Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+Json ik_document(const Arm& arm, const InverseResult& result, const CheckedScene* scene,
+                 const UnitArgument& unit) {
   Json solutions = Json::list();
   for (const Configuration& q : result.solutions) solutions.append(unit.shown(arm, q));
   Json nearest;
@@ -181,6 +194,10 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
                 {"iterations", result.iterations},
                 {"restarts", result.restarts}};
   document.add(reason_members(result.reason));
+  if (scene != nullptr) {
+    document.add("blocked", json_blocked(arm, result.blocked, unit));
+    document.add("scene", scene_document(*scene));
+  }
   return document;
 }
 
@@ -192,6 +209,12 @@ Answer ik(const IkArguments& arguments) {
   InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   options.budget = arguments.inverse.budget.next();
   for_option("--pose", [&] { check_pose_form(arm, goal, arguments.inverse.task); });
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
+  const CheckedScene* const in_scene = scene ? &*scene : nullptr;
+  if (in_scene) {
+    warn_if_unchecked(*in_scene);
+    options.blocked_by = blocked_in(*in_scene);
+  }
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), arguments.unit);
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
@@ -200,8 +223,8 @@ Answer ik(const IkArguments& arguments) {
                      number(result.residual)));
   }
   const Residual residual = residual_of(arguments.unit, arm, result);
-  return {.text = ik_text(arm, result, arguments.arm.shown_in_plane(arm), arguments.unit),
-          .document = ik_document(arm, result, arguments.unit),
+  return {.text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm), arguments.unit),
+          .document = ik_document(arm, result, in_scene, arguments.unit),
           .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
           .yes = solved,
           .reason = sentence(result.reason)};
@@ -225,6 +248,7 @@ std::vector<Option> ik_options(IkArguments& arguments) {
                          &inverse.values.every_turn, {.needs = "--all"})},
                  inverse.choice_options(),
                  inverse.search_options(),
+                 arguments.scene.distance_options(),
                  inverse.budget.options(),
                  arguments.arm.options()});
 }
@@ -233,34 +257,51 @@ std::vector<Option> ik_options(IkArguments& arguments) {
 
 Verb ik_verb() {
   const auto arguments = std::make_shared<IkArguments>();
-  return {.name = "ik",
-          .summary = "Inverse kinematics: the joint values that reach a pose",
-          .description =
-              "Prints a status, then the solutions, one line of joint values each. The status is "
-              "solved, unreachable (the position is out of reach), orientation_unreachable (the "
-              "position can be reached, but not with this orientation), outside_limits (all "
-              "solutions found violate position limits) or not_found (the search ended without a "
-              "proof); or time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found "
-              "so far. Without a solution, exit code 1, the nearest configuration and the reason "
-              "are given. The residual is the error of the solutions, or the distance, the angle "
-              "or the joint value by which the pose is missed.",
-          .arguments = {arguments->arm.argument()},
-          .options = ik_options(*arguments),
-          .examples =
-              {{"Both solutions of the planar arm",
-                "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
-               {"A redundant arm: the solution most centred between its limits",
-                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
-               {"A pose in the frame of a pallet, turned by 30 degrees",
-                "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
-               {"A pose as a UR shows it: millimetres and a rotation vector",
-                "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
-               {"All solutions with joint 7 at 45 degrees",
-                "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
-               {"The numerical method for at most 10 ms, as JSON",
-                "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01 "
-                "--json"}},
-          .run = [arguments] { return ik(*arguments); }};
+  return {
+      .name = "ik",
+      .summary = "Inverse kinematics: the joint values that reach a pose",
+      .description =
+          "Prints a status, then the solutions, one line of joint values each. The status is "
+          "solved, unreachable (the position is out of reach), orientation_unreachable (the "
+          "position can be reached, but not with this orientation), outside_limits (all "
+          "solutions found violate position limits) or not_found (the search ended without a "
+          "proof); or time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found "
+          "so far. With --scene or --self a solution is given only if each pair of bodies is "
+          "proved to keep its clearance there, see `beeline help check`. The others are listed "
+          "as blocked, with the two bodies that are closest; if there are no others, the "
+          "status is blocked. Without --all the first free one is given; a redundant arm "
+          "searches for it on the grid of its self-motion; solutions within --pose-tolerance are "
+          "not searched where all exact ones are blocked. Without a solution, exit code 1 and "
+          "the reason are given, and unless the status is blocked the nearest configuration. The "
+          "residual is the error of the solutions, or the distance, the angle "
+          "or the joint value by which the pose is missed.",
+      .arguments = {arguments->arm.argument()},
+      .options = ik_options(*arguments),
+      .examples =
+          {{"Both solutions of the planar arm",
+            "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
+           {"A redundant arm: the solution most centred between its limits",
+            "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
+           {"A pose in the frame of a pallet, turned by 30 degrees",
+            "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
+           {"A pose as a UR shows it: millimetres and a rotation vector",
+            "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
+           {"All solutions with joint 7 at 45 degrees",
+            "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
+           {"The solutions of an arm with shapes that keep 2 cm from a post and from itself",
+            "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": "
+            "[{\"joint\": "
+            "\"joint1\", \"shapes\": [{\"capsule\": {\"radius\": 0.1, \"length\": 3.5}, "
+            "\"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, 0]}}]}]}' > arm.json\n"
+            "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
+            "scene.json\n"
+            "beeline ik arm.json --pose 4.459,5.226,0 --degrees --all --scene scene.json "
+            "--clearance 0.02"},
+           {"The numerical method for at most 10 ms, as JSON",
+            "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01 "
+            "--json"}},
+      .run = [arguments] { return ik(*arguments); }};
 }
 
 }  // namespace beeline::command

@@ -72,12 +72,34 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
   return report;
 }
 
+/// A scene in which motions are proved to keep their clearance, and the report of the best branch
+/// that does or, while none does, of the best one.
+struct ProvedScene {
+  const LineArguments& arguments;
+  const CheckedScene& scene;
+  std::optional<ClearanceReport> report = std::nullopt;
+
+  Reason blocked(const Trajectory& motion, const Budget& budget) {
+    ClearanceReport next = arguments.scene.prove(scene, motion, budget);
+    const Reason reason = next.proof.reason;
+    if (!report || (!reason && !report->proof)) report = std::move(next);
+    return reason;
+  }
+};
+
 LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
                         const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                        const Task& task) {
+                        const Task& task, const CheckedScene* scene) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
   options.budget = progress.of(arguments.budget.next());
+  std::optional<ProvedScene> proved;
+  if (scene != nullptr) {
+    proved.emplace(ProvedScene{arguments, *scene});
+    options.blocked_by = [&proved](const Trajectory& motion, const Budget& budget) {
+      return proved->blocked(motion, budget);
+    };
+  }
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
                             : arguments.path.through(poses);
   PathMotion motion = move_along(arm, start, route, options);
@@ -85,6 +107,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   LineReport report = report_of(arguments, motion);
   report.path_parameter = motion.path_parameter;
   report.nearby = std::move(motion.nearby);
+  report.blocked = std::move(motion.blocked);
+  if (proved) report.clearance = std::move(proved->report);
   if (report.status == MotionStatus::reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
                    poses};
@@ -141,9 +165,11 @@ std::optional<Configuration> start_of(const LineArguments& arguments, const Arm&
 }
 
 LineReport line_by_method(const LineArguments& arguments, const Arm& arm, const Task& task,
-                          const std::vector<Pose>& waypoints) {
+                          const std::vector<Pose>& waypoints, const CheckedScene* scene) {
   const std::optional<Configuration> start = start_of(arguments, arm);
-  if (arguments.method == exact_method) return line_by_plan(arguments, arm, start, waypoints, task);
+  if (arguments.method == exact_method) {
+    return line_by_plan(arguments, arm, start, waypoints, task, scene);
+  }
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
@@ -157,13 +183,14 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm, const 
 /// Plans the poses or the program of a file in the frame of --work; `waypoints` becomes the poses
 /// in the world, for a picture.
 LineReport line_through(const LineArguments& arguments, const Arm& arm, const Task& task,
-                        const WorkFrame& frame, std::vector<Pose>& waypoints) {
+                        const WorkFrame& frame, const CheckedScene* scene,
+                        std::vector<Pose>& waypoints) {
   const std::string text = read_file(arguments.through);
   if (!is_program(text)) {
     waypoints =
         waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit)
             .poses;
-    return line_by_method(arguments, frame.arm, task, frame.seen(waypoints));
+    return line_by_method(arguments, frame.arm, task, frame.seen(waypoints), scene);
   }
   if (arguments.method != exact_method || arguments.branches) {
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
@@ -181,14 +208,21 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   return line_by_program(arguments, frame.arm, start, frame.seen(program), task);
 }
 
-/// Proves that a planned motion keeps its clearance, or refuses it.
+/// The frame of the positions of a refusal's reason: a scene stands in the world.
+PositionFrame positions_of_reason(const LineReport& report, const WorkFrame& frame) {
+  const bool in_scene = report.clearance && !report.clearance->proof;
+  return in_scene && frame.positions != PositionFrame::only ? PositionFrame::world
+                                                            : frame.positions;
+}
+
+/// Proves that the motion of a program or a controller keeps its clearance, or refuses it.
 void prove_clearance_of(LineReport& report, const LineArguments& arguments,
                         const CheckedScene& scene, const WorkFrame& frame) {
   report.clearance = arguments.scene.prove(scene, report.trajectory, arguments.budget.next());
   if (report.clearance->proof) return;
   report.status = report.clearance->refusal();
   report.reason = report.clearance->proof.reason;
-  if (frame.positions != PositionFrame::only) report.positions = PositionFrame::world;
+  report.positions = positions_of_reason(report, frame);
 }
 
 Answer line(const LineArguments& arguments) {
@@ -200,12 +234,13 @@ Answer line(const LineArguments& arguments) {
   const Task task = arguments.task.read(arm);
   const WorkFrame frame(arm, task, arguments.work, arguments.unit);
   std::vector<Pose> waypoints;
-  LineReport report = line_through(arguments, arm, task, frame, waypoints);
+  LineReport report =
+      line_through(arguments, arm, task, frame, scene ? &*scene : nullptr, waypoints);
   report.method = arguments.method;
   report.waypoints = waypoints.size();
   if (report.status != MotionStatus::reached) {
-    report.positions = frame.positions;
-  } else if (scene) {
+    report.positions = positions_of_reason(report, frame);
+  } else if (scene && !report.clearance) {
     prove_clearance_of(report, arguments, *scene, frame);
   }
   const bool reached = report.status == MotionStatus::reached;
@@ -301,8 +336,12 @@ Verb line_verb() {
           "joint move to a pose ends on the branch that the rows up to the next joint move need. "
           "For each move it prints its duration, the tool's speed and the proved deviation.\n\n"
           "With --scene or --self the planned motion must keep a clearance, see `beeline help "
-          "check`; otherwise nothing is written, and the status is collides or not_decided. The "
-          "path is not planned around obstacles.\n\n"
+          "check`; otherwise nothing is written, and the status is collides or not_decided. "
+          "Without "
+          "--from the best branch that keeps it is taken, and those that do not are listed as "
+          "blocked, "
+          "with what they hit and where or why they end early; a program has one motion. The path "
+          "is not planned around obstacles.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
       .options =

@@ -83,6 +83,30 @@ std::string exact_values(const Configuration& q) {
   return text;
 }
 
+/// A line for each branch that is not given.
+std::string blocked_text(const Arm& arm, const std::vector<BlockedBranch>& blocked,
+                         const UnitArgument& unit) {
+  std::string text;
+  for (const BlockedBranch& branch : blocked) {
+    text += fmt::format("blocked       --from={}: {}\n",
+                        exact_values(unit.shown(arm, branch.start)), sentence(branch.reason));
+  }
+  return text;
+}
+
+Json json_blocked(const Arm& arm, const std::vector<BlockedBranch>& blocked,
+                  const UnitArgument& unit) {
+  Json list = Json::list();
+  for (const BlockedBranch& branch : blocked) {
+    Json one{{"start", unit.shown(arm, branch.start)},
+             {"status", name(branch.status)},
+             {"path_parameter", branch.path_parameter}};
+    one.add(json_reason(branch.reason));
+    list.append(one);
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string reason_text(const LineReport& report) {
@@ -109,6 +133,7 @@ std::string report_text(const Arm& arm, const LineReport& report, const UnitArgu
     text += motion_text(arm, report, unit) + (report.moves.empty() ? "" : moves_text(report, unit));
   }
   if (report.clearance) text += report.clearance->text();
+  text += blocked_text(arm, report.blocked, unit);
   if (report.status == MotionStatus::reached) text += files.text();
   if (report.branches) text += branches_text(arm, *report.branches, unit);
   return text;
@@ -125,7 +150,10 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   document.add("reason", reason_text(report));
   document.add(reason_members(report.reason));
   if (!report.options.empty()) document.add("options", report.options);
-  if (report.clearance) document.add("clearance", report.clearance->document());
+  if (report.clearance) {
+    document.add("clearance", report.clearance->document());
+    document.add("blocked", json_blocked(arm, report.blocked, unit));
+  }
   if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
   if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
   if (!reached && report.failed < report.program.moves.size()) {

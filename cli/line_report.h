@@ -36,6 +36,7 @@ struct LineReport {
   std::vector<PlannedMove> moves = {};                      ///< of the program, when reached
   std::size_t failed = 0;                                   ///< its move that is not possible
   std::optional<ClearanceReport> clearance = std::nullopt;  ///< with --scene or --self
+  std::vector<BlockedBranch> blocked = {};                  ///< see PathMotion::blocked
 };
 
 /// The sentence of the reason, with the options that it means and the frame of its positions.

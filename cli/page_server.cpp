@@ -54,6 +54,19 @@ void refuse(httplib::Response& response, int status, const std::string& message)
                        "application/json");
 }
 
+/// Answers with the content as it is. cpp-httplib compresses texts of set_content() where it is
+/// built with Brotli, at the highest level, which takes seconds for the page; a network within
+/// reach carries it in less.
+void give(httplib::Response& response, std::string content, const std::string& type) {
+  if (content.empty()) return response.set_content(content, type);
+  const std::size_t size = content.size();
+  response.set_content_provider(
+      size, type,
+      [text = std::move(content)](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(text.data() + offset, length);
+      });
+}
+
 }  // namespace
 
 PageServer::PageServer(PageSession session, const std::string& folder, std::string host)
@@ -155,14 +168,14 @@ void PageServer::file(const httplib::Request& request, httplib::Response& respon
   if (at != std::string::npos) {
     content.replace(at, body.size(), "<body data-session=\"api/session\">");
   }
-  response.set_content(content, type_of(path));
+  give(response, std::move(content), type_of(path));
 }
 
 void PageServer::session(httplib::Response& response) const {
   Json answer{{"version", BEELINE_VERSION}, {"arm", arm_to_json(session_.arm)}};
   answer.add("trajectory", session_.trajectory.empty() ? Json() : Json(session_.trajectory));
   answer.add("section", session_.section.empty() ? Json() : Json(session_.section));
-  response.set_content(answer.text(), "application/json");
+  give(response, answer.text(), "application/json");
 }
 
 void PageServer::take_joints(const std::string& text) {

@@ -223,12 +223,26 @@ void warn_about(const CheckedScene& scene, const std::vector<std::string>& far) 
 
 }  // namespace
 
+void warn_if_unchecked(const CheckedScene& scene) {
+  if (scene.checks_nothing()) warn("no pair of bodies counts: nothing was checked");
+}
+
 std::vector<Option> SceneArgument::options() {
+  return joined(
+      {distance_options(),
+       {Option("--resolution FRACTION",
+               "The clearance is proved at all times, also between the samples. Distances that "
+               "differ from it by less than this fraction of it are not decided. Default: " +
+                   number(ClearanceOptions().resolution) + ".",
+               &resolution, {.range = {1e-6, 1}})}});
+}
+
+std::vector<Option> SceneArgument::distance_options() {
   return {
       Option(
           "--scene FILE",
-          "Obstacles that the arm must keep the clearance from, also between the samples: JSON, "
-          "see docs/scene.schema.json; the URDF file of a cell, whose links with <collision> "
+          "Obstacles that the arm must keep the clearance from: JSON, see docs/scene.schema.json; "
+          "the URDF file of a cell, whose links with <collision> "
           "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
           "times for several files.",
           &scenes),
@@ -262,12 +276,7 @@ std::vector<Option> SceneArgument::options() {
              "it they are looked for in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the folders above "
              "the file. Meshes, STL or OBJ, are taken as their convex hulls. Several times for "
              "several packages.",
-             &package),
-      Option("--resolution FRACTION",
-             "Distances that differ from the clearance by less than this fraction of it are not "
-             "decided. Default: " +
-                 number(ClearanceOptions().resolution) + ".",
-             &resolution, {.range = {1e-6, 1}})};
+             &package)};
 }
 
 std::vector<std::string> SceneArgument::inputs() const {
@@ -335,6 +344,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .model = CollisionModel(arm, shapes.links, scene, options),
       .links = links,
       .obstacles = {known.begin() + static_cast<std::ptrdiff_t>(links.size()), known.end()},
+      .clearance = options.clearance,
       .self_collision = !no_self,
       .obstacles_have_clearances =
           std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
@@ -363,9 +373,9 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   ClearanceOptions options{.closest = true, .budget = budget};
   if (resolution) options.resolution = *resolution;
   ClearanceReport report{.scene = &scene,
-                         .clearance = clearance.value_or(CollisionOptions().clearance),
+                         .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, options)};
-  if (report.checks_nothing()) warn("no pair of bodies counts: nothing was checked");
+  warn_if_unchecked(scene);
   if (report.proof.status != ClearanceStatus::collides) return report;
   constexpr std::size_t most_listed = 100;
   report.too_close.push_back(report.proof.pair.names);

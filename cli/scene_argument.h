@@ -26,6 +26,7 @@ struct MeshHull {
 struct CheckedScene {
   CollisionModel model;
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
+  double clearance = 0;                                 ///< by --clearance, m
   bool self_collision = true;                           ///< false: --no-self
   bool obstacles_have_clearances = false;      ///< whether an obstacle has a clearance of its own
   std::vector<NamedPair> allowed_pairs = {};   ///< by --allow and the scenes
@@ -40,12 +41,28 @@ struct CheckedScene {
   std::vector<std::string> links_without_shapes = {};  ///< of the arm: they are not checked
   /// See Scene::links_without_shapes, by the path of the scene.
   std::map<std::string, std::vector<std::string>> scenes_without_shapes = {};
+
+  /// Whether no pair of bodies counts.
+  bool checks_nothing() const { return model.pair_count() + model.apart_count() == 0; }
 };
+
+/// Warns if no pair of bodies counts, so that nothing is checked.
+void warn_if_unchecked(const CheckedScene& scene);
 
 /// A line of a report: `label`, such as "may touch", and its text.
 struct SceneLine {
   std::string label, text;
 };
+
+/// Returns the exemptions and assumptions of answers about a scene: pairs that may touch, held
+/// joints, meshes and links without shapes.
+std::vector<SceneLine> conditions(const CheckedScene& scene);
+/// The same in JSON, with the names of the bodies.
+Json conditions_document(const CheckedScene& scene);
+/// Returns the number of bodies: "4 links and 3 obstacles".
+std::string number_of_bodies(const CheckedScene& scene);
+/// Returns the lines as they stand in a report.
+std::string lines_text(const std::vector<SceneLine>& lines);
 
 /// Whether a motion keeps its clearance.
 struct ClearanceReport {
@@ -58,9 +75,6 @@ struct ClearanceReport {
   bool checks_nothing() const;
   /// Returns what is proved: "each of the 12 pairs that count keeps at least 0.05 m".
   std::string guarantee() const;
-  /// Returns the exemptions and assumptions of the proof: pairs that may touch, held joints, meshes
-  /// and links without shapes.
-  std::vector<SceneLine> conditions() const;
   /// Returns the status of a motion that is refused.
   MotionStatus refusal() const;
   /// Returns the sentence of the reason, with the option that exempts the pairs.
@@ -78,6 +92,8 @@ struct SceneArgument {
   std::optional<double> clearance, resolution;
 
   std::vector<Option> options();
+  /// The same without --resolution, for single configurations.
+  std::vector<Option> distance_options();
   bool given() const { return self || !scenes.empty(); }
   /// The files that are read, for refuse_overwriting().
   std::vector<std::string> inputs() const;

@@ -1,10 +1,12 @@
-// Obstacles: a motion that is proved to keep its clearance, and one that collides.
+// Obstacles: a motion that is proved to keep its clearance, one that collides, and free solutions.
 #include <iostream>
 #include <string>
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/control/joint.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/io/text/scene.h>
+#include <beeline/kinematics/forward.h>
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : ".";  // with the arm and the scene
@@ -26,4 +28,14 @@ int main(int argc, char** argv) {
       std::cout << proof.reason << '\n';
     }
   }
+
+  // Of both solutions for a pose, one is free.
+  const beeline::Pose pose =
+      forward_kinematics(arm, beeline::Configuration{{0.486, 2.170, -0.561}});
+  const auto blocked = [&](const beeline::ConfigurationRef& q) { return blocked_by(model, q); };
+  const beeline::InverseResult result =
+      inverse_kinematics(arm, pose, {.all = true, .blocked_by = blocked});
+  std::cout << result.solutions.size() << " free";
+  for (const auto& [q, reason] : result.blocked) std::cout << "; blocked: " << reason;
+  std::cout << '\n';
 }

@@ -13,6 +13,8 @@ const module = process.env["BEELINE_MODULE"] ?? at("../build-web-core/web");
 
 const parts = { "core-module": "core", "command-module": "beeline", worker: "command_worker" };
 
+const checks = { bundlerTimings: false }; // on a busy machine: how long plugins take tells a user nothing
+
 /** `vite build` builds the page; `vite build --mode saved`, after it, the document that a saved page is made of. */
 export default defineConfig(({ mode }) => ({
   base: "./",
@@ -24,8 +26,8 @@ export default defineConfig(({ mode }) => ({
     target: "es2022",
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: mode === "saved" ? 4000 : 800,
-    ...(mode === "saved" ? { rolldownOptions: { output: { codeSplitting: false } } } : {}),
+    rolldownOptions: { checks, ...(mode === "saved" ? { output: { codeSplitting: false } } : {}) },
   },
-  worker: { format: "es" },
+  worker: { format: "es", rolldownOptions: { checks } },
   server: { fs: { allow: [at("."), module] } },
 }));

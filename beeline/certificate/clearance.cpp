@@ -4,6 +4,7 @@
 #include <beeline/certificate/clearance.h>
 #include <beeline/certificate/internal/clearance_search.h>
 #include <beeline/certificate/internal/closest_approach.h>
+#include <beeline/collision/internal/pair_reason.h>
 #include <beeline/internal/enum_names.h>
 
 namespace beeline {
@@ -23,25 +24,12 @@ Reason reason_of(const ClearanceProof& proof, Ending ending) {
   if (proof.status > ClearanceStatus::not_decided) {
     return internal::ended_reason(ReasonCode::ended_before_check, ending);
   }
-  const BodyDistance& pair = proof.pair;
-  Reason reason{ReasonCode::clearance_not_decided,
-                {{ReasonField::body, pair.names[0]},
-                 {ReasonField::other_body, pair.names[1]},
-                 {ReasonField::clearance, pair.clearance},
-                 {ReasonField::time, proof.time},
-                 {ReasonField::position, Vector3((pair.on_first + pair.on_second) / 2)}}};
-  if (proof.status == ClearanceStatus::not_decided) {
-    reason.set(ReasonField::distance, pair.upper);
-    return reason.set(ReasonField::begin, proof.begin).set(ReasonField::end, proof.end);
-  }
-  if (pair.lower > 0) {
-    reason.code = ReasonCode::bodies_too_close;
-    return reason.set(ReasonField::distance, pair.upper);
-  }
-  reason.code = ReasonCode::bodies_collide;
-  // The translation of the first body is away from the second.
-  return reason.set(ReasonField::depth, -pair.lower)
-      .set(ReasonField::normal, Vector3(-pair.normal));
+  const bool undecided = proof.status == ClearanceStatus::not_decided;
+  Reason reason =
+      undecided ? internal::not_decided_reason(proof.pair) : internal::too_close_reason(proof.pair);
+  reason.set(ReasonField::time, proof.time);
+  if (undecided) reason.set(ReasonField::begin, proof.begin).set(ReasonField::end, proof.end);
+  return reason;
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
   if (options.self_collision) add_self_pairs(*bodies, allowed);
   internal::BudgetMeter budget(options.budget);
   internal::find_pairs_apart(*bodies, budget);
-  bodies->set_covers();
+  bodies->set_groups();
   bodies_ = std::move(bodies);
 }
 

@@ -9,6 +9,7 @@
 #include <beeline/collision/scene.h>
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/reason.h>
 
 namespace beeline {
 namespace internal {
@@ -80,6 +81,12 @@ BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q
 
 /// Returns all pairs that may be closer than their clearance, the deepest first.
 std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const ConfigurationRef& q);
+
+/// Returns why a configuration is blocked; no reason if each pair is proved to keep its clearance
+/// there. The reason is bodies_collide or bodies_too_close for a pair that is proved to be closer,
+/// the deepest of those; clearance_not_decided if no pair is, but the bounds of one enclose its
+/// clearance. For InverseOptions::blocked_by.
+Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q);
 
 /// Returns the names of the obstacles that are farther from the arm than ten times its reach, as
 /// numbers in millimetres put them. Requires valid shapes.

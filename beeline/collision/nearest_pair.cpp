@@ -2,9 +2,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include <beeline/collision/internal/collision_bodies.h>
 #include <beeline/collision/internal/nearest_pair.h>
+#include <beeline/collision/internal/pair_reason.h>
 
 namespace beeline {
 namespace {
@@ -87,7 +89,10 @@ class Distances {
   void visit_pair(const PlacedPair& pair, double within, const Found& found) const {
     const ConvexBody& first = placed_[pair.first];
     const Vector3 between = pair.second->centre - first.centre;
-    if (between.norm() - first.bound - pair.second->bound > pair.clearance + within) return;
+    const double rounding =
+        pair.rounding + support_rounding(first) + support_rounding(*pair.second);
+    const double apart = between.norm() - first.bound - pair.second->bound - rounding;
+    if (apart > pair.clearance + within) return;
     const internal::Separation parts = separation(first, *pair.second, between);
     const auto& link = bodies_.link_bodies[pair.first];
     found({bodies_.distance(link, pair.name, parts, pair.clearance, pair.rounding),
@@ -115,8 +120,10 @@ class Distances {
                   const Found& found) const {
     const internal::BoxTree::Node& node = bodies_.tree.node(index);
     const ConvexBody& first = placed_[i];
-    const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half;
-    const double apart = beside.cwiseMax(0).norm() - first.bound;
+    const Vector3 beside = (first.centre - node.box.centre).cwiseAbs() - node.box.half_extents;
+    const double rounded = rounding(bodies_.link_bodies[i]) + support_rounding(first) +
+                           bodies_.tree.boxes().rounding_of(index);
+    const double apart = beside.cwiseMax(0).norm() - first.bound - rounded;
     if (apart > node.clearance + within) return;
     if (node.right == 0) {
       return visit_obstacle(i, bodies_.obstacle_bodies[node.body], within, found);
@@ -169,6 +176,26 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
     return a.lower - a.clearance < b.lower - b.clearance;
   });
   return pairs;
+}
+
+Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q) {
+  check_configuration(model.arm(), q);
+  std::optional<BodyDistance> blocking;
+  const auto is_proved = [](const BodyDistance& pair) { return pair.upper < pair.clearance; };
+  double within = 0;
+  const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
+  distances.visit(within, [&](const FoundPair& found) {
+    const BodyDistance& pair = found.distance;
+    if (pair.lower >= pair.clearance) return;
+    const bool is_deeper =
+        !blocking || (is_proved(pair) == is_proved(*blocking)
+                          ? pair.lower - pair.clearance < blocking->lower - blocking->clearance
+                          : is_proved(pair));
+    if (is_deeper) blocking = pair;
+  });
+  if (!blocking) return {};
+  return is_proved(*blocking) ? internal::too_close_reason(*blocking)
+                              : internal::not_decided_reason(*blocking);
 }
 
 }  // namespace beeline

@@ -6,6 +6,7 @@
 #include <beeline/internal/enum_names.h>
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/solve_fast_path.h>
+#include <beeline/inverse/internal/solve_unblocked.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
 namespace beeline {
@@ -34,7 +35,9 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   if (result.solutions.empty()) return out << ": " << result.reason;
   const std::size_t count = result.solutions.size();
   out << ", " << count << (count == 1 ? " solution" : " solutions")
-      << (result.self_motion_dimension > 0 ? " of infinitely many, " : ", ") << result.method;
+      << (result.self_motion_dimension > 0 ? " of infinitely many, " : ", ");
+  if (!result.blocked.empty()) out << result.blocked.size() << " blocked, ";
+  out << result.method;
   constexpr std::size_t most = 20;
   for (std::size_t i = 0; i < std::min(count, most); ++i) {
     out << '\n';
@@ -65,8 +68,7 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
   if (state_->plane) state_->plane->check(world_T_tool);
   internal::BudgetMeter budget(state_->options.budget);
-  if (auto found = internal::one_solution_fast(*state_, world_T_tool, seed, budget)) return *found;
-  return internal::solve(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
+  return internal::solve_unblocked(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
@@ -79,12 +81,15 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
   if (state_->plane) state_->plane->check(world_T_tool);
   const Pose goal = checked_pose(world_T_tool);
   internal::BudgetMeter budget(state_->options.budget);
-  if (const std::optional<int> count =
-          internal::solve_fast_path(*state_, goal, seed, budget, solutions)) {
-    return *count;
+  const bool any = !state_->options.blocked_by;
+  if (any) {
+    const auto count = internal::solve_fast_path(*state_, goal, seed, budget, solutions);
+    if (count) return *count;
   }
+  constexpr bool explain_failure = false;
   const InverseResult result =
-      internal::solve(*state_, goal, seed, /*explain_failure=*/false, budget);
+      any ? internal::solve(*state_, goal, seed, explain_failure, budget)
+          : internal::solve_unblocked(*state_, goal, seed, explain_failure, budget);
   const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
   const Eigen::Index count = std::min(solutions.cols(), found);
   for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <optional>
@@ -53,6 +54,13 @@ struct InverseOptions {
   /// With `all`, whether to include solutions that differ by multiples of 2 pi.
   bool every_turn = false;
   bool ignore_limits = false;  ///< whether to ignore the joint limits
+  /// Reason why a configuration must not be given as a solution, none if it may; usually
+  /// blocked_by() of a CollisionModel of the same arm (in Python the model). Solutions with a
+  /// reason are in InverseResult::blocked. If the one that was requested has a reason, all are
+  /// computed as with `all`, and the first without a reason is given: the nearest to the seed or,
+  /// of a redundant arm, the best on the grid as `redundancy` says. Called by several threads in
+  /// batches. Default: every solution is given.
+  std::function<Reason(const ConfigurationRef&)> blocked_by = {};
   /// Index of a coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
   std::optional<int> lock = std::nullopt;
   Redundancy redundancy = Redundancy::any;  ///< selection of one of infinitely many solutions
@@ -91,6 +99,8 @@ enum class InverseStatus {
   time_limit,  ///< the budget's time ended the search; `solutions` has the solutions found so far
   cancelled,   ///< the search was cancelled; as for `time_limit`
   work_limit,  ///< the budget's work ended the search; as for `time_limit`
+  blocked,     ///< no solution may be given: each that was found has a reason by
+               ///< InverseOptions::blocked_by, see InverseResult::blocked
 };
 std::string name(InverseStatus status);
 std::vector<std::string> inverse_status_names();  ///< in the order of their numbers
@@ -108,6 +118,12 @@ struct NearestMiss {
   double excess = 0;  ///< with outside_limits, the distance beyond the limit, radians or metres
 };
 
+/// A solution that must not be given.
+struct BlockedSolution {
+  Configuration q;     ///< configuration, (n,)
+  Reason reason = {};  ///< why, by InverseOptions::blocked_by
+};
+
 /// The values of the redundant joint for which all solutions were computed.
 struct SolutionGrid {
   int joint = 0;                    ///< index of the coordinate, from 0 to dof - 1
@@ -119,11 +135,16 @@ struct SolutionGrid {
 /// The solutions of inverse kinematics, or the reason why there are none.
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
-  /// Solutions by distance from the seed, (S, n). A seed that is a solution comes first. They are
-  /// empty unless the status is solved, or the budget ended the search for all solutions or for the
-  /// best one. Then some solutions, or a better one, may be missing.
+  /// Solutions by distance from the seed, (S, n), which options.blocked_by allows. A seed that is a
+  /// solution comes first. They are empty unless the status is solved, or the budget ended the
+  /// search for all solutions or for the best one. Then some solutions, or a better one, may be
+  /// missing.
   std::vector<Configuration> solutions;
-  bool complete = false;  ///< with `all`, whether these are all solutions, which are finitely many
+  /// Solutions that must not be given, with options.blocked_by, in the order of `solutions`. For
+  /// one solution: those that come before it.
+  std::vector<BlockedSolution> blocked = {};
+  /// With `all`, whether `solutions` and `blocked` are all that exist, which are finitely many
+  bool complete = false;
   /// Whether every branch is represented, with `all`. It is true if `complete` is. It is also true
   /// at singular poses if the closed form was evaluated over the whole range of its free joints:
   /// each connected set of infinitely many solutions within limits is then represented by its
@@ -200,8 +221,8 @@ class InverseSolver {
   /// `solutions`, as many as fit (one suffices unless options.all), and returns their number.
   /// Returns 0, without a diagnosis, if there is none, or if the budget ended before one was found.
   /// Solutions of a closed form are checked by closing the loop. Does not allocate in the ordinary
-  /// case; a lock with a new value in each call does, unless it is the first or last of seven
-  /// joints. Throws Error when a size does not fit or a number is not finite.
+  /// case; `blocked_by` does, and a lock with a new value in each call, unless it is the first or
+  /// last of seven joints. Throws Error when a size does not fit or a number is not finite.
   int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
             Eigen::Ref<Eigen::MatrixXd> solutions);
 

@@ -11,6 +11,7 @@
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/printed_motion.h>
+#include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/internal/motion_start.h>
@@ -55,9 +56,7 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
 
 /// Whether the motion is planned, timed and proved.
 bool is_possible(const MotionRequest& request, BudgetMeter& budget) {
-  PathMotion motion = planned_motion(request, budget);
-  if (motion && request.timing.duration) keep_duration(request, budget, motion);
-  return motion && budget.complete();
+  return planned_motion_in_time(request, budget) && budget.complete();
 }
 
 struct Suggestions {
@@ -121,6 +120,9 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   const bool followed(motion);
   if (followed && options.duration) keep_duration(request, budget, motion);
   if (motion) {
+    if (options.blocked_by) {
+      motion = unblocked_motion(request, options.blocked_by, std::move(motion), budget);
+    }
     budget.report(1);
     return motion;
   }

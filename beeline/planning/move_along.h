@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <optional>
@@ -60,19 +61,36 @@ struct PathMotionOptions {
   std::optional<double> duration = std::nullopt;
   /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
   int max_samples = default_max_samples;
+  /// Reason why a planned motion must not be given, within a budget, none if it may; usually the
+  /// reason of prove_clearance() (in Python the CollisionModel). If it has one and there is no
+  /// start, the other branches are planned, and the best one without a reason is given; those with
+  /// one are in PathMotion::blocked. Default: every motion may be given.
+  std::function<Reason(const Trajectory&, const Budget&)> blocked_by = {};
   bool suggest = false;  ///< whether to search for nearby paths if the path cannot be followed
   Budget budget = {};    ///< budget of the plan, its timing, its proof and the suggestions
 };
 
-/// A trajectory along a path, with its proof. Only status, reason, path_parameter and nearby are
-/// set unless reached: the bound of the deviation is then infinite.
+/// A branch that is not given: PathMotionOptions::blocked_by has a reason against its motion, or it
+/// ends before the path does.
+struct BlockedBranch {
+  Configuration start;                           ///< configuration at the path's beginning, (n,)
+  MotionStatus status = MotionStatus::collides;  ///< collides, not_decided, or why it ends
+  Reason reason = {};                            ///< why, with the time or the place
+  double path_parameter = 0;                     ///< path parameter up to which it follows the path
+};
+
+/// A trajectory along a path, with its proof. Only status, reason, path_parameter, nearby and
+/// blocked are set unless reached: the bound of the deviation is then infinite.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
   Reason reason = {};              ///< why, with the position; none if reached
   double path_parameter = 0;       ///< path parameter up to which the plan follows the path
   std::vector<NearbyPath> nearby;  ///< paths that the arm can follow, with the option `suggest`
-  Trajectory trajectory;           ///< trajectory from rest to rest
-  ToolPath path;                   ///< the path that it follows
+  /// With the option `blocked_by`, if the best branch has a reason: this branch and the others that
+  /// are not given, best first. Of a redundant arm only those that are better than the given one.
+  std::vector<BlockedBranch> blocked;
+  Trajectory trajectory;                ///< trajectory from rest to rest
+  ToolPath path;                        ///< the path that it follows
   std::vector<double> path_parameters;  ///< path parameter of each sample, (N,)
   /// The sample at the end of each segment of `path`, or the first after it.
   std::vector<std::size_t> arrivals;

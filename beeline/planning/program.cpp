@@ -366,6 +366,7 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
                            const Program& program, const PathMotionOptions& options) {
   check_program(arm, program, options.task);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
+  if (options.blocked_by) throw Error("blocked_by is for paths; a program has one motion");
   return ProgramPlanner(arm, program, options).run(start);
 }
 

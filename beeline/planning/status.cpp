@@ -21,6 +21,8 @@ MotionStatus motion_status(InverseStatus status) {
       return MotionStatus::cancelled;
     case InverseStatus::work_limit:
       return MotionStatus::work_limit;
+    case InverseStatus::blocked:
+      return MotionStatus::collides;
     case InverseStatus::solved:
     case InverseStatus::not_found:
       break;

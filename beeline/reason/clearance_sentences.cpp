@@ -8,7 +8,20 @@ using enum ReasonField;
 /// "(0.1, 0, 0.3) m".
 std::string place_of(const ReasonText& reason) { return point_text(reason.point(position)) + " m"; }
 
-std::string at_time(const ReasonText& reason) { return "at " + reason.number(time, " s "); }
+/// Empty for a configuration, which has no time.
+std::string at_time(const ReasonText& reason) {
+  return reason.has(time) ? "at " + reason.number(time, " s ") : "";
+}
+
+std::string not_decided(const ReasonText& reason) {
+  const std::string bodies = reason.text(body) + " is about " + reason.number(distance, " m") +
+                             " from " + reason.text(other_body) +
+                             ", too near to the clearance of " + reason.number(clearance, " m") +
+                             " to decide";
+  if (!reason.has(begin)) return bodies;
+  return "between " + reason.number(begin, " s") + " and " + reason.number(end, " s ") + bodies +
+         "; a smaller clearance or a finer resolution decides";
+}
 
 }  // namespace
 
@@ -24,11 +37,7 @@ std::string clearance_sentence(const ReasonText& reason) {
              " from " + reason.text(other_body) + " at " + place_of(reason) +
              ", closer than the clearance of " + reason.number(clearance, " m");
     case ReasonCode::clearance_not_decided:
-      return "between " + reason.number(begin, " s") + " and " + reason.number(end, " s ") +
-             reason.text(body) + " is about " + reason.number(distance, " m") + " from " +
-             reason.text(other_body) + ", too near to the clearance of " +
-             reason.number(clearance, " m") +
-             " to decide; a smaller clearance or a finer resolution decides";
+      return not_decided(reason);
     default:
       return "";
   }

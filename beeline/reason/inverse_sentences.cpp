@@ -20,6 +20,13 @@ std::string outside(const ReasonText& reason) {
          reason.joint_value(limit);
 }
 
+/// "every solution", with their number and the reason of the first.
+std::string blocked(const ReasonText& reason, const std::string& solutions) {
+  const std::string first = sentence(reason.required_detail());
+  return solutions + " is blocked, " + reason.number(ReasonField::count) +
+         " in all; the first: " + first;
+}
+
 std::string self_motion_sentence(const ReasonText& reason) {
   return "singular: arm " + reason.text(arm) +
          " can move with the tool at rest, so there are infinitely many solutions" +
@@ -86,6 +93,10 @@ std::string inverse_sentence(const ReasonText& reason) {
       return "every solution is outside the joint limits" + outside(reason);
     case ReasonCode::solutions_outside_limits:
       return "no solution within the joint limits was found" + outside(reason);
+    case ReasonCode::all_solutions_blocked:
+      return blocked(reason, "every solution");
+    case ReasonCode::solutions_blocked:
+      return blocked(reason, "every solution that was found") + "; others may exist";
     case ReasonCode::no_solution_found:
       return "no solution was found" +
              (reason.has(starts) ? " from " + reason.number(starts) + " starts" : "") +

@@ -131,6 +131,21 @@ void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
                 listed(far));
 }
 
+/// Whether the joints of both arms carry the links in the same way.
+bool same_links(const Arm& a, const Arm& b) {
+  const auto same_joint = [](const Joint& x, const Joint& y) {
+    return x.offset.matrix() == y.offset.matrix() && x.screw == y.screw;
+  };
+  const auto same_coupling = [](const Arm::JointCoupling& x, const Arm::JointCoupling& y) {
+    return x.coordinate == y.coordinate && x.ratio == y.ratio && x.shift == y.shift;
+  };
+  return a.base().matrix() == b.base().matrix() &&
+         std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
+                    same_joint) &&
+         std::equal(a.couplings().begin(), a.couplings().end(), b.couplings().begin(),
+                    b.couplings().end(), same_coupling);
+}
+
 void bind_model(nb::module_& m) {
   nb::class_<CollisionModel> model(
       m, "CollisionModel", docstring(header_text("CollisionModel", ""), "CollisionModel", ""));
@@ -156,6 +171,7 @@ void bind_model(nb::module_& m) {
         new (self) CollisionModel(std::move(prepared));
       },
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
+  bind_copy(model, "CollisionModel", itself);
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
                    "Number of pairs that count: of a link's shape and an obstacle's, or of two "
@@ -170,6 +186,19 @@ void bind_model(nb::module_& m) {
           },
           getter("neighbour_pairs", Value<std::vector<NamedPair>>::type()),
           "Pairs of bodies of the arm that share a joint and, for this reason, do not count.");
+}
+
+void bind_blocked_by(nb::module_& m) {
+  Signature blocked("blocked_by", "Reason", comment("blocked_by"));
+  blocked.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("q", array_like, "Configuration (n,).")
+      .returns("Empty, which is false, if the configuration is free.");
+  define(
+      m,
+      [](const CollisionModel& model, nb::handle q) {
+        return Value<Reason>::to(blocked_by(model, Value<Configuration>::from(q, "q")));
+      },
+      blocked, nb::arg("model"), nb::arg("q"));
 }
 
 void bind_distances(nb::module_& m) {
@@ -293,6 +322,15 @@ std::map<std::string, std::string> Value<std::map<std::string, std::string>>::fr
   return folders;
 }
 
+void check_model_of(const Arm& arm, const nb::dict& keywords) {
+  if (!keywords.contains("blocked_by")) return;
+  const nb::object model = keywords["blocked_by"];
+  if (nb::isinstance<CollisionModel>(model) &&
+      !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
+    throw Error("blocked_by is a model of another arm");
+  }
+}
+
 void bind_collisions(nb::module_& m) {
   bind_record<Sphere>(m);
   bind_record<Capsule>(m);
@@ -312,6 +350,7 @@ void bind_collisions(nb::module_& m) {
   bind_shape_files(m);
   bind_model(m);
   bind_distances(m);
+  bind_blocked_by(m);
 }
 
 }  // namespace beeline::python

@@ -188,4 +188,7 @@ struct Fields<ClearanceOverTime>
               &ClearanceOverTime::sample_times, &ClearanceOverTime::sampled,
               &ClearanceOverTime::clearance, &ClearanceOverTime::ending> {};
 
+/// Throws Error if the option blocked_by is a model of another arm.
+void check_model_of(const Arm& arm, const nb::dict& keywords);
+
 }  // namespace beeline::python

@@ -28,11 +28,7 @@ nb::object html_of(const PlayedAnimation& played) {
 /// Adds copies, which are the picture itself, as it never changes, and what refuses pickles.
 template <class Picture>
 void bind_copies(nb::class_<Picture>& picture, const std::string& name) {
-  const auto itself = [](nb::handle_t<Picture> self) { return nb::borrow(self); };
-  picture.def("__copy__", itself, nb::sig(kept_text("def __copy__(self) -> " + name)));
-  picture.def(
-      "__deepcopy__", [itself](nb::handle_t<Picture> self, nb::handle) { return itself(self); },
-      nb::sig(kept_text("def __deepcopy__(self, memo: object, /) -> " + name)));
+  bind_copy(picture, name, itself);
   picture.def(
       "__reduce__",
       [](const Picture&) -> nb::object {

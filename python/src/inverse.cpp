@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <thread>
 
+#include <beeline/collision/collision_model.h>
+
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "inverse_fields.h"
 #include "plane_poses.h"
@@ -10,6 +14,12 @@
 
 namespace beeline::python {
 namespace {
+
+/// The options. Throws Error for a model of another arm.
+InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
+  check_model_of(arm, keywords);
+  return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
+}
 
 /// InverseSolver with the arm and a copy of the keywords that it was made of. Only one thread
 /// solves at a time; the others wait.
@@ -20,7 +30,7 @@ class Solver {
         keywords_(copied(keywords)),
         dof_(nb::cast<const Arm&>(arm_).dof()),
         plane_(nb::cast<const Arm&>(arm_)) {
-    InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
+    InverseOptions all = inverse_options(nb::cast<const Arm&>(arm_), keywords_);
     all.budget.cancelled = [this] { return call_->cancelled(); };
     solver_.emplace(nb::cast<const Arm&>(arm_), all);
     method_ = solver_->method();
@@ -56,9 +66,7 @@ class Solver {
   static nb::dict copied(const nb::dict& keywords) {
     nb::dict copies;
     const nb::object deepcopy = nb::module_::import_("copy").attr("deepcopy");
-    for (const auto& [keyword, value] : keywords) {
-      copies[keyword] = deepcopy(value);
-    }
+    for (const auto& [keyword, value] : keywords) copies[keyword] = deepcopy(value);
     return copies;
   }
 
@@ -221,7 +229,7 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
   }
   const nb::object seed = taken(keywords, "seed"), out = taken(keywords, "out");
   const nb::object progress = taken(keywords, "progress");
-  InverseOptions inverse = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
+  InverseOptions inverse = inverse_options(arm, keywords);
   with.budget = std::exchange(inverse.budget, Budget());
   with.budget.progress = progress_of(progress);
   const PoseColumns poses = pose_columns(arm, world_T_tool, with.layout);
@@ -283,7 +291,7 @@ void bind_solver(nb::module_& m) {
   });
   solver.def(
       "__getstate__",
-      [](const Solver& self) { return nb::make_tuple(self.arm(), nb::dict(self.keywords())); },
+      [](const Solver& self) { return nb::make_tuple(self.arm(), self.keywords().attr("copy")()); },
       nb::sig("def __getstate__(self) -> tuple[Arm, dict[str, object]]"));
   solver.def(
       "__setstate__",
@@ -299,9 +307,20 @@ void bind_solver(nb::module_& m) {
 
 }  // namespace
 
+Value<std::function<Reason(const ConfigurationRef&)>>::Function
+Value<std::function<Reason(const ConfigurationRef&)>>::from(nb::handle value, const char* name) {
+  if (value.is_none()) return {};
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+  const auto* const model = &nb::cast<const CollisionModel&>(value);
+  return [model, held = shared_object(nb::borrow(value))](const ConfigurationRef& q) {
+    return blocked_by(*model, q);
+  };
+}
+
 void bind_inverse(nb::module_& m) {
   bind_record<NearestMiss>(m);
   bind_record<SolutionGrid>(m);
+  bind_record<BlockedSolution>(m);
   nb::class_<InverseResult> result = bind_record<InverseResult>(m);
   result.def_prop_ro(
       "q",
@@ -328,7 +347,7 @@ void bind_inverse(nb::module_& m) {
       [](const Arm& arm, nb::handle pose, const nb::kwargs& keywords) {
         check_one_pose(pose);
         const Pose world_T_tool = PosePlane(arm).pose(pose, "world_T_tool");
-        InverseOptions with = options<InverseOptions>(keywords);
+        InverseOptions with = inverse_options(arm, keywords);
         return unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); });
       },
       one, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));

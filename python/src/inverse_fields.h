@@ -1,12 +1,24 @@
 #pragma once
 
+#include <functional>
+
 #include <beeline/batch/batch.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
 #include "kept_array.h"
 #include "kinematics_fields.h"
+#include "reason.h"
 
 namespace beeline::python {
+
+/// InverseOptions::blocked_by: a CollisionModel, which the function keeps.
+template <>
+struct Value<std::function<Reason(const ConfigurationRef&)>> {
+  using Function = std::function<Reason(const ConfigurationRef&)>;
+  static std::string type() { return "CollisionModel | None"; }
+  static nb::object to(const Function&) { return nb::none(); }
+  static Function from(nb::handle value, const char* name);
+};
 
 /// The search of one pose has no known end.
 template <>
@@ -16,10 +28,11 @@ template <>
 struct Fields<InverseOptions>
     : Members<&InverseOptions::seed, &InverseOptions::task, &InverseOptions::method,
               &InverseOptions::all, &InverseOptions::every_turn, &InverseOptions::ignore_limits,
-              &InverseOptions::lock, &InverseOptions::redundancy, &InverseOptions::pose_tolerance,
-              &InverseOptions::weights, &InverseOptions::grid, &InverseOptions::tolerance,
-              &InverseOptions::max_iterations, &InverseOptions::max_restarts,
-              &InverseOptions::random_seed, &InverseOptions::budget> {};
+              &InverseOptions::blocked_by, &InverseOptions::lock, &InverseOptions::redundancy,
+              &InverseOptions::pose_tolerance, &InverseOptions::weights, &InverseOptions::grid,
+              &InverseOptions::tolerance, &InverseOptions::max_iterations,
+              &InverseOptions::max_restarts, &InverseOptions::random_seed,
+              &InverseOptions::budget> {};
 
 template <>
 struct Fields<NearestMiss>
@@ -27,16 +40,20 @@ struct Fields<NearestMiss>
               &NearestMiss::blocking, &NearestMiss::excess> {};
 
 template <>
+struct Fields<BlockedSolution> : Members<&BlockedSolution::q, &BlockedSolution::reason> {};
+
+template <>
 struct Fields<SolutionGrid>
     : Members<&SolutionGrid::joint, &SolutionGrid::values, &SolutionGrid::complete> {};
 
 template <>
 struct Fields<InverseResult>
-    : Members<&InverseResult::status, &InverseResult::solutions, &InverseResult::complete,
-              &InverseResult::branches_complete, &InverseResult::self_motion_dimension,
-              &InverseResult::grid, &InverseResult::singular, &InverseResult::residual,
-              &InverseResult::deviation, &InverseResult::nearest, &InverseResult::reason,
-              &InverseResult::method, &InverseResult::iterations, &InverseResult::restarts> {};
+    : Members<&InverseResult::status, &InverseResult::solutions, &InverseResult::blocked,
+              &InverseResult::complete, &InverseResult::branches_complete,
+              &InverseResult::self_motion_dimension, &InverseResult::grid, &InverseResult::singular,
+              &InverseResult::residual, &InverseResult::deviation, &InverseResult::nearest,
+              &InverseResult::reason, &InverseResult::method, &InverseResult::iterations,
+              &InverseResult::restarts> {};
 
 /// One solution for each pose of a batch.
 struct BatchInverseResult {

@@ -43,12 +43,7 @@ inline std::string described(const std::string& first, const nb::kwargs& options
 /// Adds copies, repr(), and what refuses pickles: the state of a loop is of this process.
 template <class Loop>
 void bind_copies(nb::class_<Loop>& loop, const char* name, const char* parts) {
-  const char* copy = kept_text("def __copy__(self) -> " + std::string(name));
-  const char* deep = kept_text("def __deepcopy__(self, memo: object, /) -> " + std::string(name));
-  loop.def(
-      "__copy__", [](const Loop& self) { return Loop(self); }, nb::sig(copy));
-  loop.def(
-      "__deepcopy__", [](const Loop& self, nb::handle) { return Loop(self); }, nb::sig(deep));
+  bind_copy(loop, name, [](nb::handle self) { return Loop(nb::cast<const Loop&>(self)); });
   loop.def(
       "__reduce__",
       [name, parts](const Loop&) -> nb::object {

@@ -1,9 +1,24 @@
+#include <beeline/certificate/clearance.h>
+
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "plane_poses.h"
 #include "planning_fields.h"
 
 namespace beeline::python {
+
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::Function
+Value<std::function<Reason(const Trajectory&, const Budget&)>>::from(nb::handle value,
+                                                                     const char* name) {
+  if (value.is_none()) return {};
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+  const auto* const model = &nb::cast<const CollisionModel&>(value);
+  return [model, held = shared_object(nb::borrow(value))](const Trajectory& motion,
+                                                          const Budget& budget) {
+    return prove_clearance(*model, motion, {.budget = budget}).reason;
+  };
+}
 
 std::function<Configuration(double)> Value<std::function<Configuration(double)>>::from(
     nb::handle value, const char* name) {
@@ -46,6 +61,7 @@ void bind_moves(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle start, const Route& route, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
+        check_model_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] { return move_along(arm, begin, route, asked); });
       },
@@ -66,6 +82,7 @@ void bind_moves(nb::module_& m) {
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
         const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
+        check_model_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] {
           return begin ? move_in_lines(arm, *begin, poses, asked)
@@ -133,6 +150,7 @@ void bind_planning(nb::module_& m) {
                       "Whether the samples reach the segment's end.");
   bind_record<Branch>(m);
   bind_record<NearbyPath>(m);
+  bind_record<BlockedBranch>(m);
   bind_record<PathMotion>(m);
   bind_branches(m);
   bind_moves(m);

@@ -20,6 +20,15 @@ struct Value<std::function<Configuration(double)>> {
   static Function from(nb::handle value, const char* name);
 };
 
+/// PathMotionOptions::blocked_by: a CollisionModel, which the function keeps.
+template <>
+struct Value<std::function<Reason(const Trajectory&, const Budget&)>> {
+  using Function = std::function<Reason(const Trajectory&, const Budget&)>;
+  static std::string type() { return "CollisionModel | None"; }
+  static nb::object to(const Function&) { return nb::none(); }
+  static Function from(nb::handle value, const char* name);
+};
+
 template <>
 struct Fields<TrackedSegment>
     : Members<&TrackedSegment::samples, &TrackedSegment::fractions, &TrackedSegment::deviation> {
@@ -50,13 +59,17 @@ struct Fields<PathMotionOptions>
               &PathMotionOptions::orientation_tolerance, &PathMotionOptions::profile,
               &PathMotionOptions::interpolation, &PathMotionOptions::tool_speed,
               &PathMotionOptions::rate, &PathMotionOptions::duration,
-              &PathMotionOptions::max_samples, &PathMotionOptions::suggest,
-              &PathMotionOptions::budget> {};
+              &PathMotionOptions::max_samples, &PathMotionOptions::blocked_by,
+              &PathMotionOptions::suggest, &PathMotionOptions::budget> {};
+
+template <>
+struct Fields<BlockedBranch> : Members<&BlockedBranch::start, &BlockedBranch::status,
+                                       &BlockedBranch::reason, &BlockedBranch::path_parameter> {};
 
 template <>
 struct Fields<PathMotion>
     : Members<&PathMotion::status, &PathMotion::reason, &PathMotion::path_parameter,
-              &PathMotion::nearby, &PathMotion::trajectory, &PathMotion::path,
+              &PathMotion::nearby, &PathMotion::blocked, &PathMotion::trajectory, &PathMotion::path,
               &PathMotion::path_parameters, &PathMotion::arrivals, &PathMotion::deviation,
               &PathMotion::limits, &PathMotion::limit_margin, &PathMotion::inverse_condition> {};
 

@@ -21,6 +21,20 @@ inline auto getter(const std::string& name, const std::string& type) {
   return nb::for_getter(nb::sig(kept_text("def " + name + "(self) -> " + type)));
 }
 
+/// Adds __copy__ and __deepcopy__: copy(self).
+template <class T, class Copy>
+void bind_copy(nb::class_<T>& bound, const std::string& name, Copy copy) {
+  bound.def(
+      "__copy__", [copy](nb::handle_t<T> self) { return copy(self); },
+      nb::sig(kept_text("def __copy__(self) -> " + name)));
+  bound.def(
+      "__deepcopy__", [copy](nb::handle_t<T> self, nb::handle) { return copy(self); },
+      nb::sig(kept_text("def __deepcopy__(self, memo: object, /) -> " + name)));
+}
+
+/// The copy of an object that never changes.
+inline nb::object itself(nb::handle self) { return nb::borrow(self); }
+
 /// A value as Python source; `...` for one that is not plain.
 std::string source_of(nb::handle value);
 

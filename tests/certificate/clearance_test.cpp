@@ -36,7 +36,7 @@ TEST(MotionTubes, ContainTheMotion) {
         // The position along the tube is the same for all coordinates: an interval of it fits each.
         double lowest = -1, highest = 1;
         for (Eigen::Index j = 0; j < q.size(); ++j) {
-          const double offset = q[j] - tube.middle[j], half = tube.half[j];
+          const double offset = q[j] - tube.middle[j], half = tube.half_motion[j];
           if (std::abs(half) < 1e-9) {
             EXPECT_LE(std::abs(offset), tube.slack[j] + 1e-9);
             continue;
@@ -69,11 +69,11 @@ TEST(TubeGap, BoundsTheMotionAlongADirection) {
     TubeValues tube(arm.dof());
     tube.middle = random.configuration(arm);
     for (Eigen::Index k = 0; k < arm.dof(); ++k) {
-      tube.half[k] = random.uniform(-size, size);
+      tube.half_motion[k] = random.uniform(-size, size);
       tube.slack[k] = random.integer(0, 1) * random.uniform(0, size * size);
     }
     const auto at = [&](double s, Random& any) {
-      Configuration q = tube.middle + s * tube.half;
+      Configuration q = tube.middle + s * tube.half_motion;
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         q[k] += any.integer(-1, 1) * tube.slack[k];
       }
@@ -104,7 +104,8 @@ TEST(TubeGap, BoundsTheMotionAlongADirection) {
       EXPECT_LE(std::abs(value - middle), displacement + 1e-12);
     }
     // To second order the bound is reached.
-    EXPECT_LE(bound - std::max(highest(tube.middle - tube.half), highest(tube.middle + tube.half)),
+    EXPECT_LE(bound - std::max(highest(tube.middle - tube.half_motion),
+                               highest(tube.middle + tube.half_motion)),
               2 * remainder + 1e-12);
   }
 }
@@ -310,6 +311,31 @@ TEST(Clearance, MatchesJointsByName) {
   other.joint_names = {"x", "y", "z"};
   EXPECT_REFUSED(prove_clearance(model, other), "x");
   EXPECT_REFUSED(clearance_over_time(model, other), "x");
+}
+
+/// The capsules around two plates overlap by far; the plates themselves are tested at once.
+TEST(Clearance, OfTwoFlatLinksNeedsFewParts) {
+  Joint joint;
+  joint.name = "slide";
+  joint.screw = translation_screw(Vector3::UnitX());
+  const Arm arm("slide", {joint}, Pose::Identity(), Pose::Identity());
+  const Shape plate{Box{{0.4, 0.4, 0.002}}};
+  Shape above = plate;
+  above.pose.translation().z() = 0.032;
+  const CollisionModel model(
+      arm,
+      {{.name = "lower", .link = 0, .shapes = {plate}, .at_distal_joint = false},
+       {.name = "upper", .link = 1, .shapes = {above}}},
+      {}, {.budget = {.max_work = 0}});
+  const Trajectory motion{arm.joint_names(),
+                          {0, 1},
+                          {Configuration::Constant(1, -0.15), Configuration::Constant(1, 0.15)},
+                          {},
+                          {}};
+  const ClearanceProof proof = prove_clearance(model, motion);
+  EXPECT_TRUE(proof) << proof;
+  EXPECT_NEAR(proof.least_distance, 0.03, 1e-9);
+  EXPECT_LE(proof.parts, 2U);
 }
 
 TEST(Clearance, EndsWithItsBudget) {

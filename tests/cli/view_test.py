@@ -120,6 +120,15 @@ def test_it_serves_the_files_of_the_page_and_nothing_else(server):
         assert status in (400, 404) and "secret" not in text, (path, status, text)
 
 
+def test_nothing_is_compressed_which_would_take_seconds_for_the_page(server, folder):
+    # Where cpp-httplib is built with Brotli it compresses texts at the highest level.
+    (folder / "page" / "large.js").write_text("x" * 100_000)
+    for path in ["/large.js", "/", "/api/session"]:
+        _, text, answer = server.ask("GET", path, headers={"Accept-Encoding": "gzip, deflate, br"})
+        assert answer.getheader("Content-Encoding") is None
+        assert int(answer.getheader("Content-Length")) == len(text)
+
+
 def test_the_session_holds_the_arm_and_the_trajectory(build, folder, beeline):
     moved = beeline("move", "ur5", "--from", "0,-1,1,0,1,0", "--to", "0.5,-1,1,0,1,0", "--out", "move.csv")
     assert moved.code == 0

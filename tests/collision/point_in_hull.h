@@ -36,7 +36,8 @@ inline double distance_from_hull(const std::vector<Vector3>& vertices, const Vec
   for (int step = 0; step < 300; ++step) {
     Eigen::Index next = 0;
     const double along = (p.transpose() * nearest).minCoeff(&next);
-    if (nearest.squaredNorm() - along <= 1e-16) break;
+    // The error is at most the square root of this, times the size.
+    if (nearest.squaredNorm() - along <= 1e-22) break;
     if (std::find(corral.begin(), corral.end(), next) != corral.end()) break;
     corral.push_back(next);
     weights.push_back(0);

@@ -51,6 +51,7 @@ CELL = b"""<robot name="cell"><link name="floor"/><link name="part"><collision><
 
 FILES = {
     "moved.scene": (ROOT / "tests/fuzz/corpus/scene/moveit").read_bytes(), "cell.yaml": (ROOT / "tests/fuzz/corpus/scene/planning").read_bytes(),
+    "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
     "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
@@ -112,6 +113,9 @@ reach place map.h5 --poses planar.csv --step 1 --max-checked 20
 reach merge part1.h5 part2.h5 --out out.h5
 reach export azimuths.h5 --out out.vti
 show robot.urdf --srdf arm.srdf --group arm
+ik shaped.json --pose 4.459,5.226,0 --degrees --all --scene cell.json --clearance 0.02 --allow hand,wall
+batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --no-self
+line shaped.json --through planar.csv --out out.csv --scene cell.json
 check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end
 check shaped.urdf shaped.csv --scene moved.scene --scene cell.yaml --moving-start --moving-end
 move shaped.urdf --from 0 --to 0.1 --method quickest --self

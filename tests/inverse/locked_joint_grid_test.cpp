@@ -69,8 +69,8 @@ TEST(LockedJointGrid, NoSolutionIsMissingAtACompleteValue) {
       expect_none_missing(arm, pose, result, result.grid->complete[random.integer(0, last)]);
     }
   }
-  EXPECT_GE(complete, arms * 16 * (testing::slow_build ? 5 : 9) / 10);
-  EXPECT_GE(solutions, arms * (testing::slow_build ? 1 : 8));
+  EXPECT_GE(complete, arms * 16 * 9 / 10);
+  EXPECT_GE(solutions, arms * 8);
 }
 
 TEST(LockedJointGrid, SolutionsAreOnTheGridAndTheSameForEverySeed) {

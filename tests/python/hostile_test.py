@@ -35,6 +35,7 @@ CALLS = {
     "batch seed": lambda q: beeline.batch_inverse(PANDA, [POSE], seed=q),
     "nearest_pair": lambda q: beeline.nearest_pair(MODEL, q),
     "pairs_too_close": lambda q: beeline.pairs_too_close(MODEL, q),
+    "blocked_by": lambda q: beeline.blocked_by(MODEL, q),
     "solver": lambda q: beeline.InverseSolver(PANDA).solve(POSE, q),
     "solve_into": lambda q: beeline.InverseSolver(PANDA).solve_into(POSE, q, np.empty(7)),
 }

@@ -163,3 +163,63 @@ def test_threads_call_at_once(rng):
     for thread in threads:
         thread.join()
     assert not wrong
+
+
+def model_among_balls(arm, rng, balls):
+    size = arm.reach[1]
+    links = [beeline.LinkShapes(f"link{i}", i, [beeline.Shape(beeline.Sphere(0.03 * size))]) for i in range(1, len(arm.joints) + 1)]
+    obstacles = []
+    for i in range(balls):
+        pose = np.eye(4)
+        pose[:3, 3] = rng.uniform(-0.5, 0.5, 3) * size
+        obstacles.append(beeline.Obstacle(f"ball{i}", [beeline.Shape(beeline.Sphere(0.1 * size), pose)]))
+    return beeline.CollisionModel(arm, links, beeline.Scene(obstacles), clearance=0.01 * size, max_work=10)
+
+
+@pytest.mark.parametrize("name", ["rrr", "ur5", "panda"])
+def test_solutions_that_are_blocked(name, rng):
+    arm = beeline.Arm.load(name)
+    free = blocked = 0
+    for _ in range(6):
+        model = model_among_balls(arm, rng, 6)
+        solver = beeline.InverseSolver(arm, blocked_by=model, grid=8)
+        q, poses = reachable(arm, rng, 4)
+        for pose in poses:
+            every = beeline.inverse_kinematics(arm, pose, all=True, grid=8)
+            result = beeline.inverse_kinematics(arm, pose, all=True, grid=8, blocked_by=model)
+            together = [*map(tuple, result.solutions), *(tuple(one.q) for one in result.blocked)]
+            assert sorted(together) == sorted(map(tuple, every.solutions))
+            for solution in result.solutions:
+                nearest = beeline.nearest_pair(model, solution)
+                assert nearest.lower >= nearest.clearance and not beeline.blocked_by(model, solution)
+            for one in result.blocked:
+                assert one.reason and one.reason == beeline.blocked_by(model, one.q)
+                assert one.reason.fields["clearance"] > beeline.nearest_pair(model, one.q).lower
+                assert one.reason.code in ("bodies_collide", "bodies_too_close", "clearance_not_decided")
+            single = solver.solve(pose)
+            assert bool(single) == (len(result.solutions) > 0) or (name == "panda" and single)
+            assert single.status in ("solved", "blocked")
+            assert pickle.loads(pickle.dumps(result)) == result
+            free, blocked = free + len(result.solutions), blocked + len(result.blocked)
+        batch = beeline.batch_inverse(arm, poses, blocked_by=model, grid=8)
+        for pose, row in zip(poses, batch.q):
+            one = solver.solve(pose)
+            assert np.array_equal(row, one.q) if one else np.isnan(row).all()
+        assert copy.deepcopy(solver).solve(poses[0]) == solver.solve(poses[0])
+        solver.__getstate__()[1].clear()
+        assert copy.copy(solver).solve(poses[0]) == solver.solve(poses[0])
+    assert free and blocked
+
+
+def test_a_model_of_another_arm_blocks_nothing_by_mistake(rng):
+    arm, other = beeline.arms.ur5(), beeline.arms.ur5e()
+    model = model_among_balls(other, rng, 1)
+    pose = beeline.forward_kinematics(arm, arm.middle)
+    for call in (lambda: beeline.inverse_kinematics(arm, pose, blocked_by=model), lambda: beeline.InverseSolver(arm, blocked_by=model),
+                 lambda: beeline.batch_inverse(arm, [pose], blocked_by=model),
+                 lambda: beeline.move_in_lines(arm, None, [pose, pose], blocked_by=model)):
+        with pytest.raises(beeline.Error, match="another arm"):
+            call()
+    with pytest.raises(TypeError, match="blocked_by"):
+        beeline.inverse_kinematics(arm, pose, blocked_by="scene.json")
+    assert beeline.inverse_kinematics(arm, pose, blocked_by=None)

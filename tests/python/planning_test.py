@@ -323,3 +323,24 @@ def test_verify_without_a_path_checks_the_joints_and_lists_every_kind_of_fault()
     assert kinds["limits"].sample == np.argmax(positions[:, 1] > 2 * np.pi)
     assert kinds["limits"].amount == pytest.approx(positions[:, 1].max() - 2 * np.pi)
     assert kinds["flip"].sample == 19 and kinds["flip"].amount > np.pi
+
+
+def test_a_branch_that_is_blocked_gives_way_to_another():
+    arm = beeline.Arm.load("puma560")
+    q = np.full(6, 0.3)
+    line = [beeline.forward_kinematics(arm, q), beeline.forward_kinematics(arm, q + 0.15)]
+    best = beeline.move_in_lines(arm, None, line)
+    pose = np.eye(4)
+    pose[:3, 3] = beeline.link_poses(arm, best.trajectory.positions[0])[3, :3, 3]  # of the elbow
+    links = [beeline.LinkShapes(f"link{i}", i, [beeline.Shape(beeline.Sphere(0.02))]) for i in range(1, 7)]
+    ball = beeline.Obstacle("ball", [beeline.Shape(beeline.Sphere(0.05), pose)])
+    model = beeline.CollisionModel(arm, links, beeline.Scene([ball]), self_collision=False)
+    motion = beeline.move_in_lines(arm, None, line, blocked_by=model)
+    assert motion and beeline.prove_clearance(model, motion.trajectory)
+    first = motion.blocked[0]
+    assert first.status == "collides" and first.reason.fields["other_body"] == "ball"
+    np.testing.assert_array_equal(first.start, best.trajectory.positions[0])
+    refused = beeline.move_in_lines(arm, first.start, line[1:], blocked_by=model)
+    assert refused.status == "collides" and refused.reason.code == first.reason.code and refused.blocked == []
+    with pytest.raises(TypeError, match="blocked_by"):
+        beeline.move_in_lines(arm, None, line, blocked_by=[model])

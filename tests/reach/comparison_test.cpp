@@ -30,7 +30,7 @@ void expect_same(const ReachSide& a, const ReachSide& b) {
 
 TEST(ReachComparison, OfAMapWithItselfHasNoDifference) {
   for (const char* name : {"puma560", "rrr"}) {
-    const double turn = (testing::slow_build ? 120 : 60) * deg;
+    const double turn = (testing::slow_build ? 90 : 60) * deg;
     const ReachMap map = map_of(built_in(name), {.directions = turn});
     const ReachComparison same = compare_reach(map, map);
     expect_same(same.sides[0], same.sides[1]);

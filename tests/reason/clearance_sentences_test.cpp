@@ -9,7 +9,26 @@ std::vector<Said> said_of_clearances() {
                       {clearance, 0.001},
                       {time, 0.5},
                       {position, Eigen::Vector3d(0.1, 0, 0.3)}};
+  const Fields of_configuration{{body, "hand"}, {other_body, "table"}, {clearance, 0.001}};
+  const Reason close{ReasonCode::bodies_too_close,
+                     {{body, "hand"},
+                      {other_body, "table"},
+                      {clearance, 0.01},
+                      {distance, 0.004},
+                      {position, Eigen::Vector3d(0.1, 0, 0.3)}}};
+  const std::string said_close =
+      "hand is 0.004 m from table at (0.1, 0, 0.3) m, closer than the clearance of 0.01 m";
   return {
+      {{ReasonCode::all_solutions_blocked, {{count, std::size_t{8}}}, {close}},
+       "every solution is blocked, 8 in all; the first: " + said_close},
+      {{ReasonCode::solutions_blocked, {{count, std::size_t{90}}}, {close}},
+       "every solution that was found is blocked, 90 in all; the first: " + said_close +
+           "; others may exist"},
+      {{ReasonCode::clearance_not_decided, with(of_configuration, {{distance, 0.001}})},
+       "hand is about 0.001 m from table, too near to the clearance of 0.001 m to decide"},
+      {{ReasonCode::bodies_too_close,
+        with(of_configuration, {{distance, 0.0004}, {position, Eigen::Vector3d(0.1, 0, 0.3)}})},
+       "hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of 0.001 m"},
       {{ReasonCode::bodies_collide,
         with(bodies, {{depth, 0.012}, {normal, Eigen::Vector3d(0, 0, 1)}})},
        "at 0.5 s hand and table collide at (0.1, 0, 0.3) m: a translation of hand by 0.012 m "

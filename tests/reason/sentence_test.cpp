@@ -86,7 +86,8 @@ TEST(Sentence, RefusesAReasonThatLacksAFieldOrADetail) {
   for (const ReasonCode code :
        {ReasonCode::ended_at_pose, ReasonCode::pose_outside_limits,
         ReasonCode::path_leaves_workspace, ReasonCode::path_loses_orientation,
-        ReasonCode::no_configuration_found}) {
+        ReasonCode::no_configuration_found, ReasonCode::all_solutions_blocked,
+        ReasonCode::solutions_blocked}) {
     EXPECT_REFUSED(sentence({code}), name(code) + " needs details");
   }
   EXPECT_THROW(name(static_cast<ReasonCode>(100'000)), std::out_of_range);

@@ -226,3 +226,14 @@ test("a link to a lesson alone shows its figure", async () => {
   expect(await shownArm(page)).toBe("rrr");
   expect(await page.getByText("There is no goal yet").count()).toBe(0);
 });
+
+test("a lesson is opened by key: its link keeps the focus, and numbers that follow the arm are not announced", async () => {
+  const { page } = await open(there, "#arm=rrr&section=lessons&lesson=rrr");
+  const link = page.getByRole("navigation", { name: "Lessons" }).getByRole("link").nth(6); // the Jacobian, with its figure
+  await link.press("Enter");
+  await page.locator("article .columns li").first().waitFor();
+  expect(await link.getAttribute("aria-current")).toBe("page");
+  expect(await link.evaluate((one) => one === document.activeElement)).toBe(true);
+  expect(await page.locator("[aria-live=polite] .columns, [role=status] .columns").count()).toBe(0);
+  await page.context().close();
+});

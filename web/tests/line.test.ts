@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { drag, jointValues, pages, toolAt, toWorld } from "./browser.js";
+import { drag, frames, jointValues, pages, toolAt, toWorld } from "./browser.js";
 import { json } from "./native.js";
 
 const { opened } = pages();
@@ -204,4 +204,26 @@ test("a waypoint is added where the tool is, and the button stays under the mous
     await add();
     await expect.poll(() => items.count()).toBe(count);
   }
+});
+
+test("a waypoint is removed while the motion is played; the focus goes to the next one", async () => {
+  const page = await opened(`#arm=rrr&q=1.2,-1.7,1&section=line&waypoints=${three}`);
+  await strong(page).getByText("reached").waitFor();
+  await page.getByRole("button", { name: "Loop" }).click();
+  await page.getByRole("button", { name: "Play" }).click();
+  const remove = page.getByRole("button", { name: "Remove waypoint 1" });
+  const box = await remove.boundingBox();
+  await page.mouse.move((box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2);
+  await page.mouse.down();
+  await frames(page, 5); // the arm has moved
+  await page.mouse.up();
+  const items = page.locator("ol.waypoints li");
+  await expect.poll(() => items.count()).toBe(2);
+  await remove.press("Enter");
+  await expect.poll(() => items.count()).toBe(1);
+  expect(await remove.evaluate((button) => button === document.activeElement)).toBe(true);
+  await remove.press("Enter");
+  await expect.poll(() => items.count()).toBe(0);
+  const add = page.getByRole("button", { name: "Add a waypoint here" });
+  expect(await add.evaluate((button) => button === document.activeElement)).toBe(true);
 });

@@ -140,3 +140,15 @@ test("a picture that cannot be loaded is a sentence; another arm is shown from t
   await expect.poll(() => page.locator("#side").evaluate((side) => side.scrollTop)).toBe(0);
   await context.close();
 });
+
+test("the value of an angle has the colour of its joint, which it may be far from", async () => {
+  const page = await opened("#arm=rrr&q=0.4,0.9,0.6");
+  const texts = page.locator(".drawing .angle-text");
+  await expect.poll(() => texts.count()).toBe(3);
+  const fills = await texts.evaluateAll((all) => all.map((text) => getComputedStyle(text).fill));
+  const strongest = fills.map((fill) => {
+    const channels = (fill.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+    return channels.indexOf(Math.max(...channels));
+  });
+  expect(strongest).toEqual([0, 1, 2]); // red, green, blue
+});

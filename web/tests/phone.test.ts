@@ -47,6 +47,65 @@ test.each(["rrr", "panda"])("on a phone all buttons of the picture of %s are see
   await page.context().close();
 });
 
+/** The part of the panel that is on the screen: from its top to the links of the sections. */
+async function panel(page: Page): Promise<{ top: number; bottom: number }> {
+  const box = await page.locator("#side").boundingBox();
+  return { top: box?.y ?? NaN, bottom: (box?.y ?? NaN) + (box?.height ?? NaN) };
+}
+
+test("on a phone a gain and why it diverges are on the screen at once; the slider stays under the finger", async () => {
+  const page = await phone("#arm=rrr&section=control&gain=0.1");
+  const slider = page.getByLabel("Kp, proportional gain, slider");
+  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  const before = await slider.boundingBox();
+  const [x, y] = [before?.x ?? NaN, (before?.y ?? NaN) + (before?.height ?? NaN) / 2];
+  expect(y).toBeLessThan((await panel(page)).bottom);
+  await touch(page, [
+    { x: x + 15, y },
+    { x: x + (before?.width ?? NaN) - 2, y },
+  ]);
+  await page.getByText("it shrinks only for 0 < Kp < 2").waitFor();
+  const words = await page.locator(".response").boundingBox();
+  expect((words?.y ?? NaN) + (words?.height ?? NaN)).toBeLessThanOrEqual((await panel(page)).bottom);
+  await page.getByText(/Cartesian space: .* does not arrive/).waitFor();
+  expect((await slider.boundingBox())?.y).toBe(before?.y);
+  const texts = await page.locator(".labels text").all();
+  expect(texts.length).toBeGreaterThan(4);
+  for (const box of await Promise.all(texts.map((text) => text.boundingBox()))) {
+    expect(box?.x).toBeGreaterThanOrEqual(0); // no text is cut off
+    expect((box?.x ?? NaN) + (box?.width ?? NaN)).toBeLessThanOrEqual(390);
+  }
+  await page.context().close();
+});
+
+test("on a phone waypoints are added in one place, and Play and the proof are on the screen", async () => {
+  const page = await phone("#arm=rrr&q=0.4,0.9,0.6&section=line");
+  const add = await page.getByRole("button", { name: "Add a waypoint here" }).boundingBox();
+  const items = page.locator("ol.waypoints li");
+  for (const [count, dx] of [
+    [1, 0],
+    [2, -40],
+    [3, -30],
+  ] as const) {
+    const [from, q] = [await toolAt(page), await jointValues(page)];
+    if (dx !== 0) {
+      await touch(page, [from, { x: from.x + dx, y: from.y + 5 }]);
+      await expect.poll(() => jointValues(page)).not.toEqual(q);
+      await toolAt(page);
+    }
+    await page.touchscreen.tap((add?.x ?? NaN) + 60, (add?.y ?? NaN) + 20);
+    await expect.poll(() => items.count()).toBe(count);
+    if (count > 1) await page.locator(".panel strong").getByText("reached").waitFor();
+  }
+  const { bottom } = await panel(page);
+  const places = [page.getByRole("button", { name: "Play" }), page.locator(".panel .proof")];
+  for (const place of places) {
+    const box = await place.boundingBox();
+    expect((box?.y ?? NaN) + (box?.height ?? NaN)).toBeLessThanOrEqual(bottom);
+  }
+  await page.context().close();
+});
+
 /** What can be touched and is less than 40 pixels high or wide. */
 function small(page: Page): Promise<string[]> {
   return page.evaluate(`[...document.querySelectorAll("button, a, input, select, summary, textarea")]

@@ -11,7 +11,7 @@ const { opened } = pages();
 const elsewhere = [
   /^none$/,
   /^ended/,
-  /^bodies_|^clearance_/,
+  /^bodies_|^clearance_|solutions_blocked$/,
   /^program_|^passes_without_rest$|^dwell_too_short$|^tool_too_fast$/,
   /^poses_|^no_mount_/,
   /^singular_velocity$|^too_few_joints$/,

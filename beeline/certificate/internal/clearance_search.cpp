@@ -8,15 +8,9 @@ namespace {
 
 using With = OpenPair::With;
 
-/// Bounds of the coordinates in the tubes of all parts of the motion. The tube of a part exceeds
-/// the tube of the whole by at most the width of that tube.
-Configuration lowest_values(const MotionTubes& tubes) {
-  const TubeValues& whole = tubes.values(tubes.all());
-  return whole.middle - 3 * (whole.half.cwiseAbs() + whole.slack);
-}
-Configuration highest_values(const MotionTubes& tubes) {
-  const TubeValues& whole = tubes.values(tubes.all());
-  return whole.middle + 3 * (whole.half.cwiseAbs() + whole.slack);
+/// The coordinates at the middle of the time of a motion: its Bernstein polynomials at 1/2.
+void set_middle(const BernsteinCoefficients& b, Eigen::VectorXd& middle) {
+  middle = (b.row(0) + b.row(5) + 5 * (b.row(1) + b.row(4)) + 10 * (b.row(2) + b.row(3))) / 32;
 }
 
 }  // namespace
@@ -25,9 +19,11 @@ bool keeps_apart(const CollisionBodies& bodies, const MotionTubes& tubes) {
   if (bodies.apart_pairs.empty()) return true;
   for (std::size_t k = 0; k + 1 < tubes.trajectory().size(); ++k) {
     const BernsteinCoefficients& coefficients = tubes.coefficients(k);
-    if (!bodies.keeps_apart(coefficients.colwise().minCoeff().transpose().eval()) ||
-        !bodies.keeps_apart(coefficients.colwise().maxCoeff().transpose().eval())) {
-      return false;
+    for (Eigen::Index i = 0; i < coefficients.cols(); ++i) {
+      if (!(coefficients.col(i).minCoeff() >= bodies.apart_lower[i] &&
+            coefficients.col(i).maxCoeff() <= bodies.apart_upper[i])) {
+        return false;
+      }
     }
   }
   return true;
@@ -50,8 +46,17 @@ ClearanceSearch::ClearanceSearch(const CollisionBodies& bodies, const MotionTube
       budget_(budget),
       beyond_(beyond),
       only_counted_(only_counted),
-      tube_test_(bodies, lowest_values(tubes), highest_values(tubes), beyond),
-      tube_(bodies.arm.dof()) {
+      tube_test_(bodies, tubes.values(tubes.all()), beyond),
+      open_(scratch_->open),
+      queue_(scratch_->queue),
+      tree_search_{.nodes = scratch_->nodes, .open = open_, .obstacles = queue_},
+      parts_(scratch_->parts),
+      tube_(scratch_->tube) {
+  open_.clear();
+  queue_.clear();
+  scratch_->nodes.clear();
+  if (parts_.empty()) parts_.emplace_back();
+  tube_.resize(bodies.arm.dof());
   proof_.status = ClearanceStatus::clear;  // until a part is found that is not
   proof_.least_distance = std::numeric_limits<double>::infinity();
 }
@@ -64,7 +69,7 @@ ClearanceProof ClearanceSearch::run(const MotionTubes::Range& range) {
 
 ClearanceProof ClearanceSearch::run(const Part& part) {
   add_all_pairs();
-  parts_.assign(1, part);
+  parts_.front() = part;
   search_part(0, {0, open_.size()});
   return finished();
 }
@@ -78,9 +83,14 @@ ClearanceProof ClearanceSearch::finished() const {
 }
 
 void ClearanceSearch::add_all_pairs() {
-  for (std::uint32_t i = 0; i < bodies_.self_groups.size(); ++i) {
-    const CollisionBodies::SelfGroup& group = bodies_.self_groups[i];
-    open_.push_back({.with = With::group, .body = group.first, .other = group.second, .group = i});
+  for (std::uint32_t i = 0; i < bodies_.group_pairs.size(); ++i) {
+    const auto [first, second, begin, end] = bodies_.group_pairs[i];
+    const bool is_of_bodies =
+        bodies_.groups[first].is_single() && bodies_.groups[second].is_single();
+    open_.push_back({.with = is_of_bodies ? With::link : With::group,
+                     .body = first,
+                     .other = second,
+                     .group_pair = i});
   }
   if ((beyond_ > 0 && !only_counted_) || !keeps_apart(bodies_, tubes_)) {
     for (const auto& pair : bodies_.apart_pairs) {
@@ -89,8 +99,8 @@ void ClearanceSearch::add_all_pairs() {
   } else if (!bodies_.apart_pairs.empty()) {  // proved to keep the clearance, but not more
     proof_.least_distance = bodies_.clearance;
   }
-  for (const std::uint32_t whole : bodies_.whole_links) {
-    if (bodies_.covers[whole].frame == 0) continue;  // link 0 does not move
+  for (const std::uint32_t whole : bodies_.link_groups) {
+    if (bodies_.groups[whole].frame == 0) continue;  // link 0 does not move
     if (!bodies_.tree.empty()) open_.push_back({.with = With::node, .body = whole, .other = 0});
   }
   for (std::uint32_t i = 0; i < bodies_.link_bodies.size(); ++i) {
@@ -107,7 +117,6 @@ void ClearanceSearch::search(const MotionTubes::Range& range, Pairs pairs) {
   if (open.begin < open.end && !ended_) {
     if (range.is_interval()) {
       const std::vector<double>& times = tubes_.trajectory().times;
-      parts_.resize(std::max<std::size_t>(parts_.size(), 1));
       parts_.front().coefficients = tubes_.coefficients(range.first);
       parts_.front().from = times[range.first];
       parts_.front().to = times[range.last];
@@ -168,13 +177,13 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs,
   for (std::size_t i = pairs.begin; i < pairs.end;) {
     if (open_[i].with != With::node) {
       queue_.assign(1, open_[i++]);
-    } else {  // all nodes of a cover stand together
-      const std::uint32_t cover = open_[i].body;
-      for (; i < pairs.end && open_[i].with == With::node && open_[i].body == cover; ++i) {
+    } else {  // all nodes of a group stand together
+      const std::uint32_t group = open_[i].body;
+      for (; i < pairs.end && open_[i].with == With::node && open_[i].body == group; ++i) {
         tree_search_.nodes.push_back(open_[i].other);
       }
       queue_.clear();
-      tube_test_.search_tree(cover, tree_search_);
+      tube_test_.search_tree(group, tree_search_);
     }
     test_queue(nodes);
   }
@@ -183,7 +192,7 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs,
   return left;
 }
 
-/// Tests the pairs of bodies and covers in the queue.
+/// Tests the pairs of bodies and groups in the queue.
 void ClearanceSearch::test_queue(Nodes nodes) {
   while (!queue_.empty()) {
     OpenPair pair = queue_.back();
@@ -192,8 +201,8 @@ void ClearanceSearch::test_queue(Nodes nodes) {
     if (bound.proves()) {
       proof_.least_distance = std::min(proof_.least_distance, bound.distance);
     } else if (pair.with == With::group &&
-               (nodes == Nodes::all || tube_test_.is_coarse_group(pair))) {
-      tube_test_.divide_group(pair, queue_);
+               (nodes == Nodes::all || tube_test_.is_coarse_group_pair(pair))) {
+      tube_test_.divide_group_pair(pair, queue_);
     } else {
       open_.push_back(pair);
     }
@@ -213,11 +222,10 @@ bool ClearanceSearch::is_small(Pairs pairs) const {
 
 /// Decides a part that can hardly be divided, at the middle of its time. The pairs are of bodies.
 void ClearanceSearch::decide(const Part& part, Pairs pairs) {
-  BernsteinCoefficients first, second;
-  halve(part.coefficients, first, second);
-  TubeValues middle(part.coefficients.cols());
-  middle.middle = second.row(0);
-  tube_test_.place(middle.tube());
+  set_middle(part.coefficients, tube_.middle);
+  tube_.half_motion.setZero();
+  tube_.slack.setZero();
+  tube_test_.place(tube_.tube());
   const double time = part.middle();
   for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
     const BodyDistance pair = tube_test_.distance(open_[i]);
@@ -247,7 +255,7 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
 Trajectory adapted_motion(const CollisionModel& model, const Trajectory& trajectory) {
   check_trajectory(trajectory);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
-  const bool matches = trajectory.joint_names == model.arm().joint_names();
+  const bool matches = trajectory.joint_names == model.bodies().joint_names;
   if (matches && trajectory.size() > 1) return {};
   Trajectory motion = matches ? trajectory : matched_to(model.arm(), trajectory);
   if (motion.size() > 1) return motion;

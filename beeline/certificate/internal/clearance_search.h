@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -21,6 +22,8 @@ class ClearanceSearch {
   ClearanceSearch(const CollisionBodies& bodies, const MotionTubes& tubes,
                   const ClearanceOptions& options, BudgetMeter& budget, double beyond = 0,
                   bool only_counted = false);
+  ClearanceSearch(const ClearanceSearch&) = delete;  // tree_search_ refers to other members
+  ClearanceSearch& operator=(const ClearanceSearch&) = delete;
 
   /// A part of an interval between two samples, from time `from` to `to`, and its second half.
   struct Part {
@@ -43,7 +46,16 @@ class ClearanceSearch {
     std::size_t begin = 0, end = 0;
   };
 
-  /// Pairs of nodes and covers are divided where that helps, or all down to bodies.
+  struct Scratch {
+    std::vector<OpenPair> open, queue;
+    std::vector<std::uint32_t> nodes;
+    std::deque<Part> parts;
+    TubeValues tube;
+
+    bool is_small() const { return std::max(open.capacity(), queue.capacity()) <= 100'000; }
+  };
+
+  /// Pairs of nodes and groups are divided where that helps, or all down to bodies.
   enum class Nodes { as_needed, all };
 
   ClearanceProof finished() const;
@@ -63,11 +75,12 @@ class ClearanceSearch {
   double beyond_;
   bool only_counted_;
   TubeTest tube_test_;
-  std::vector<OpenPair> open_;   ///< a stack
-  std::vector<OpenPair> queue_;  ///< pairs to be tested over the present tube
-  TubeTest::TreeSearch tree_search_{.nodes = {}, .open = open_, .obstacles = queue_};
-  std::deque<Part> parts_;  ///< the part that is searched, and those around it
-  TubeValues tube_;
+  ThreadScratch<Scratch> scratch_;
+  std::vector<OpenPair>& open_;   ///< a stack
+  std::vector<OpenPair>& queue_;  ///< pairs to be tested over the present tube
+  TubeTest::TreeSearch tree_search_;
+  std::deque<Part>& parts_;  ///< the part that is searched, and those around it, at least one
+  TubeValues& tube_;
   ClearanceProof proof_;
   bool ended_ = false;
   std::size_t undecided_parts_ = 0;

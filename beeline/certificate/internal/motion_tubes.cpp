@@ -17,11 +17,12 @@ void set_elevated(double c0, double c1, double c2, double c3, Eigen::Ref<Eigen::
 
 }  // namespace
 
-BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::size_t k) {
+void set_bernstein_coefficients(const Trajectory& trajectory, std::size_t k,
+                                BernsteinCoefficients& b) {
   const Configuration& p0 = trajectory.positions[k];
   const Configuration& p1 = trajectory.positions[k + 1];
   const double h = trajectory.times[k + 1] - trajectory.times[k];
-  BernsteinCoefficients b(6, p0.size());
+  b.resize(6, p0.size());
   for (Eigen::Index i = 0; i < p0.size(); ++i) {
     if (trajectory.velocities.empty()) {
       for (Eigen::Index m = 0; m <= last; ++m) {
@@ -40,11 +41,11 @@ BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::
     b.col(i) << p0[i], p0[i] + d0 / 5, p0[i] + 2 * d0 / 5 + dd0 / 20, p1[i] - 2 * d1 / 5 + dd1 / 20,
         p1[i] - d1 / 5, p1[i];
   }
-  return b;
 }
 
-Eigen::VectorXd coefficient_rounding(const BernsteinCoefficients& coefficients) {
-  return 32 * roundoff * coefficients.cwiseAbs().colwise().maxCoeff().transpose();
+void set_coefficient_rounding(const BernsteinCoefficients& coefficients,
+                              Eigen::VectorXd& rounding) {
+  rounding = 32 * roundoff * coefficients.cwiseAbs().colwise().maxCoeff().transpose();
 }
 
 void add_halving_rounding(const BernsteinCoefficients& whole, Eigen::VectorXd& rounding) {
@@ -84,56 +85,59 @@ void enclose(const BernsteinCoefficients& motion, const Eigen::VectorXd& roundin
       highest = std::max(highest, motion(m, i) - on_line);
     }
     tube.middle[i] = (begin[i] + end[i] + lowest + highest) / 2;
-    tube.half[i] = (end[i] - begin[i]) / 2;
+    tube.half_motion[i] = (end[i] - begin[i]) / 2;
     tube.slack[i] = (highest - lowest) / 2 + rounding[i];
   }
 }
 
 void enclose(const TubeValues& first, const TubeValues& second, const Configuration& begin,
              const Configuration& middle, const Configuration& end, TubeValues& tube) {
-  const Configuration change = end - begin;
-  const double length = change.squaredNorm();
-  const double share =
-      length > 0 ? std::clamp((middle - begin).dot(change) / length, 0.0, 1.0) : 0.5;
-  const Configuration beside = middle - (begin + share * change);
-  // The lines of the halves are beside the whole line by 0 to `beside`; their tubes may be shifted.
-  const auto shift = [](const TubeValues& part, const Configuration& from,
-                        const Configuration& to) {
-    return Configuration(part.middle - (from + to) / 2);
-  };
-  const Configuration first_shift = shift(first, begin, middle);
-  const Configuration second_shift = shift(second, middle, end);
-  for (Eigen::Index i = 0; i < change.size(); ++i) {
-    const double lowest = std::min(0.0, beside[i]) + std::min(first_shift[i] - first.slack[i],
-                                                              second_shift[i] - second.slack[i]);
-    const double highest = std::max(0.0, beside[i]) + std::max(first_shift[i] + first.slack[i],
-                                                               second_shift[i] + second.slack[i]);
+  const double length = (end - begin).squaredNorm();
+  const double fraction =
+      length > 0 ? std::clamp((middle - begin).dot(end - begin) / length, 0.0, 1.0) : 0.5;
+  for (Eigen::Index i = 0; i < begin.size(); ++i) {
+    const double change = end[i] - begin[i];
+    // The lines of the halves are beside the whole line by 0 to `beside`; their tubes may be
+    // shifted.
+    const double beside = middle[i] - (begin[i] + fraction * change);
+    const double first_shift = first.middle[i] - (begin[i] + middle[i]) / 2;
+    const double second_shift = second.middle[i] - (middle[i] + end[i]) / 2;
+    const double lowest = std::min(0.0, beside) +
+                          std::min(first_shift - first.slack[i], second_shift - second.slack[i]);
+    const double highest = std::max(0.0, beside) +
+                           std::max(first_shift + first.slack[i], second_shift + second.slack[i]);
     tube.middle[i] = (begin[i] + end[i] + lowest + highest) / 2;
-    tube.half[i] = change[i] / 2;
+    tube.half_motion[i] = change / 2;
     tube.slack[i] = (highest - lowest) / 2 +
                     16 * roundoff * (std::abs(begin[i]) + std::abs(middle[i]) + std::abs(end[i]));
   }
 }
 
 MotionTubes::MotionTubes(const Trajectory& trajectory) : trajectory_(&trajectory) {
-  for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
-    coefficients_.push_back(bernstein_coefficients(trajectory, k));
-    rounding_.push_back(coefficient_rounding(coefficients_.back()));
+  const std::size_t intervals = trajectory.size() - 1;
+  if (scratch_->coefficients.size() < intervals) {
+    scratch_->coefficients.resize(intervals);
+    scratch_->rounding.resize(intervals);
+    scratch_->nodes.resize(2 * intervals - 1);
   }
-  nodes_.assign(2 * coefficients_.size() - 1, TubeValues(trajectory.positions.front().size()));
+  for (std::size_t k = 0; k < intervals; ++k) {
+    set_bernstein_coefficients(trajectory, k, scratch_->coefficients[k]);
+    set_coefficient_rounding(scratch_->coefficients[k], scratch_->rounding[k]);
+  }
   fill(all());
 }
 
 void MotionTubes::fill(const Range& range) {
+  TubeValues& tube = scratch_->nodes[range.node];
+  tube.resize(trajectory_->positions.front().size());
   if (range.is_interval()) {
-    return enclose(coefficients_[range.first], rounding_[range.first], nodes_[range.node]);
+    return enclose(coefficients(range.first), rounding(range.first), tube);
   }
   const Range first = range.first_half(), second = range.second_half();
   fill(first);
   fill(second);
   const std::vector<Configuration>& q = trajectory_->positions;
-  enclose(nodes_[first.node], nodes_[second.node], q[range.first], q[range.middle()], q[range.last],
-          nodes_[range.node]);
+  enclose(values(first), values(second), q[range.first], q[range.middle()], q[range.last], tube);
 }
 
 }  // namespace beeline::internal

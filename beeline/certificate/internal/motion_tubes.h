@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/collision/internal/joint_tube.h>
+#include <beeline/internal/thread_scratch.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -13,12 +14,13 @@ namespace beeline::internal {
 /// Surfaces for CAGD", 2002, chapter 5).
 using BernsteinCoefficients = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// Returns the coefficients of the motion from sample k to the next (see Interpolation).
-BernsteinCoefficients bernstein_coefficients(const Trajectory& trajectory, std::size_t k);
+/// Computes the coefficients of the motion from sample k to the next (see Interpolation).
+void set_bernstein_coefficients(const Trajectory& trajectory, std::size_t k,
+                                BernsteinCoefficients& coefficients);
 
-/// A bound of the rounding of these coefficients, and of the values that enclose() computes of
-/// them, for each coordinate.
-Eigen::VectorXd coefficient_rounding(const BernsteinCoefficients& coefficients);
+/// Computes a bound of the rounding of these coefficients, and of the values that enclose()
+/// computes of them, for each coordinate.
+void set_coefficient_rounding(const BernsteinCoefficients& coefficients, Eigen::VectorXd& rounding);
 
 /// Adds to such a bound what halve() adds to the rounding.
 void add_halving_rounding(const BernsteinCoefficients& whole, Eigen::VectorXd& rounding);
@@ -29,17 +31,23 @@ void halve(const BernsteinCoefficients& whole, BernsteinCoefficients& first,
 
 /// The values of a tube: JointTube refers to them.
 struct TubeValues {
-  Eigen::VectorXd middle, half, slack;
+  Eigen::VectorXd middle, half_motion, slack;
 
   explicit TubeValues(Eigen::Index n = 0)
       : middle(Eigen::VectorXd::Zero(n)),
-        half(Eigen::VectorXd::Zero(n)),
+        half_motion(Eigen::VectorXd::Zero(n)),
         slack(Eigen::VectorXd::Zero(n)) {}
-  JointTube tube() const { return {middle, half, slack}; }
+  void resize(Eigen::Index n) {
+    middle.resize(n);
+    half_motion.resize(n);
+    slack.resize(n);
+  }
+  JointTube tube() const { return {middle, half_motion, slack}; }
 };
 
 /// Computes a tube that contains the motion: about the line between its ends, along which the
 /// coordinate that moves most sets the pace. The slack includes the rounding of the coefficients.
+/// The tube has the motion's number of coordinates.
 void enclose(const BernsteinCoefficients& motion, const Eigen::VectorXd& rounding,
              TubeValues& tube);
 
@@ -67,18 +75,26 @@ class MotionTubes {
   };
   Range all() const { return {0, 0, trajectory_->size() - 1}; }
 
-  const TubeValues& values(const Range& range) const { return nodes_[range.node]; }
-  const BernsteinCoefficients& coefficients(std::size_t k) const { return coefficients_[k]; }
-  const Eigen::VectorXd& rounding(std::size_t k) const { return rounding_[k]; }
+  const TubeValues& values(const Range& range) const { return scratch_->nodes[range.node]; }
+  const BernsteinCoefficients& coefficients(std::size_t k) const {
+    return scratch_->coefficients[k];
+  }
+  const Eigen::VectorXd& rounding(std::size_t k) const { return scratch_->rounding[k]; }
   const Trajectory& trajectory() const { return *trajectory_; }
 
  private:
+  /// Values of each interval and of each node. A longer motion has left more of them.
+  struct Scratch {
+    std::vector<BernsteinCoefficients> coefficients;
+    std::vector<Eigen::VectorXd> rounding;  ///< set_coefficient_rounding()
+    std::vector<TubeValues> nodes;
+
+    bool is_small() const { return coefficients.size() <= 1000; }  // about 1 MB
+  };
   void fill(const Range& range);
 
   const Trajectory* trajectory_;
-  std::vector<BernsteinCoefficients> coefficients_;
-  std::vector<Eigen::VectorXd> rounding_;  ///< coefficient_rounding()
-  std::vector<TubeValues> nodes_;
+  ThreadScratch<Scratch> scratch_;
 };
 
 }  // namespace beeline::internal

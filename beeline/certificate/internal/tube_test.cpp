@@ -17,22 +17,40 @@ bool normalize(Vector3& towards) {
   return true;
 }
 
+ChainMotion& copied_into(std::optional<ChainMotion>& copy, const ChainMotion& motion) {
+  copy = motion;
+  return *copy;
+}
+
 }  // namespace
 
-TubeTest::TubeTest(const CollisionBodies& bodies, const Configuration& lower,
-                   const Configuration& upper, double beyond)
-    : bodies_(bodies), beyond_(beyond), motion_(bodies.motion), placed_(bodies.covers.size()) {
-  for (std::size_t i = 0; i < bodies.covers.size(); ++i) {
-    const CollisionBodies::Cover& cover = bodies.covers[i];
-    if (!cover.reach.of.empty()) continue;
-    reach_.resize(bodies.covers.size());
-    for (std::uint32_t k = cover.begin; k < cover.end; ++k) {
-      const JointReach reach =
-          motion_.reach(bodies.link_bodies[k].carried.body, cover.frame, lower, upper);
-      reach_[i].of.resize(reach.of.size());
-      for (std::size_t l = 0; l < reach.of.size(); ++l) {
-        reach_[i].of[l] = std::max(reach_[i].of[l], reach.of[l]);
-      }
+TubeTest::TubeTest(const CollisionBodies& bodies, const TubeValues& whole, double beyond)
+    : bodies_(bodies),
+      beyond_(beyond),
+      motion_(copied_into(scratch_->motion, bodies.motion)),
+      placed_(scratch_->placed) {
+  placed_.assign(bodies.groups.size(), Placed());
+  set_reach(whole);
+}
+
+/// Sets the reach that depends on the motion: of groups behind joints that slide.
+void TubeTest::set_reach(const TubeValues& whole) {
+  const auto depends = [](const CollisionBodies::BodyGroup& group) {
+    return group.reach.of.empty();
+  };
+  if (std::none_of(bodies_.groups.begin(), bodies_.groups.end(), depends)) return;
+  // The tube of a part exceeds the tube of the whole by at most the width of that tube.
+  scratch_->lower = whole.middle - 3 * (whole.half_motion.cwiseAbs() + whole.slack);
+  scratch_->upper = whole.middle + 3 * (whole.half_motion.cwiseAbs() + whole.slack);
+  scratch_->reach.resize(std::max(scratch_->reach.size(), bodies_.groups.size()));
+  for (std::size_t i = 0; i < bodies_.groups.size(); ++i) {
+    const CollisionBodies::BodyGroup& group = bodies_.groups[i];
+    if (!depends(group)) continue;
+    JointReach& largest = scratch_->reach[i];
+    largest.of.assign(group.frame + 1, 0);
+    for (std::uint32_t k = group.begin; k < group.end; ++k) {
+      motion_.include_reach(bodies_.link_bodies[k].carried.body, group.frame, scratch_->lower,
+                            scratch_->upper, largest);
     }
   }
 }
@@ -43,23 +61,23 @@ void TubeTest::place(const JointTube& tube) {
 }
 
 const JointReach& TubeTest::reach(std::uint32_t i) const {
-  const JointReach& constant = bodies_.covers[i].reach;
-  return constant.of.empty() ? reach_[i] : constant;
+  const JointReach& constant = bodies_.groups[i].reach;
+  return constant.of.empty() ? scratch_->reach[i] : constant;
 }
 
-void TubeTest::place_cover(std::uint32_t i) {
+void TubeTest::place_group(std::uint32_t i) {
   Placed& placed = placed_[i];
   if (placed.tube == tube_) return;
   placed.tube = tube_;
-  const CollisionBodies::Cover& cover = bodies_.covers[i];
-  const ChainMotion::Frame& frame = motion_.frame(cover.frame);
-  placed.capsule = carried_by(frame, cover.capsule, motion_.bounds(reach(i), cover.frame, 0));
-  placed.rounding = motion_.rounding(cover.frame, cover.magnitude);
+  const CollisionBodies::BodyGroup& group = bodies_.groups[i];
+  const ChainMotion::Frame& frame = motion_.frame(group.frame);
+  placed.capsule = carried_by(frame, group.capsule, motion_.bounds(reach(i), group.frame, 0));
+  placed.rounding = motion_.rounding(group.frame, group.magnitude);
 }
 
 void TubeTest::place_both(const OpenPair& pair) {
-  place_cover(pair.body);
-  if (is_of_links(pair)) place_cover(pair.other);
+  place_group(pair.body);
+  if (is_of_links(pair)) place_group(pair.other);
 }
 
 bool TubeTest::is_of_links(const OpenPair& pair) const {
@@ -81,8 +99,8 @@ double TubeTest::clearance(const OpenPair& pair) const {
 
 double TubeTest::displacement(const OpenPair& pair) const {
   if (!is_of_links(pair)) return placed_[pair.body].capsule.bounds.displacement;
-  return motion_.displacement(reach(pair.body), bodies_.covers[pair.body].frame,
-                              bodies_.covers[pair.other].frame);
+  return motion_.displacement(reach(pair.body), bodies_.groups[pair.body].frame,
+                              bodies_.groups[pair.other].frame);
 }
 
 double TubeTest::rounding(const OpenPair& pair) const {
@@ -94,52 +112,53 @@ double TubeTest::rounding(const OpenPair& pair) const {
     case OpenPair::With::obstacle:
       return own + support_rounding(bodies_.obstacle_bodies[pair.other].body);
     case OpenPair::With::node:
-      return own + bodies_.tree.rows()[pair.other].rounding;
+      return own + bodies_.tree.boxes().rounding_of(pair.other);
   }
   return own;
 }
 
-double TubeTest::size_of(std::uint32_t cover) const {
-  return bodies_.covers[cover].is_single() ? 0 : bodies_.covers[cover].size;
+double TubeTest::size_of(std::uint32_t group) const {
+  return bodies_.groups[group].is_single() ? 0 : bodies_.groups[group].size;
 }
 
-bool TubeTest::is_coarse_group(const OpenPair& pair) const {
+bool TubeTest::is_coarse_group_pair(const OpenPair& pair) const {
   // A pair that rounding alone keeps open is divided too.
   return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.clearance +
              16 * rounding(pair) >=
          displacement(pair);
 }
 
-bool TubeTest::is_coarse_node(std::uint32_t cover, std::uint32_t index) const {
-  const Placed& placed = placed_[cover];
+bool TubeTest::is_coarse_node(std::uint32_t group, std::uint32_t index) const {
+  const Placed& placed = placed_[group];
   const BoxTree::Node& node = bodies_.tree.node(index);
-  const double rounding = placed.rounding + bodies_.tree.rows()[index].rounding;
-  return std::max(size_of(cover), node.size) + node.clearance + 16 * rounding >=
+  const double rounding = placed.rounding + bodies_.tree.boxes().rounding_of(index);
+  return std::max(size_of(group), node.size) + node.clearance + 16 * rounding >=
          placed.capsule.bounds.displacement;
 }
 
-void TubeTest::divide_group(const OpenPair& pair, std::vector<OpenPair>& into) const {
-  const CollisionBodies::SelfGroup& group = bodies_.self_groups[pair.group];
-  for (std::uint32_t i = group.begin; i < group.end; ++i) {
+void TubeTest::divide_group_pair(const OpenPair& pair, std::vector<OpenPair>& into) const {
+  const CollisionBodies::GroupPair& groups = bodies_.group_pairs[pair.group_pair];
+  for (std::uint32_t i = groups.begin; i < groups.end; ++i) {
     const CollisionBodies::SelfPair& bodies = bodies_.self_pairs[i];
     into.push_back({.with = OpenPair::With::link, .body = bodies.first, .other = bodies.second});
   }
 }
 
-void TubeTest::search_tree(std::uint32_t cover, TreeSearch& search) {
-  split_.clear();
-  search_nodes(cover, search);
-  if (split_.empty()) return;
-  const CollisionBodies::Cover& whole = bodies_.covers[cover];
+void TubeTest::search_tree(std::uint32_t group, TreeSearch& search) {
+  std::vector<std::uint32_t>& split = scratch_->split;
+  split.clear();
+  search_nodes(group, search);
+  if (split.empty()) return;
+  const CollisionBodies::BodyGroup& whole = bodies_.groups[group];
   for (std::uint32_t body = whole.begin; body < whole.end; ++body) {
-    search.nodes = split_;
+    search.nodes = split;
     search_nodes(body, search);
   }
 }
 
-void TubeTest::search_nodes(std::uint32_t cover, TreeSearch& search) {
-  place_cover(cover);
-  const Placed& placed = placed_[cover];
+void TubeTest::search_nodes(std::uint32_t group, TreeSearch& search) {
+  place_group(group);
+  const Placed& placed = placed_[group];
   std::array<double, boxes_at_once> gaps;
   while (!search.nodes.empty()) {
     const std::size_t count = std::min(boxes_at_once, search.nodes.size());
@@ -147,34 +166,34 @@ void TubeTest::search_nodes(std::uint32_t cover, TreeSearch& search) {
     std::copy(search.nodes.end() - static_cast<std::ptrdiff_t>(count), search.nodes.end(),
               tested.begin());
     search.nodes.resize(search.nodes.size() - count);
-    box_gaps(placed.capsule, bodies_.tree.rows(), {tested.data(), count}, gaps);
+    box_gaps(placed.capsule, bodies_.tree.boxes(), {tested.data(), count}, gaps);
     for (std::size_t k = 0; k < count; ++k) {
       const double distance = gaps[k] - placed.rounding;
       if (distance >= bodies_.tree.node(tested[k]).clearance + beyond_) {
         search.least_distance = std::min(search.least_distance, distance);
       } else {
-        divide_node({.with = OpenPair::With::node, .body = cover, .other = tested[k]}, search);
+        divide_node({.with = OpenPair::With::node, .body = group, .other = tested[k]}, search);
       }
     }
   }
 }
 
-/// Adds what a pair of a cover and a node consists of, or the pair itself if the motion is larger.
+/// Adds what a pair of a group and a node consists of, or the pair itself if the motion is larger.
 void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
   const BoxTree::Node& node = bodies_.tree.node(pair.other);
-  const CollisionBodies::Cover& cover = bodies_.covers[pair.body];
+  const CollisionBodies::BodyGroup& group = bodies_.groups[pair.body];
   const bool is_leaf = node.right == 0;
-  if (is_leaf && bodies_.allowed(bodies_.link_bodies[cover.begin],
+  if (is_leaf && bodies_.allowed(bodies_.link_bodies[group.begin],
                                  bodies_.obstacle_bodies[node.body].obstacle)) {
     return;
   }
-  if (is_leaf && cover.is_single()) {
+  if (is_leaf && group.is_single()) {
     search.obstacles.push_back(
         {.with = OpenPair::With::obstacle, .body = pair.body, .other = node.body});
   } else if (!search.all && !is_coarse_node(pair.body, pair.other)) {
     search.open.push_back(pair);
-  } else if (is_leaf || (!cover.is_single() && cover.size >= node.size)) {
-    split_.push_back(pair.other);
+  } else if (is_leaf || (!group.is_single() && group.size >= node.size)) {
+    scratch_->split.push_back(pair.other);
   } else {
     search.nodes.push_back(pair.other + 1);
     search.nodes.push_back(node.right);
@@ -188,11 +207,11 @@ TubeTest::Bound TubeTest::bound(OpenPair& pair) {
     case OpenPair::With::node:  // search_tree() tests them
       break;
     case OpenPair::With::group:
-      found.distance = gap_of_covers(pair);
+      found.distance = gap_of_groups(pair);
       break;
     case OpenPair::With::link:
-      found.distance = gap_of_covers(pair);
-      if (!found.proves() && !is_exact(pair)) improve(pair, found);
+      found.distance = gap_of_groups(pair);
+      if (!found.proves() && !is_exact(pair) && may_improve(pair, found)) improve(pair, found);
       break;
     case OpenPair::With::obstacle:
       found.distance = gap_to_obstacle(pair);
@@ -202,12 +221,12 @@ TubeTest::Bound TubeTest::bound(OpenPair& pair) {
   return found;
 }
 
-double TubeTest::gap_of_covers(const OpenPair& pair) const {
+double TubeTest::gap_of_groups(const OpenPair& pair) const {
   const BoundingCapsule& other = placed_[pair.other].capsule.at_middle;
   const MovingCapsule& first = placed_[pair.body].capsule;
   Vector3 n = towards(first.at_middle, other);
   if (!normalize(n)) return nothing_proved;
-  const std::size_t i = bodies_.covers[pair.body].frame, j = bodies_.covers[pair.other].frame;
+  const std::size_t i = bodies_.groups[pair.body].frame, j = bodies_.groups[pair.other].frame;
   const MovingCapsule relative =
       relative_to(motion_.frame(j), motion_.bounds(reach(pair.body), i, j), first);
   return lowest_along(other, n) - highest_along(relative, n) - rounding(pair);
@@ -226,14 +245,22 @@ double TubeTest::gap_to_obstacle(const OpenPair& pair) const {
   return -support(obstacle, -n) - highest_along(capsule, n) - rounding(pair);
 }
 
-/// Whether the direction of the covers is the best one at the middle of the tube.
+/// Whether the direction of the groups is the best one at the middle of the tube.
 bool TubeTest::is_exact(const OpenPair& pair) const {
-  const CollisionBodies::Cover& cover = bodies_.covers[pair.body];
-  if (!cover.is_body) return false;
-  if (pair.with == OpenPair::With::link) return bodies_.covers[pair.other].is_body;
+  const CollisionBodies::BodyGroup& group = bodies_.groups[pair.body];
+  if (!group.is_body) return false;
+  if (pair.with == OpenPair::With::link) return bodies_.groups[pair.other].is_body;
   const ConvexBody::Core core = bodies_.obstacle_bodies[pair.other].body.core;
   return core == ConvexBody::Core::half_space ||
-         (cover.capsule.half.isZero(0) && has_projection(core));
+         (group.capsule.half_axis.isZero(0) && has_projection(core));
+}
+
+/// Whether the bodies of two links may be proved although their capsules are not: less than the
+/// capsules' excess is missing, or the motion is so small that nothing else is left to try.
+bool TubeTest::may_improve(const OpenPair& pair, const Bound& found) const {
+  const double excess = bodies_.groups[pair.body].excess + bodies_.groups[pair.other].excess;
+  return found.required - found.distance <= excess ||
+         displacement(pair) <= excess + clearance(pair) + 16 * rounding(pair);
 }
 
 /// Tries the support values of the bodies themselves along the last direction of the pair and along

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <beeline/certificate/internal/motion_tubes.h>
@@ -12,13 +13,13 @@
 namespace beeline::internal {
 
 /// A pair that is not proved yet: a body of the arm with another one of it or with an obstacle, a
-/// cover of bodies with all obstacles in a node of the tree, or the pairs of two covers.
+/// group of bodies with all obstacles in a node of the tree, or a pair of two groups.
 struct OpenPair {
   enum class With : std::uint8_t { link, obstacle, node, group };
   With with = With::node;
-  std::uint32_t body = 0;   ///< index in covers; of a body it is the index in link_bodies
-  std::uint32_t other = 0;  ///< index in covers, in obstacle_bodies or of the node
-  std::uint32_t group = 0;  ///< index in self_groups
+  std::uint32_t body = 0;        ///< index in groups; of a body it is the index in link_bodies
+  std::uint32_t other = 0;       ///< index in groups, in obstacle_bodies or of the node
+  std::uint32_t group_pair = 0;  ///< index in group_pairs
   /// The direction that was tried last, in the axes of the frame that carries the other body; zero:
   /// none.
   Vector3 direction = Vector3::Zero();
@@ -29,10 +30,9 @@ struct OpenPair {
 /// Tests whether pairs of bodies keep their clearance over a joint tube.
 class TubeTest {
  public:
-  /// Coordinates of joints that slide are between `lower` and `upper` in all tubes. `beyond` is
-  /// added to the clearances.
-  TubeTest(const CollisionBodies& bodies, const Configuration& lower, const Configuration& upper,
-           double beyond);
+  /// All tubes are parts of the motion that the tube `whole` contains. `beyond` is added to the
+  /// clearances.
+  TubeTest(const CollisionBodies& bodies, const TubeValues& whole, double beyond);
 
   /// Begins the tests of a tube.
   void place(const JointTube& tube);
@@ -43,8 +43,8 @@ class TubeTest {
     double distance = 0, required = 0;
     bool proves() const { return distance >= required; }
   };
-  /// Keeps the best direction in the pair. displacement(), rounding() and is_coarse_group() require
-  /// that bound() or distance() was called for the pair in this tube.
+  /// Keeps the best direction in the pair. displacement(), rounding() and is_coarse_group_pair()
+  /// require that bound() or distance() was called for the pair in this tube.
   Bound bound(OpenPair& pair);
 
   /// The distance that the bodies of a pair must keep, m; of a node the largest of its obstacles.
@@ -56,59 +56,70 @@ class TubeTest {
   /// The part of the bounds of a pair that is for rounding, m.
   double rounding(const OpenPair& pair) const;
 
-  /// Whether a pair of covers is to be divided: one of them is larger than the motion.
-  bool is_coarse_group(const OpenPair& pair) const;
+  /// Whether a pair of groups is to be divided: one of them is larger than the motion.
+  bool is_coarse_group_pair(const OpenPair& pair) const;
 
-  /// Appends the pairs of which a pair of covers consists.
-  void divide_group(const OpenPair& pair, std::vector<OpenPair>& into) const;
+  /// Appends the pairs of which a pair of groups consists.
+  void divide_group_pair(const OpenPair& pair, std::vector<OpenPair>& into) const;
 
-  /// A search of the tree for the obstacles that a cover is not proved to keep its clearance from.
+  /// A search of the tree for the obstacles that a group is not proved to keep its clearance from.
   struct TreeSearch {
-    bool all = false;                  ///< whether all nodes are divided, or those that are coarse
-    std::vector<std::uint32_t> nodes;  ///< to be tested
-    std::vector<OpenPair>& open;       ///< pairs with nodes that are not proved are appended
-    std::vector<OpenPair>& obstacles;  ///< pairs with obstacles, to be tested, are appended
+    std::vector<std::uint32_t>& nodes;  ///< to be tested
+    std::vector<OpenPair>& open;        ///< pairs with nodes that are not proved are appended
+    std::vector<OpenPair>& obstacles;   ///< pairs with obstacles, to be tested, are appended
+    bool all = false;                   ///< whether all nodes are divided, or those that are coarse
     double least_distance = std::numeric_limits<double>::infinity();  ///< of what is proved
   };
-  /// Tests a cover with the nodes of the search and with the nodes below.
-  void search_tree(std::uint32_t cover, TreeSearch& search);
+  /// Tests a group with the nodes of the search and with the nodes below.
+  void search_tree(std::uint32_t group, TreeSearch& search);
 
   /// Returns the pair at the middle of the tube.
   BodyDistance distance(const OpenPair& pair);
 
  private:
-  /// A cover over the tube. The motion is relative to the base.
+  /// A group over the tube. The motion is relative to the base.
   struct Placed {
     std::size_t tube = 0;  ///< number of the tube; the values are of it
     MovingCapsule capsule;
     double rounding = 0;  ///< ChainMotion::rounding()
   };
 
-  /// Computes the values of a cover for the present tube. Most tubes are tested for a few.
-  void place_cover(std::uint32_t i);
+  struct Scratch {
+    std::optional<ChainMotion> motion;
+    std::vector<JointReach> reach;     ///< of each of the groups that has none itself, at its index
+    Configuration lower, upper;        ///< bounds of the coordinates, for these
+    std::vector<Placed> placed;        ///< of each of the groups
+    std::vector<std::uint32_t> split;  ///< nodes that a group's bodies are to be tested with
+
+    bool is_small() const { return placed.size() <= 1000 && split.capacity() <= 100'000; }
+  };
+
+  void set_reach(const TubeValues& whole);
+  /// Computes the values of a group for the present tube. Most tubes are tested for a few.
+  void place_group(std::uint32_t i);
   void place_both(const OpenPair& pair);
   const JointReach& reach(std::uint32_t i) const;
   bool is_of_links(const OpenPair& pair) const;
 
-  /// Whether a pair of a cover and a node is to be divided, likewise.
-  bool is_coarse_node(std::uint32_t cover, std::uint32_t index) const;
-  double size_of(std::uint32_t cover) const;  ///< 0 for a body: it cannot be divided
-  void search_nodes(std::uint32_t cover, TreeSearch& search);
+  /// Whether a pair of a group and a node is to be divided, likewise.
+  bool is_coarse_node(std::uint32_t group, std::uint32_t index) const;
+  double size_of(std::uint32_t group) const;  ///< 0 for a body: it cannot be divided
+  void search_nodes(std::uint32_t group, TreeSearch& search);
   void divide_node(const OpenPair& pair, TreeSearch& search);
 
-  // Bounds from the covers alone, along one direction.
-  double gap_of_covers(const OpenPair& pair) const;
+  // Bounds from the groups alone, along one direction.
+  double gap_of_groups(const OpenPair& pair) const;
   double gap_to_obstacle(const OpenPair& pair) const;
   bool is_exact(const OpenPair& pair) const;
+  bool may_improve(const OpenPair& pair, const Bound& found) const;
   void improve(OpenPair& pair, Bound& found) const;
 
   const CollisionBodies& bodies_;
   double beyond_;
-  ChainMotion motion_;
-  std::size_t tube_ = 0;              ///< number of tubes so far
-  std::vector<JointReach> reach_;     ///< of each of the covers that has none itself, at its index
-  std::vector<Placed> placed_;        ///< of each of the covers
-  std::vector<std::uint32_t> split_;  ///< nodes that the bodies of a cover are to be tested with
+  std::size_t tube_ = 0;  ///< number of tubes so far
+  ThreadScratch<Scratch> scratch_;
+  ChainMotion& motion_;
+  std::vector<Placed>& placed_;
 };
 
 }  // namespace beeline::internal

@@ -15,7 +15,7 @@ inline constexpr std::size_t boxes_at_once = 8;
 /// Computes lower bounds of the distances, m, of a capsule from one to eight of the boxes, given by
 /// their indices, over a joint tube: along the directions that towards() proposes, less the
 /// rounding of the boxes. -infinity where the segment meets the box.
-void box_gaps(const MovingCapsule& capsule, std::span<const BoxRow> boxes,
+void box_gaps(const MovingCapsule& capsule, const BoxRows& boxes,
               std::span<const std::uint32_t> indices, std::array<double, boxes_at_once>& gaps);
 
 }  // namespace beeline::internal

@@ -12,23 +12,18 @@ AlignedBox box_around(const ConvexBody& body) {
     const Vector3 axis = Vector3::Unit(i);
     const double upper = support(body, axis), lower = -support(body, -axis);
     box.centre[i] = (upper + lower) / 2;
-    box.half[i] = (upper - lower) / 2 * (1 + 1e-14) + 1e-14 * magnitude(body);
+    box.half_extents[i] = (upper - lower) / 2 * (1 + 1e-14) + 1e-14 * magnitude(body);
   }
   return box;
 }
 
-namespace {
-
-BoxRow row_of(const BoxTree::Node& node) {
-  const auto &centre = node.box.centre, &half = node.box.half;
-  constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-  return {.centre = {centre.x(), centre.y(), centre.z()},
-          .half = {half.x(), half.y(), half.z()},
-          .rounding = rounding * (centre.cwiseAbs().sum() + half.sum()),
-          .clearance = node.clearance};
+void BoxRows::add(const AlignedBox& box) {
+  constexpr double relative = 32 * std::numeric_limits<double>::epsilon();
+  const double magnitude = box.centre.cwiseAbs().sum() + box.half_extents.sum();
+  numbers_.insert(numbers_.end(),
+                  {box.centre.x(), box.centre.y(), box.centre.z(), box.half_extents.x(),
+                   box.half_extents.y(), box.half_extents.z(), relative * magnitude, 0});
 }
-
-}  // namespace
 
 BoxTree::BoxTree(const std::vector<ConvexBody>& bodies, const std::vector<double>& clearances) {
   std::vector<Item> items;
@@ -37,7 +32,7 @@ BoxTree::BoxTree(const std::vector<ConvexBody>& bodies, const std::vector<double
   }
   nodes_.reserve(2 * items.size());
   if (!items.empty()) add(items, 0, items.size());
-  for (const Node& node : nodes_) rows_.push_back(row_of(node));
+  for (const Node& node : nodes_) boxes_.add(node.box);
 }
 
 /// Divides the items at the middle of the axis along which their centres are spread most.
@@ -48,17 +43,19 @@ std::uint32_t BoxTree::add(std::vector<Item>& items, std::size_t begin, std::siz
       .box = items[begin].box, .clearance = items[begin].clearance, .body = items[begin].body};
   if (end - begin > 1) {
     Vector3 lower = items[begin].box.centre, upper = lower;
-    Vector3 least = lower - items[begin].box.half, most = lower + items[begin].box.half;
+    Vector3 least = lower - items[begin].box.half_extents,
+            most = lower + items[begin].box.half_extents;
     for (std::size_t i = begin; i < end; ++i) {
       const AlignedBox& box = items[i].box;
       lower = lower.cwiseMin(box.centre);
       upper = upper.cwiseMax(box.centre);
-      least = least.cwiseMin(box.centre - box.half);
-      most = most.cwiseMax(box.centre + box.half);
+      least = least.cwiseMin(box.centre - box.half_extents);
+      most = most.cwiseMax(box.centre + box.half_extents);
       node.clearance = std::max(node.clearance, items[i].clearance);
     }
     node.box.centre = (least + most) / 2;
-    node.box.half = (most - least) / 2 * (1 + 1e-14) + 1e-14 * (least.cwiseAbs() + most.cwiseAbs());
+    node.box.half_extents =
+        (most - least) / 2 * (1 + 1e-14) + 1e-14 * (least.cwiseAbs() + most.cwiseAbs());
     Eigen::Index axis = 0;
     (upper - lower).maxCoeff(&axis);
     const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -69,7 +66,7 @@ std::uint32_t BoxTree::add(std::vector<Item>& items, std::size_t begin, std::siz
     add(items, begin, middle);
     node.right = add(items, middle, end);
   }
-  node.size = node.box.half.norm();
+  node.size = node.box.half_extents.norm();
   nodes_[index] = node;
   return index;
 }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <beeline/collision/internal/convex_body.h>
@@ -11,19 +9,26 @@ namespace beeline::internal {
 
 /// A box with edges along the axes.
 struct AlignedBox {
-  Vector3 centre = Vector3::Zero(), half = Vector3::Zero();
+  Vector3 centre = Vector3::Zero(), half_extents = Vector3::Zero();
 };
 
 /// Returns the smallest such box around a body, rounded outwards.
 AlignedBox box_around(const ConvexBody& body);
 
-/// A box of the tree as numbers for the lanes of box_gaps().
-struct BoxRow {
-  std::array<double, 3> centre = {}, half = {};
-  double rounding = 0;   ///< of the box's support values for a unit direction, m
-  double clearance = 0;  ///< the largest clearance of the bodies in the box, m
+/// Boxes as one array of numbers, from which the lanes of box_gaps() gather: a row of `width`
+/// numbers for each box.
+class BoxRows {
+ public:
+  /// Columns of a row: the box, and the rounding of its support values for a unit direction, m.
+  enum Column : std::uint8_t { centre = 0, half_extents = 3, rounding = 6, width = 8 };
+
+  void add(const AlignedBox& box);
+  const double* data() const { return numbers_.data(); }
+  double rounding_of(std::uint32_t box) const { return numbers_[width * box + rounding]; }
+
+ private:
+  std::vector<double> numbers_;
 };
-inline constexpr std::size_t box_row_width = sizeof(BoxRow) / sizeof(double);
 
 /// A binary tree of boxes around bodies. Node 0 is the root.
 class BoxTree {
@@ -42,7 +47,7 @@ class BoxTree {
 
   bool empty() const { return nodes_.empty(); }
   const Node& node(std::uint32_t i) const { return nodes_[i]; }
-  std::span<const BoxRow> rows() const { return rows_; }  ///< of the nodes
+  const BoxRows& boxes() const { return boxes_; }  ///< the boxes of the nodes
 
  private:
   struct Item {
@@ -53,7 +58,7 @@ class BoxTree {
   std::uint32_t add(std::vector<Item>& items, std::size_t begin, std::size_t end);
 
   std::vector<Node> nodes_;
-  std::vector<BoxRow> rows_;
+  BoxRows boxes_;
 };
 
 }  // namespace beeline::internal

@@ -47,7 +47,7 @@ void ChainMotion::set(const JointTube& tube) {
   double length = origin.norm();
   for (std::size_t i = 0; i < chain.links.size(); ++i) {
     const Chain::Link& link = chain.links[i];
-    const double q = tube.middle[link.coordinate], half = tube.half[link.coordinate];
+    const double q = tube.middle[link.coordinate], half_motion = tube.half_motion[link.coordinate];
     const double slack = tube.slack[link.coordinate];
     const double theta = link.theta_offset + link.theta_per_q * q, d = link.d_per_q * q;
     const double c = std::cos(theta), s = std::sin(theta);
@@ -59,17 +59,17 @@ void ChainMotion::set(const JointTube& tube) {
     rotation.col(1) = c * y - s * x;
     rotation.col(2) = z;
     if (d != 0) origin += d * z;
-    const double turn = link.theta_per_q * half, slide = link.d_per_q * half;
-    linear += turn * origin.cross(z) + slide * z;
-    angular += turn * z;
+    const double angle = link.theta_per_q * half_motion, slide = link.d_per_q * half_motion;
+    linear += angle * origin.cross(z) + slide * z;
+    angular += angle * z;
     length += link.translation.norm() + std::abs(d);
     frames_[i + 1] = {rotation, origin, linear, angular};
     steps_[i + 1] = {
-        .turn = std::abs(turn),
+        .angle = std::abs(angle),
         .slide = std::abs(slide),
-        .turn_slack = std::abs(link.theta_per_q) * slack,
+        .angle_slack = std::abs(link.theta_per_q) * slack,
         .slide_slack = std::abs(link.d_per_q) * slack,
-        .turn_rounding = coordinate_rounding(link.theta_per_q * q) + coordinate_rounding(theta),
+        .angle_rounding = coordinate_rounding(link.theta_per_q * q) + coordinate_rounding(theta),
         .slide_rounding = coordinate_rounding(d)};
     chain_length_[i + 1] = length;
   }
@@ -84,13 +84,19 @@ bool ChainMotion::slides(std::size_t i) const {
 
 JointReach ChainMotion::reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
                               const Eigen::VectorXd& upper) const {
-  const Chain& chain = chain_of(*arm_);
   JointReach reach{std::vector<double>(i + 1)};
+  include_reach(body, i, lower, upper, reach);
+  return reach;
+}
+
+void ChainMotion::include_reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
+                                const Eigen::VectorXd& upper, JointReach& largest) const {
+  const Chain& chain = chain_of(*arm_);
   double from_origin = farthest_distance(body, Vector3::Zero());
   double from_axis = farthest_distance(body, Vector3::Zero(), Vector3::UnitZ());
   constexpr double outwards = 1 + 1e-12;
   for (std::size_t l = i; l > 0; --l) {
-    reach.of[l] = outwards * from_axis;
+    largest.of[l] = std::max(largest.of[l], outwards * from_axis);
     const Chain::Link& link = chain.links[l - 1];
     // The origin of this frame in the frame before: the translation, and the joint's slide, whose
     // direction is this frame's z axis.
@@ -99,7 +105,6 @@ JointReach ChainMotion::reach(const ConvexBody& body, std::size_t i, const Eigen
     from_axis = link.translation.head<2>().norm() + std::abs(link.sin_alpha) * slide + from_origin;
     from_origin += link.translation.norm() + slide;
   }
-  return reach;
 }
 
 double ChainMotion::remainder(const JointReach& reach, std::size_t i, std::size_t j) const {
@@ -113,28 +118,28 @@ double ChainMotion::displacement(const JointReach& reach, std::size_t i, std::si
 ChainMotion::TubeBounds ChainMotion::bounds(const JointReach& reach, std::size_t i,
                                             std::size_t j) const {
   TubeBounds bounds;
-  double turned = 0;
+  double angle_before = 0;  // of the joints in front
   for (std::size_t l = j + 1; l <= i; ++l) {
     const JointStep& step = steps_[l];
-    const double along = step.turn * reach.of[l];
-    const double beside = step.turn_slack * reach.of[l] + step.slide_slack;
+    const double along = step.angle * reach.of[l];
+    const double beside = step.angle_slack * reach.of[l] + step.slide_slack;
     bounds.displacement += along + step.slide + beside;
-    bounds.remainder += step.turn * along / 2 + turned * (along + step.slide) + beside;
-    turned += step.turn;
+    bounds.remainder += step.angle * along / 2 + angle_before * (along + step.slide) + beside;
+    angle_before += step.angle;
   }
   constexpr double outwards = 1 + 1e-12;
   return {outwards * bounds.displacement, outwards * bounds.remainder};
 }
 
 void ChainMotion::set_rounding() {
-  double moved = 1, turned = 0, slid = 0;
+  double moved = 1, angle_rounding = 0, slide_rounding = 0;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    moved += steps_[i].turn + steps_[i].slide;
-    turned += steps_[i].turn_rounding;
-    slid += steps_[i].slide_rounding;
+    moved += steps_[i].angle + steps_[i].slide;
+    angle_rounding += steps_[i].angle_rounding;
+    slide_rounding += steps_[i].slide_rounding;
     // Each link multiplies by a rotation that is wrong by a few units of the last place.
-    const double relative = 16 * epsilon * (static_cast<double>(i) + 2) + turned;
-    rounding_[i] = {slid + relative * moved * chain_length_[i], relative * moved};
+    const double relative = 16 * epsilon * (static_cast<double>(i) + 2) + angle_rounding;
+    rounding_[i] = {slide_rounding + relative * moved * chain_length_[i], relative * moved};
   }
 }
 

@@ -28,7 +28,7 @@ class ChainMotion {
   struct Frame {
     Rotation rotation = Rotation::Identity();
     Vector3 origin = Vector3::Zero();
-    /// Motion of the link along the half tube, from the middle to the end: the displacement of
+    /// Motion of the link along the half motion, from the middle to the end: the displacement of
     /// its point at the origin of link 0 and the rotation vector, to first order.
     Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
   };
@@ -51,12 +51,15 @@ class ChainMotion {
   /// `lower` and `upper` of their coordinates.
   JointReach reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
                    const Eigen::VectorXd& upper) const;
+  /// Raises `largest`, of size i + 1, to the reach of the body.
+  void include_reach(const ConvexBody& body, std::size_t i, const Eigen::VectorXd& lower,
+                     const Eigen::VectorXd& upper, JointReach& largest) const;
 
   /// Bounds the distance by which the points of a body on frame i differ from their first-order
   /// motion relative to frame j < i, over the tube, m. With n the motion of a point and q_m the
-  /// middle, Taylor's theorem along the half gives sum_{k,l} |h_k h_l| |d2 n / dq_k dq_l| / 2,
-  /// whose second derivative is at most the distance of the point from the later joint's axis, and
-  /// the mean value theorem sum_l slack_l |dn / dq_l|.
+  /// middle, Taylor's theorem along the half motion h gives sum_{k,l} |h_k h_l| |d2 n / dq_k dq_l|
+  /// / 2, whose second derivative is at most the distance of the point from the later joint's axis,
+  /// and the mean value theorem sum_l slack_l |dn / dq_l|.
   double remainder(const JointReach& reach, std::size_t i, std::size_t j) const;
 
   /// Bounds the distance by which the points of a body on frame i move relative to frame j < i from
@@ -81,9 +84,9 @@ class ChainMotion {
   void set_rounding();
 
   struct JointStep {
-    double turn = 0, slide = 0;              ///< |rotation| and |translation| along the half
-    double turn_slack = 0, slide_slack = 0;  ///< of the slack
-    double turn_rounding = 0, slide_rounding = 0;
+    double angle = 0, slide = 0;  ///< |rotation| and |translation| along the half motion
+    double angle_slack = 0, slide_slack = 0;  ///< of the slack
+    double angle_rounding = 0, slide_rounding = 0;
   };
 
   std::shared_ptr<const Arm> arm_;  ///< with link 0 at the world's origin; shared by copies

@@ -5,33 +5,34 @@
 namespace beeline::internal {
 namespace {
 
-using Cover = CollisionBodies::Cover;
+using BodyGroup = CollisionBodies::BodyGroup;
 
-Cover cover_of(const CollisionBodies::LinkBody& body, std::uint32_t index) {
+BodyGroup group_of(const CollisionBodies::LinkBody& body, std::uint32_t index) {
   const CarriedBody& carried = body.carried;
-  Cover cover{.capsule = capsule_around(carried.body),
-              .frame = carried.frame,
-              .link_shapes = body.link_shapes,
-              .begin = index,
-              .end = index + 1,
-              .is_body = is_capsule(carried.body),
-              .reach = body.reach};
-  cover.size = cover.capsule.size();
-  cover.magnitude = std::max(magnitude(carried.body), magnitude(cover.capsule));
-  return cover;
+  BodyGroup group{.capsule = capsule_around(carried.body),
+                  .frame = carried.frame,
+                  .link_shapes = body.link_shapes,
+                  .begin = index,
+                  .end = index + 1,
+                  .is_body = is_capsule(carried.body),
+                  .reach = body.reach};
+  if (!group.is_body) group.excess = estimated_excess(group.capsule, carried.body);
+  group.size = group.capsule.size();
+  group.magnitude = std::max(magnitude(carried.body), magnitude(group.capsule));
+  return group;
 }
 
-/// The cover of single ones, from index `begin` to before `end`.
-Cover cover_of(const std::vector<Cover>& covers, std::uint32_t begin, std::uint32_t end) {
-  Cover whole = covers[begin];
+/// The group of all bodies from index `begin` to before `end`.
+BodyGroup group_of(const std::vector<BodyGroup>& groups, std::uint32_t begin, std::uint32_t end) {
+  BodyGroup whole = groups[begin];
   whole.end = end;
   whole.is_body = false;
   std::vector<BoundingCapsule> capsules;
   for (std::uint32_t i = begin; i < end; ++i) {
-    capsules.push_back(covers[i].capsule);
-    whole.magnitude = std::max(whole.magnitude, covers[i].magnitude);
+    capsules.push_back(groups[i].capsule);
+    whole.magnitude = std::max(whole.magnitude, groups[i].magnitude);
     for (std::size_t l = 0; l < whole.reach.of.size(); ++l) {
-      whole.reach.of[l] = std::max(whole.reach.of[l], covers[i].reach.of[l]);
+      whole.reach.of[l] = std::max(whole.reach.of[l], groups[i].reach.of[l]);
     }
   }
   whole.capsule = capsule_around(capsules);
@@ -53,16 +54,16 @@ std::size_t obstacle_pairs(const CollisionBodies& bodies) {
 
 }  // namespace
 
-void CollisionBodies::set_covers() {
+void CollisionBodies::set_groups() {
   const auto count = static_cast<std::uint32_t>(link_bodies.size());
-  for (std::uint32_t i = 0; i < count; ++i) covers.push_back(cover_of(link_bodies[i], i));
+  for (std::uint32_t i = 0; i < count; ++i) groups.push_back(group_of(link_bodies[i], i));
   std::vector<std::uint32_t> whole_of(links.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-    while (end < count && covers[end].link_shapes == covers[begin].link_shapes) ++end;
-    if (end > begin + 1) covers.push_back(cover_of(covers, begin, end));
-    const std::size_t whole = end > begin + 1 ? covers.size() - 1 : begin;
-    whole_of[covers[begin].link_shapes] = static_cast<std::uint32_t>(whole);
-    whole_links.push_back(static_cast<std::uint32_t>(whole));
+    while (end < count && groups[end].link_shapes == groups[begin].link_shapes) ++end;
+    if (end > begin + 1) groups.push_back(group_of(groups, begin, end));
+    const std::size_t whole = end > begin + 1 ? groups.size() - 1 : begin;
+    whole_of[groups[begin].link_shapes] = static_cast<std::uint32_t>(whole);
+    link_groups.push_back(static_cast<std::uint32_t>(whole));
   }
   const auto wholes = [&](const SelfPair& pair) {
     return std::array{whole_of[link_bodies[pair.first].link_shapes],
@@ -72,10 +73,10 @@ void CollisionBodies::set_covers() {
                    [&](const auto& a, const auto& b) { return wholes(a) < wholes(b); });
   for (std::uint32_t i = 0; i < self_pairs.size(); ++i) {
     const auto [first, second] = wholes(self_pairs[i]);
-    const bool same = !self_groups.empty() && self_groups.back().first == first &&
-                      self_groups.back().second == second;
-    if (!same) self_groups.push_back({first, second, i, i});
-    self_groups.back().end = i + 1;
+    const bool same = !group_pairs.empty() && group_pairs.back().first == first &&
+                      group_pairs.back().second == second;
+    if (!same) group_pairs.push_back({first, second, i, i});
+    group_pairs.back().end = i + 1;
   }
   pair_count = self_pairs.size() + obstacle_pairs(*this);
 }

@@ -17,6 +17,7 @@ struct CollisionBodies {
   CollisionBodies& operator=(const CollisionBodies&) = delete;
 
   Arm arm;
+  std::vector<std::string> joint_names = arm.joint_names();
   std::vector<LinkShapes> links;          ///< the bodies' hulls refer to their vertices
   Scene scene;                            ///< likewise
   double clearance = 0;                   ///< of pairs of links
@@ -30,21 +31,23 @@ struct CollisionBodies {
   };
   std::vector<LinkBody> link_bodies;
 
-  /// A capsule around the bodies of a LinkShapes from index `begin` to before `end`. The covers of
-  /// single bodies stand first, at the indices of the bodies, then the covers of several.
-  struct Cover {
+  /// A group of bodies: the bodies of one LinkShapes from index `begin` to before `end`, with a
+  /// capsule around them. First in `groups` are the groups of one body, at the index of the body;
+  /// the groups of all bodies of a LinkShapes that has several follow.
+  struct BodyGroup {
     BoundingCapsule capsule;  ///< in the frame that carries it
     std::size_t frame = 0, link_shapes = 0;
     std::uint32_t begin = 0, end = 0;
     double size = 0;        ///< of the capsule
     double magnitude = 0;   ///< of the bodies and of the capsule, for rounding
     bool is_body = false;   ///< whether the capsule is the one body
+    double excess = 0;      ///< estimated_excess() over the body, if it is one
     JointReach reach = {};  ///< the largest of the bodies; empty if joints in front slide
 
     bool is_single() const { return end == begin + 1; }
   };
-  std::vector<Cover> covers;
-  std::vector<std::uint32_t> whole_links;  ///< the cover of all bodies of each LinkShapes with any
+  std::vector<BodyGroup> groups;
+  std::vector<std::uint32_t> link_groups;  ///< the group of all bodies of each LinkShapes with any
 
   struct ObstacleBody {
     ConvexBody body;  ///< in the world's axes, from the origin of link 0
@@ -61,13 +64,13 @@ struct CollisionBodies {
     std::uint32_t first = 0, second = 0;
   };
   std::vector<SelfPair> self_pairs;
-  /// Pairs with the same covers of all bodies of two LinkShapes, from `begin` to before `end` in
-  /// self_pairs.
-  struct SelfGroup {
-    std::uint32_t first = 0, second = 0;  ///< the covers
+  /// Two groups of all bodies of a LinkShapes. The pairs of their bodies that count are from
+  /// `begin` to before `end` in self_pairs.
+  struct GroupPair {
+    std::uint32_t first = 0, second = 0;  ///< indices in `groups`
     std::uint32_t begin = 0, end = 0;
   };
-  std::vector<SelfGroup> self_groups;
+  std::vector<GroupPair> group_pairs;
 
   /// Pairs that keep their clearance wherever the coordinates are between `apart_lower` and
   /// `apart_upper`: the position limits, widened by `apart_margin`, or infinite.
@@ -88,9 +91,9 @@ struct CollisionBodies {
 
   std::size_t pair_count = 0;  ///< CollisionModel::pair_count()
 
-  /// Sets `covers`, `whole_links`, `self_groups`, in whose order it puts self_pairs, and
+  /// Sets `groups`, `link_groups`, `group_pairs`, in whose order it puts self_pairs, and
   /// `pair_count` from the other members.
-  void set_covers();
+  void set_groups();
 
   /// Whether the pairs of the link's body with obstacles count: link 0 does not move.
   static bool meets_obstacles(const LinkBody& link) { return link.carried.frame > 0; }

@@ -13,18 +13,18 @@ void set_core(const Sphere& sphere, ConvexBody& body) { body.radius = sphere.rad
 
 void set_core(const Capsule& capsule, ConvexBody& body) {
   body.core = Core::segment;
-  body.half.z() = capsule.length / 2;
+  body.half_extents.z() = capsule.length / 2;
   body.radius = capsule.radius;
 }
 
 void set_core(const Box& box, ConvexBody& body) {
   body.core = Core::box;
-  body.half = box.size / 2;
+  body.half_extents = box.size / 2;
 }
 
 void set_core(const Cylinder& cylinder, ConvexBody& body) {
   body.core = Core::cylinder;
-  body.half = {cylinder.radius, cylinder.radius, cylinder.length / 2};
+  body.half_extents = {cylinder.radius, cylinder.radius, cylinder.length / 2};
 }
 
 void set_core(const HalfSpace&, ConvexBody& body) { body.core = Core::half_space; }
@@ -49,9 +49,9 @@ double core_size(const ConvexBody& body) {
     case Core::point:
     case Core::segment:
     case Core::box:
-      return body.half.norm();
+      return body.half_extents.norm();
     case Core::cylinder:
-      return std::hypot(body.half.x(), body.half.z());
+      return std::hypot(body.half_extents.x(), body.half_extents.z());
     case Core::half_space:
       break;
     case Core::hull: {
@@ -87,7 +87,7 @@ ConvexBody convex_body(const Shape& shape) {
   std::visit([&](const auto& form) { set_core(form, body); }, shape.body);
   body.radius += shape.padding;
   body.bound = core_size(body) + body.radius;
-  if (body.core != Core::hull) body.extent = body.half.sum();
+  if (body.core != Core::hull) body.extent = body.half_extents.sum();
   const Pose pose = checked_pose(shape.pose);  // its axes are orthonormal
   return moved(pose.linear(), pose.translation(), body);
 }
@@ -106,13 +106,14 @@ double support(const ConvexBody& body, const Vector3& direction) {
     case Core::point:
       return value;
     case Core::segment:
-      return value + body.half.z() * std::abs(direction.dot(body.axes.col(2)));
+      return value + body.half_extents.z() * std::abs(direction.dot(body.axes.col(2)));
     case Core::box:
-      return value + body.half.dot((body.axes.transpose() * direction).cwiseAbs());
+      return value + body.half_extents.dot((body.axes.transpose() * direction).cwiseAbs());
     case Core::cylinder: {
       const Vector3 local = body.axes.transpose() * direction;
-      return value + body.half.x() * std::sqrt(local.x() * local.x() + local.y() * local.y()) +
-             body.half.z() * std::abs(local.z());
+      return value +
+             body.half_extents.x() * std::sqrt(local.x() * local.x() + local.y() * local.y()) +
+             body.half_extents.z() * std::abs(local.z());
     }
     case Core::half_space:
       return direction == body.axes.col(2) ? value : infinite();
@@ -141,12 +142,12 @@ Vector3 core_support(const ConvexBody& body, const Vector3& direction) {
       return body.origin;
     case Core::segment:
     case Core::box:
-      local = body.half.cwiseProduct(local.unaryExpr(&sign));
+      local = body.half_extents.cwiseProduct(local.unaryExpr(&sign));
       break;
     case Core::cylinder: {
       const double across = std::hypot(local.x(), local.y());
-      const double scale = across > 0 ? body.half.x() / across : 0;
-      local = {scale * local.x(), scale * local.y(), sign(local.z()) * body.half.z()};
+      const double scale = across > 0 ? body.half_extents.x() / across : 0;
+      local = {scale * local.x(), scale * local.y(), sign(local.z()) * body.half_extents.z()};
       break;
     }
     case Core::hull:
@@ -177,12 +178,12 @@ Vector3 projection_on_core(const ConvexBody& body, const Vector3& point) {
       return body.origin;
     case Core::segment:
     case Core::box:
-      local = local.cwiseMax(-body.half).cwiseMin(body.half);
+      local = local.cwiseMax(-body.half_extents).cwiseMin(body.half_extents);
       break;
     case Core::cylinder: {
       const double across = std::hypot(local.x(), local.y());
-      if (across > body.half.x()) local.head<2>() *= body.half.x() / across;
-      local.z() = std::clamp(local.z(), -body.half.z(), body.half.z());
+      if (across > body.half_extents.x()) local.head<2>() *= body.half_extents.x() / across;
+      local.z() = std::clamp(local.z(), -body.half_extents.z(), body.half_extents.z());
       break;
     }
     case Core::half_space:
@@ -204,7 +205,7 @@ double farthest_distance(const ConvexBody& body, const Vector3& point) {
   }
   const Vector3 from = body.origin - point;
   if (body.core == Core::segment || body.core == Core::box) {
-    return ((body.axes.transpose() * from).cwiseAbs() + body.half).norm() + body.radius;
+    return ((body.axes.transpose() * from).cwiseAbs() + body.half_extents).norm() + body.radius;
   }
   return (body.centre - point).norm() + body.bound;
 }
@@ -222,7 +223,7 @@ double farthest_distance(const ConvexBody& body, const Vector3& point, const Vec
     return farthest + body.radius;
   }
   if (body.core == Core::segment) {
-    const Vector3 end = body.half.z() * body.axes.col(2);
+    const Vector3 end = body.half_extents.z() * body.axes.col(2);
     return std::max(across(body.origin + end), across(body.origin - end)) + body.radius;
   }
   return across(body.centre) + body.bound;

@@ -16,12 +16,13 @@ struct ConvexBody {
   /// Axes of the core. The segment and the cylinder are along z, and z is the normal of the
   /// half-space, outwards.
   Rotation axes = Rotation::Identity();
-  Vector3 half = Vector3::Zero();  ///< half the size of the core along the axes; its radius is x
-  double radius = 0;               ///< distance of the surface from the core, m
+  Vector3 half_extents =
+      Vector3::Zero();  ///< half the size of the core along the axes; its radius is x
+  double radius = 0;    ///< distance of the surface from the core, m
   std::span<const Vector3> vertices = {};  ///< of a hull, from the origin along the axes
   Vector3 centre = Vector3::Zero();        ///< centre of a sphere that contains the body
   double bound = 0;                        ///< radius of that sphere, m
-  /// Sum of the coordinates' absolute values of the farthest vertex, or of `half`, m.
+  /// Sum of the coordinates' absolute values of the farthest vertex, or of `half_extents`, m.
   double extent = 0;
 };
 

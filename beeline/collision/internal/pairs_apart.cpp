@@ -10,7 +10,7 @@ namespace {
 
 /// A box of configurations.
 struct Box {
-  Eigen::VectorXd middle, half;
+  Eigen::VectorXd middle, half_width;
 };
 
 /// The values of the coordinates that are searched.
@@ -78,7 +78,7 @@ class PairSearch {
     for (Eigen::Index k = 0; k < rate_.size(); ++k) {
       if (rate_[k] == 0) continue;
       if (ranges_.is_unbounded[k]) return false;
-      whole.half[k] = (ranges_.upper[k] - ranges_.lower[k]) / 2;
+      whole.half_width[k] = (ranges_.upper[k] - ranges_.lower[k]) / 2;
     }
     std::vector<Box> boxes{whole};
     for (std::size_t i = 0; !boxes.empty(); ++i) {
@@ -86,14 +86,14 @@ class PairSearch {
       Box box = std::move(boxes.back());
       boxes.pop_back();
       Eigen::Index widest = 0;
-      rate_.cwiseProduct(box.half).maxCoeff(&widest);
+      rate_.cwiseProduct(box.half_width).maxCoeff(&widest);
       const Finding finding = test(box, widest);
       if (finding == Finding::meet) return false;
       if (finding == Finding::apart) continue;
-      box.half[widest] /= 2;
-      box.middle[widest] -= box.half[widest];
+      box.half_width[widest] /= 2;
+      box.middle[widest] -= box.half_width[widest];
       boxes.push_back(box);
-      box.middle[widest] += 2 * box.half[widest];
+      box.middle[widest] += 2 * box.half_width[widest];
       boxes.push_back(std::move(box));
     }
     return true;
@@ -104,9 +104,9 @@ class PairSearch {
 
   /// The tube is along the widest coordinate, where its bound is of second order.
   Finding test(const Box& box, Eigen::Index widest) {
-    Eigen::VectorXd half = Eigen::VectorXd::Zero(box.half.size()), slack = box.half;
-    std::swap(half[widest], slack[widest]);
-    motion_.set({box.middle, half, slack});
+    Eigen::VectorXd slack = box.half_width, half_motion = Eigen::VectorXd::Zero(slack.size());
+    std::swap(half_motion[widest], slack[widest]);
+    motion_.set({box.middle, half_motion, slack});
     const ConvexBody first = in_world(motion_, first_), second = in_world(motion_, second_);
     const double rounding = motion_.rounding(first_.frame, magnitude(first_.body)) +
                             motion_.rounding(second_.frame, magnitude(second_.body));

@@ -21,10 +21,10 @@ double highest_along(const ChainMotion& motion, const CarriedBody& carried, std:
   const ChainMotion::Frame& frame = motion.frame(carried.frame);
   const ChainMotion::Frame& fixed = motion.frame(j);
   const Vector3 angular = frame.angular - fixed.angular, linear = frame.linear - fixed.linear;
-  const Vector3 turn = n.cross(angular);
+  const Vector3 tilt = n.cross(angular);
   const double along = n.dot(linear);
   const auto at_end = [&](double s) {
-    const Vector3 direction = n + s * turn;
+    const Vector3 direction = n + s * tilt;
     return s * along + direction.dot(frame.origin) +
            support(carried.body, frame.rotation.transpose() * direction);
   };

@@ -73,16 +73,6 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
   }
 }
 
-/// Returns the objective to be minimised: the distance from the seed, or minus the smallest margin.
-double objective(const Request& request, const Configuration& q) {
-  if (request.options.redundancy == Redundancy::nearest) return distance_from_seed(request, q);
-  double margin = 1;
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    margin = std::min(margin, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));
-  }
-  return -margin;
-}
-
 /// The scale of a Newton step. The Hessian of the cost lacks the curvature of the self-motion. The
 /// scale is estimated from the remainder of the last step, which was scaled by `applied` (the
 /// secant method).
@@ -95,6 +85,15 @@ double first_scale(const Configuration& last, double applied, const Configuratio
 
 }  // namespace
 
+double redundancy_objective(const Request& request, const Configuration& q) {
+  if (request.options.redundancy != Redundancy::centred) return distance_from_seed(request, q);
+  double margin = 1;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    margin = std::min(margin, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));
+  }
+  return -margin;
+}
+
 void optimise_redundancy(const Request& request, InverseResult& result) {
   const NumericalResult from_seed =
       levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, request.seed,
@@ -105,7 +104,8 @@ void optimise_redundancy(const Request& request, InverseResult& result) {
   for (const Configuration& q : found) result.solutions.push_back(optimised(request, q));
   result.solutions = {*std::min_element(result.solutions.begin(), result.solutions.end(),
                                         [&request](const Configuration& a, const Configuration& b) {
-                                          return objective(request, a) < objective(request, b);
+                                          return redundancy_objective(request, a) <
+                                                 redundancy_objective(request, b);
                                         })};
 }
 

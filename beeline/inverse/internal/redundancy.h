@@ -9,6 +9,10 @@ namespace beeline::internal {
 /// optimised() for each.
 void optimise_redundancy(const Request& request, InverseResult& result);
 
+/// Returns what request.options.redundancy minimises at a solution: for Redundancy::centred, minus
+/// the least margin to the limits, else the distance from the seed.
+double redundancy_objective(const Request& request, const Configuration& q);
+
 /// Moves a solution q by self-motion to a local optimum of request.options.redundancy:
 ///   minimise |q - seed|^2, or maximise the least margin to the limits (joints without do not
 ///   count) subject to the task and the bounds.

@@ -45,6 +45,7 @@ struct SolverState {
   std::vector<SolverState> locked = {};    ///< one solver of the arm with options.lock, or none
   double locked_value = 0;                 ///< value of the locked coordinate of `locked`
   std::vector<SolverState> tolerant = {};  ///< one solver for options.pose_tolerance, or none
+  std::vector<SolverState> all_solutions = {};  ///< one solver with options.all, or none
   MultiStartBuffers buffers = {};
   SearchResult search = {};
 };

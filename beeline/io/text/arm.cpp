@@ -37,7 +37,7 @@ constexpr ArmFormat arm_formats[] = {
     {"json", false, parse_json},
 };
 
-const ArmFormat* format_of(const std::string& path) {
+const ArmFormat* format_of(std::string_view path) {
   const std::string ending = extension(path);
   const auto* const format =
       std::find_if(std::begin(arm_formats), std::end(arm_formats),
@@ -98,6 +98,11 @@ void refuse_unknown_letters(const std::string& text) {
 }
 
 }  // namespace
+
+bool is_urdf_path(std::string_view path) {
+  const ArmFormat* const format = format_of(path);
+  return format != nullptr && format->parse == arm_from_urdf;
+}
 
 std::string name(ReadWarningKind kind) {
   constexpr internal::EnumNames<ReadWarningKind> names("warning");

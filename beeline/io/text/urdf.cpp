@@ -66,11 +66,6 @@ Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& bef
 
 }  // namespace
 
-bool is_urdf_path(std::string_view path) {
-  const std::string ending = extension(path);
-  return ending == "urdf" || ending == "xml";
-}
-
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
                   std::vector<ReadWarning>* warnings) {
   const UrdfFile file = internal::parse_urdf(text, path);

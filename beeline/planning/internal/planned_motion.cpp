@@ -288,4 +288,10 @@ void keep_duration(const MotionRequest& request, BudgetMeter& budget, PathMotion
   if (!budget.complete()) set_ended(ReasonCode::ended_before_timing, budget.ending(), motion);
 }
 
+PathMotion planned_motion_in_time(const MotionRequest& request, BudgetMeter& budget) {
+  PathMotion motion = planned_motion(request, budget);
+  if (motion && request.timing.duration) keep_duration(request, budget, motion);
+  return motion;
+}
+
 }  // namespace beeline::internal

@@ -18,4 +18,7 @@ PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget);
 /// Slows a planned motion down to the request's duration, and proves it again.
 void keep_duration(const MotionRequest& request, BudgetMeter& budget, PathMotion& motion);
 
+/// planned_motion(), slowed down to the request's duration if it has one.
+PathMotion planned_motion_in_time(const MotionRequest& request, BudgetMeter& budget);
+
 }  // namespace beeline::internal

@@ -178,6 +178,7 @@ SegmentFailure failure_ahead(const TrackedEnd& end) {
       return {motion_status(ahead.answer.status),
               {ReasonCode::ended_at_pose, {}, {ahead.answer.reason}}};
     case InverseStatus::not_found:
+    case InverseStatus::blocked:  // only with InverseOptions::blocked_by
       break;
   }
   return {MotionStatus::not_found,

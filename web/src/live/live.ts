@@ -36,9 +36,9 @@ async function refusal(): Promise<string> {
 const silence = 3000; // milliseconds without joint values: the program has stopped
 
 /** Calls `moved` with the joint values that a program posts, and `says` with "live" while it posts them, with what is
- * wrong with the connection, or with nothing. After a lost
- * connection the browser connects again by itself; after an answer other than 200, such as a proxy gives during a
- * restart, it gives up for ever, and this tries again after a delay. */
+ * wrong with the connection, or with nothing. After a lost connection the browser connects again by itself; after an
+ * answer other than 200, such as a proxy gives during a restart, it gives up for ever, and this tries again after a
+ * delay. */
 export function follow(moved: (q: number[]) => void, says: (text: string) => void): () => void {
   let events: EventSource;
   let timer = 0;

@@ -44,19 +44,19 @@ export class Control implements PageSection {
     this.back = element("button", { type: "button", onclick: () => this.goBack() }, "Back to the start");
     const go = (kind: ControlKind, word: string): HTMLElement =>
       iconButton("play", word, "The arm moves step by step", () => void this.play(kind));
+    const quiet = (text: string): HTMLElement => element("p", { class: "quiet" }, text);
     this.root.append(
       element("h2", {}, "Control"),
-      element(
-        "p",
-        { class: "quiet" },
-        "Two controllers go to the goal, each step in proportion to the error. One measures it in the joints, and the " +
-          "tool's path is curved; the other measures it at the tool, and the path is straight. A dot is a step.",
-      ),
+      quiet("Two controllers go to the goal, each step in proportion to the error. A dot is a step."),
+      this.gains.root, // nothing above it changes its height: sliders stay under the finger
+      this.chart.words,
       element("p", { class: "pair" }, go("joint", "Go in joint space"), go("cartesian", "Go in Cartesian space")),
       this.runs.root,
+      quiet(
+        "One measures the error in the joints, and the tool's path is curved; the other measures it at the tool, and " +
+          "the path is straight.",
+      ),
       element("p", { class: "pair" }, goal, this.back),
-      this.gains.root,
-      this.chart.words,
       this.chart.root,
     );
   }

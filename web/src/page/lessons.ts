@@ -14,8 +14,15 @@ function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllip
 /** The chapter as lessons: text, equations, links that set the arm, exercises that are checked. */
 export class LessonsSection implements PageSection {
   readonly root = element("div", { class: "panel lessons" });
-  private readonly text = element("article", { "aria-live": "polite" });
-  private readonly list = element("nav", { "aria-label": "Lessons" });
+  private readonly text = element("article");
+  private readonly links = lessons.map(({ id, title }) => {
+    const link = element("a", { href: `#section=lessons&lesson=${id}` }, title);
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      void this.turnTo(id);
+    });
+    return link;
+  });
   private shown: Shown | null = null;
   private opened = "";
   private figure: LessonFigure | null = null;
@@ -28,7 +35,7 @@ export class LessonsSection implements PageSection {
     private readonly arm: ExerciseContext["arm"],
   ) {
     this.text.addEventListener("click", (event) => void this.follow(event));
-    this.root.append(this.list, this.text);
+    this.root.append(element("nav", { "aria-label": "Lessons" }, ...this.links), this.text);
   }
 
   take(shown: Shown): void {
@@ -77,17 +84,10 @@ export class LessonsSection implements PageSection {
     this.exercises = [];
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
     this.showFigure();
-    this.list.replaceChildren(
-      ...lessons.map(({ id, title }) => {
-        const current: Record<string, string> = id === lesson.id ? { "aria-current": "page" } : {};
-        const link = element("a", { href: `#section=lessons&lesson=${id}`, ...current }, title);
-        link.addEventListener("click", (event) => {
-          event.preventDefault();
-          void this.turnTo(id);
-        });
-        return link;
-      }),
-    );
+    this.links.forEach((link, i) => {
+      if (lessons[i]?.id === lesson.id) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
+    });
     this.root.parentElement?.scrollTo({ top: 0 });
     const { q, section } = this.services.store.get();
     if (q && section === "lessons") this.update(q);

@@ -44,7 +44,6 @@ export class LineSection implements PageSection {
     this.player = new MotionPlayer(services, () => void this.retime());
     this.work = new Work(services, (reason) => this.say(() => [element("p", { class: "refusal" }, reason)]));
     this.waypoints = new WaypointsPanel(
-      this.intro,
       () => this.toolPose(),
       (waypoints) => store.set({ waypoints }),
       () => this.changed(),
@@ -57,6 +56,9 @@ export class LineSection implements PageSection {
     );
     this.root.append(
       element("h2", {}, "Line"),
+      this.waypoints.buttons, // nothing above them changes its height: they stay under the finger
+      this.player.bar,
+      this.intro,
       this.waypoints.root,
       this.work.root,
       this.report,
@@ -122,6 +124,7 @@ export class LineSection implements PageSection {
 
   /** Other waypoints: the preview follows, the plan once they are dropped. */
   private changed(): void {
+    this.player.bar.className = this.waypoints.enough ? "awaits-player" : "";
     if (this.waypoints.enough && !this.dragging && this.waypoints.asFile.text === this.plannedFor) return this.draw();
     this.clear();
     this.draw();
@@ -176,7 +179,6 @@ export class LineSection implements PageSection {
         this.player.show("motion.csv", csv);
         const { q } = this.services.store.get();
         if (q) this.player.follow(q);
-        if (chosen === null) this.player.root.firstElementChild?.scrollIntoView({ block: "nearest" });
         this.planned = this.player.trail(line.status === "reached" ? "planned" : "refused");
       }
       this.draw();

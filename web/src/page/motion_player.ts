@@ -13,7 +13,9 @@ const every = 5; // points from dot to dot
 
 /** A motion of the arm that is shown: a player, curves of the joints, files, the path of the tool. */
 export class MotionPlayer {
-  readonly root: HTMLElement;
+  /** Plays the motion: stands apart, where it is seen without scrolling. */
+  readonly bar = element("div");
+  readonly root = element("div");
   private readonly player: Player;
   private readonly curves = new JointCurves((time) => this.player.seek(time));
   private readonly files = element("p", { class: "pair" });
@@ -32,7 +34,6 @@ export class MotionPlayer {
       this.isPlacing = false;
       this.curves.point(time);
     });
-    this.root = element("div");
   }
 
   take(shown: Shown): void {
@@ -52,7 +53,8 @@ export class MotionPlayer {
       fileSaver("motion.json", () => motion.text("motion.json"), "application/json"),
       element("button", { type: "button", onclick: this.retime }, "Retime within the limits"),
     );
-    this.root.replaceChildren(this.player.root, this.files, this.curves.root);
+    this.bar.replaceChildren(this.player.root);
+    this.root.replaceChildren(this.files, this.curves.root);
     this.player.take(motion);
   }
 
@@ -60,6 +62,7 @@ export class MotionPlayer {
     this.player.take(null);
     this.motion?.release();
     this.motion = null;
+    this.bar.replaceChildren();
     this.root.replaceChildren();
     this.showCurves();
   }

@@ -11,6 +11,7 @@ import { iconButton } from "../elements/button.js";
 import { element } from "../elements/element.js";
 import { fading } from "../elements/fading.js";
 import { icon } from "../elements/icons.js";
+import { selectNumbers } from "../elements/select_numbers.js";
 import { lessons } from "../lessons/lessons.js";
 import { follow, sessionOf, type Session } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
@@ -20,16 +21,7 @@ import { PlanarPicture } from "../scene/planar/planar_picture.js";
 import { spatialPicture } from "../scene/spatial_later.js";
 import { bytesOf, startWorker } from "../share/parts.js";
 import { savedAddress, savedTrajectory } from "../share/save_page.js";
-import { History } from "../state/history.js";
-import {
-  initialState,
-  sameArm,
-  sections,
-  work,
-  type ArmSource,
-  type PageState,
-  type Section,
-} from "../state/page_state.js";
+import { initialState, sameArm, sections, type ArmSource, type PageState, type Section } from "../state/page_state.js";
 import { Store } from "../state/store.js";
 import { AddressBar } from "./address_bar.js";
 import { ArmFiles } from "./arm_files.js";
@@ -40,11 +32,11 @@ import { LessonsSection } from "./lessons.js";
 import { LineSection } from "./line.js";
 import { Opening } from "./opening.js";
 import { Overlays } from "./overlays.js";
-import { Rest } from "./rest.js";
 import type { PageSection, Services, Shown } from "./section.js";
 import { helpDialog, settingsDialog } from "./settings.js";
 import { ShareDialog } from "./share_dialog.js";
 import { Toolbar } from "./toolbar.js";
+import { Undo } from "./undo.js";
 import { welcome } from "./welcome.js";
 import { Workspace } from "./workspace.js";
 
@@ -58,7 +50,6 @@ const titles: Record<Section, string> = {
   lessons: "Lessons",
 };
 const idle = 1000; // milliseconds until the worker is loaded, which plans and proves
-const settled = 400; // milliseconds until a state is one to go back to
 
 /** The state of an address; a lesson begins with its figure where the address has no arm. */
 async function stateAt(hash: string): Promise<PageState> {
@@ -82,12 +73,9 @@ export class Page {
   private readonly files: ArmFiles;
   private readonly chooser: ArmChooser;
   private readonly address = new AddressBar();
-  private readonly history: History<PageState>;
-  private readonly rest = new Rest(settled);
+  private readonly undo: Undo;
   private readonly welcome: HTMLElement;
   private readonly live = element("span", { role: "status", class: "live", hidden: true });
-  private readonly undo = iconButton("undo", "Undo", "Undo (Ctrl Z)", () => this.go("undo"));
-  private readonly redo = iconButton("redo", "Redo", "Redo (Ctrl Shift Z)", () => this.go("redo"));
   private shown: Shown | null = null;
   /** The part of the state that belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal" | "waypoints"> | null = null;
@@ -103,7 +91,6 @@ export class Page {
     worker: CoreWorker,
     private readonly store: Store<PageState>,
   ) {
-    this.history = new History(store.get(), work);
     this.services = {
       store,
       command: async (args, files = {}, progress = undefined) => {
@@ -128,6 +115,7 @@ export class Page {
     );
     this.files = new ArmFiles(core, store, this.chooser, meshes);
     this.holding = new Holding(this.services, () => this.sections.get(store.get().section));
+    this.undo = new Undo(store, this.holding);
     this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
     this.toolbar = new Toolbar(store);
     this.line = new LineSection(this.services);
@@ -144,7 +132,7 @@ export class Page {
     store.subscribe((_, changed) => this.changed(changed));
     document.defaultView?.addEventListener("popstate", () => this.address.forget());
     document.defaultView?.addEventListener("hashchange", ({ newURL }) => void this.readAddress(new URL(newURL).hash));
-    document.addEventListener("keydown", (event) => this.key(event));
+    document.addEventListener("keydown", (event) => this.undo.key(event));
   }
 
   /** Loads the core, reads the address and shows it. */
@@ -170,7 +158,7 @@ export class Page {
     if (session) page.goLive();
     const trajectory = session ? session.trajectory : await savedTrajectory();
     if (trajectory !== null) page.line.recording.open("motion.csv", trajectory);
-    page.history.begin(page.store.get());
+    page.undo.begin();
     if (fresh && page.shown) page.begin(page.shown);
     else setTimeout(() => worker.prepare(), idle);
     return page;
@@ -179,7 +167,7 @@ export class Page {
   private begin(shown: Shown): void {
     this.free = new Promise((resolve) => {
       new Opening(this.services, shown, () => {
-        this.history.begin(this.store.get());
+        this.undo.begin();
         resolve();
       });
     });
@@ -194,11 +182,10 @@ export class Page {
     place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
     place("sections").replaceChildren(...this.links.values());
-    place("stage").addEventListener("pointerdown", () => this.record(), { capture: true }); // another gesture begins
+    place("stage").addEventListener("pointerdown", () => this.undo.record(), { capture: true }); // another gesture begins
     place("bar").replaceChildren(
       this.chooser.button,
-      this.undo,
-      this.redo,
+      ...this.undo.buttons,
       iconButton("share", "Share", "Link, picture, drawing, one file, frame", () => void share.open()),
       iconButton("settings", "Settings", "Units and appearance", () => settings.showModal()),
       iconButton("help", "Help", "What hands and keys do", () => help.showModal()),
@@ -208,17 +195,7 @@ export class Page {
       this.document.getElementById("joint-0")?.focus();
     });
     this.document.body.append(this.chooser.dialog, share.root, settings, help);
-    // Digits replace a number that is reached by key or by click: a click places its cursor after the focus has come.
-    let reached: EventTarget | null = null;
-    this.document.addEventListener("focusin", ({ target }) => {
-      reached = target;
-      if (target instanceof HTMLInputElement && target.type === "number") target.select();
-    });
-    this.document.addEventListener("click", ({ target }) => {
-      if (target instanceof HTMLInputElement && target.type === "number" && target === reached) target.select();
-      reached = null;
-    });
-    this.showHistory();
+    selectNumbers(this.document);
     this.showSections();
   }
 
@@ -242,44 +219,8 @@ export class Page {
     const missed = changed.has("section") ? (Object.keys(initialState) as (keyof PageState)[]) : [];
     if (arm === this.valid?.arm) this.update(new Set([...changed, ...missed]));
     else if (changed.has("arm")) void this.takeArm(arm);
-    this.note();
+    this.undo.note();
     void this.address.write(this.store.get());
-  }
-
-  /** Notes a state to go back to, once the hand rests. */
-  private note(): void {
-    this.rest.then(() => {
-      if (this.holding.holds) this.note();
-      else this.record();
-    });
-  }
-
-  private record(): void {
-    if (this.holding.holds) return;
-    this.history.record(this.store.get());
-    this.showHistory();
-  }
-
-  private go(step: "undo" | "redo"): void {
-    this.record(); // what was done a moment ago
-    const state = this.history[step]();
-    if (!state) return;
-    this.holding.forget();
-    const { section, lesson } = state; // where the work was done
-    this.store.set({ ...Object.fromEntries(work.map((key) => [key, state[key]])), section, lesson });
-    this.showHistory();
-  }
-
-  private showHistory(): void {
-    this.undo.disabled = !this.history.canUndo;
-    this.redo.disabled = !this.history.canRedo;
-  }
-
-  private key(event: KeyboardEvent): void {
-    const typing = (event.target as Element).matches?.("input:not([type=range]), textarea, select");
-    if (typing || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
-    event.preventDefault();
-    this.go(event.shiftKey ? "redo" : "undo");
   }
 
   /** Reads an arm and shows it; the one before stays where it is refused. */

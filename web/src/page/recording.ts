@@ -68,6 +68,7 @@ export class Recording {
       this.work.root,
       this.report,
       element("p", { class: "pair" }, this.compare),
+      this.player.bar,
       this.player.root,
     );
   }

@@ -12,6 +12,7 @@ function isSame(a: number[], b: number[]): boolean {
 /** The waypoints of a line: the tool's poses, added by hand, or a file of poses as commands read it. */
 export class WaypointsPanel {
   readonly root = element("div");
+  readonly buttons = element("p", { class: "pair" });
   /** Stands below what is planned. */
   readonly fromFile = element("details");
   private readonly list = element("ol", { class: "waypoints" });
@@ -22,9 +23,8 @@ export class WaypointsPanel {
   private degrees = true;
   private file: { name: string; text: string } | null = null;
 
-  /** `intro` stands below the buttons, which do not move when it disappears. `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
+  /** `pose`: the pose of the tool now, x y z qw qx qy qz; `changed` is called with other poses. */
   constructor(
-    intro: HTMLElement,
     pose: () => number[] | null,
     private readonly changed: (poses: number[][]) => void,
     private readonly fileChanged: () => void,
@@ -45,7 +45,8 @@ export class WaypointsPanel {
       load.value = "";
     });
     this.fromFile.append(element("summary", {}, "Waypoints from a file"), load);
-    this.root.append(element("p", { class: "pair" }, add, this.clear), this.message, intro, this.list);
+    this.buttons.append(add, this.clear);
+    this.root.append(this.message, this.list);
   }
 
   /** `planar`: the tool moves in x, y and θ only. */
@@ -59,14 +60,22 @@ export class WaypointsPanel {
     this.degrees = degrees;
     if (poses.length > 0) this.file = null;
     this.clear.disabled = this.empty;
-    const items = this.file
-      ? [this.item(`the poses of ${this.file.name}`, "Remove the file", () => this.removeAll())]
-      : poses.map((pose, i) =>
-          this.item(this.inWords(pose), `Remove waypoint ${i + 1}`, () =>
-            this.changed(this.poses.filter((_, k) => k !== i)),
-          ),
-        );
-    this.list.replaceChildren(...items);
+    const texts = this.file ? [`the poses of ${this.file.name}`] : poses.map((pose) => this.inWords(pose));
+    const listed = [...this.list.children].map((item) => item.firstChild?.textContent);
+    // Items that are the same stay: one that is pressed is not replaced while the arm moves.
+    if (texts.length !== listed.length || texts.some((text, i) => text !== listed[i])) this.write(texts);
+  }
+
+  private write(texts: string[]): void {
+    const items = [...this.list.children];
+    const focused = items.findIndex((item) => item.contains(document.activeElement));
+    const isFile = this.file !== null;
+    this.list.replaceChildren(
+      ...texts.map((text, i) => this.item(text, isFile ? "Remove the file" : `Remove waypoint ${i + 1}`, i)),
+    );
+    if (focused < 0) return;
+    const next = this.list.children[Math.min(focused, texts.length - 1)] ?? this.buttons;
+    next.querySelector("button")?.focus();
   }
 
   private inWords(pose: number[]): string {
@@ -117,9 +126,14 @@ export class WaypointsPanel {
     this.fileChanged();
   }
 
-  private item(text: string, label: string, remove: () => void): HTMLElement {
-    const button = element("button", { type: "button", class: "remove", "aria-label": label, title: label }, "×");
-    button.addEventListener("click", remove);
-    return element("li", {}, element("span", {}, text), button);
+  private item(text: string, label: string, index: number): HTMLElement {
+    const remove = (): void =>
+      this.file ? this.removeAll() : this.changed(this.poses.filter((_, other) => other !== index));
+    return element(
+      "li",
+      {},
+      element("span", {}, text),
+      element("button", { type: "button", class: "remove", "aria-label": label, title: label, onclick: remove }, "×"),
+    );
   }
 }

@@ -38,6 +38,7 @@ const kept = 0.6; // of an overlap: a label does not jump for less
 const nearest = 3; // pixels around an obstacle
 const gap = 5; // pixels between texts of a line
 const edge = 6; // pixels within the bounds
+const cutOff = 20; // cost of a text beyond the bounds: more than of lines behind it
 const shortest = 8; // pixels of an arrow that is named
 /** Pixels by which a label is moved away from its point, and what that costs. */
 const farther = [
@@ -116,7 +117,7 @@ function costOf(box: Box, k: number, obstacles: Obstacle[], taken: Box[], bounds
     box.y >= bounds.y &&
     box.x + box.width <= bounds.x + bounds.width - edge &&
     box.y + box.height <= bounds.y + bounds.height;
-  return inside ? cost : cost + 3;
+  return inside ? cost : cost + cutOff;
 }
 
 /** How many obstacles a box covers. */

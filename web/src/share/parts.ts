@@ -21,10 +21,15 @@ export async function bytesOf(part: Part): Promise<Uint8Array> {
   return new Uint8Array(await answer.arrayBuffer());
 }
 
+/** The address of the worker's code in a saved page: made once, as each cancelled command starts another worker. */
+let savedWorker = "";
+
 /** Starts the worker that runs commands. Pages from a disk can start classic workers only, which have no import.meta. */
 export async function startWorker(): Promise<Worker> {
   if (savedText("worker") === null) return new Worker(workerUrl, { type: "module" });
-  const code = new TextDecoder().decode(await bytesOf("worker")).replaceAll("import.meta", '({ url: "file:///" })');
-  // The address is not revoked: the browser reads it after this function has returned.
-  return new Worker(URL.createObjectURL(new Blob([code], { type: "text/javascript" })));
+  if (savedWorker === "") {
+    const code = new TextDecoder().decode(await bytesOf("worker")).replaceAll("import.meta", '({ url: "file:///" })');
+    savedWorker = URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+  }
+  return new Worker(savedWorker);
 }

@@ -69,8 +69,10 @@ function draw(group: SVGElement, centre: Pixel, begin: number, turn: number, r: 
   set(head as SVGElement, { d: long ? arrowHead(at(begin + turn, r), begin + turn, Math.sign(turn)) : "" });
 }
 
+/** In the colour of its joint, which it may be far from, darkened or lightened to be read. */
 function label(k: number, text: string, at: Pixel, away: number, angle: number): Label {
-  return { key: `angle ${k}`, text, at, away, angle, kind: "angle" };
+  const colour = `color-mix(in srgb, ${jointColour(k)} 60%, var(--text))`;
+  return { key: `angle ${k}`, text, at, away, angle, kind: "angle", colour };
 }
 
 /** An arrowhead at the end of an arc, across its radius. */

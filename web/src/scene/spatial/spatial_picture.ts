@@ -1,9 +1,8 @@
 import { Box3, type Group, Matrix4, Quaternion, Vector3 } from "three";
 import type { Skeleton } from "../../core/types.js";
-import { shown } from "../../elements/element.js";
 import { Callout } from "../callout.js";
 import { onTheme } from "../colours.js";
-import { along, columnLabels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
+import type { Pixel } from "../labels.js";
 import type { PathFile } from "../mesh_files.js";
 import {
   centreLine,
@@ -25,10 +24,10 @@ import { ReachMesh } from "./reach_mesh.js";
 import { ReachTiles } from "./reach_tiles.js";
 import type { RobotMeshes } from "./robot_meshes.js";
 import { SpaceHand } from "./space_hand.js";
+import { frameLength, labelsOf, obstaclesOf, type SpatialDrawing } from "./space_labels.js";
 import { Stage } from "./stage.js";
 import { ToolHandle } from "./tool_handle.js";
 
-const frameLength = { tool: 0.11, waypoint: 0.08 }; // of the reach
 const maxGhosts = 16; // their numbers fit the order of drawing and the stencil
 
 /** The picture of a spatial arm, by WebGL. */
@@ -327,74 +326,28 @@ export class SpatialPicture implements Picture {
     const [x, y] = this.stage.pixel(at);
     holder.dataset["tool"] = `${x.toFixed(1)},${y.toFixed(1)}`;
     const handle = this.marks.handle && !this.marks.turning ? ([x, y] as const) : null;
+    const { drawing } = this;
     const { taken, obstacles } = this.overlay.place(
       holder.clientWidth,
       holder.clientHeight,
-      this.labels(at),
-      this.obstacles(),
+      labelsOf(drawing),
+      obstaclesOf(drawing),
       handle,
     );
     this.callout.place([x, y], obstacles, taken);
   }
 
-  /** What texts should not cover: the arm, its handle, and what is drawn beside it. */
-  private obstacles(): Obstacle[] {
-    const line = (bones: Skeleton): Pixel[] => along(centreLine(bones).map((point) => this.pixel(point)));
-    const goals = this.marks.ghosts.filter(({ tone }) => tone !== "solution");
-    const [x, y] = this.pixel(this.bones.tool);
-    const ring = [0, 1, 2, 3, 4, 5].map((k): Pixel => [x + 13 * Math.cos(k), y + 13 * Math.sin(k)]);
-    const axes = (pose: ArrayLike<number>, length: number): Pixel[] =>
-      [0, 4, 8].flatMap((k) =>
-        along([
-          this.pixel([12, 13, 14].map((i) => pose[i] ?? 0)),
-          this.pixel([0, 1, 2].map((i) => (pose[12 + i] ?? 0) + length * (pose[k + i] ?? 0))),
-        ]),
-      );
-    const thick = 1.65 * this.figure.radius * this.stage.pixelsPerMetre; // of the symbols of the joints
-    return [
-      ...wide(line(this.bones), thick),
-      ...goals.flatMap(({ q }) => line(this.parts.arm.skeleton(q))),
-      ...ring,
-      ...this.handle.points().map((point) => this.stage.pixel(point)),
-      ...axes(this.poses.at(-1) ?? [], frameLength.tool * this.size),
-      ...this.marks.waypoints.flatMap(({ pose }) => axes(pose, frameLength.waypoint * this.size)),
-      ...this.marks.trails.flatMap(({ points }) => thinned(points.map((point) => this.pixel(point)))),
-    ];
+  private get drawing(): SpatialDrawing {
+    const { marks, poses, bones, size, parts, stage, handle, figure } = this;
+    const thick = 1.65 * figure.radius * stage.pixelsPerMetre; // of the symbols of the joints
+    const ghosts = marks.ghosts
+      .filter(({ tone }) => tone !== "solution")
+      .map(({ q }) => centreLine(parts.arm.skeleton(q)));
+    const grips = handle.points().map((point) => stage.pixel(point));
+    return { marks, poses, bones, size, ghosts, grips, thick, pixel: (point) => this.pixel(point) };
   }
 
   private pixel(point: ArrayLike<number>): Pixel {
     return this.stage.pixel(new Vector3(point[0], point[1], point[2]));
-  }
-
-  private labels(tool: Vector3): Label[] {
-    const digits = this.size >= 10 ? 2 : 3;
-    const words = `(${tool
-      .toArray()
-      .map((value) => shown(value, digits))
-      .join(", ")}) m`;
-    const at = this.pixel(tool.toArray());
-    const labels: Label[] = [{ key: "pose", text: words, at, away: 20, angle: 0.5, kind: "pose" }];
-    for (const { pose, label } of this.marks.waypoints)
-      labels.push({
-        key: label,
-        text: label,
-        at: this.pixel(pose.slice(12, 15)),
-        away: 12,
-        angle: 0.8,
-        kind: "waypoint",
-      });
-    labels.push(...columnLabels(this.marks.columns, tool.toArray(), (point) => this.pixel(point), at));
-    if (!this.marks.frames || this.poses.length > 40) return labels;
-    const places = new Map<string, number[]>();
-    this.poses.slice(0, -1).forEach((pose, i) => {
-      const key = Array.from(pose.subarray(12, 15), (value) => (value / this.size).toFixed(5)).join();
-      places.set(key, [...(places.get(key) ?? []), i]);
-    });
-    for (const place of places.values()) {
-      const text = place.map((i) => `{${i}}`).join(" ");
-      const origin = this.pixel(this.poses[place[0] ?? 0]?.subarray(12, 15) ?? []);
-      labels.push({ key: text, text, at: origin, away: 18, angle: Math.PI, kind: "frame" });
-    }
-    return labels;
   }
 }
