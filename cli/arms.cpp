@@ -38,7 +38,8 @@ Answer list_arms() {
                  {"method", method},
                  {"reach", reach},
                  {"source", about.source},
-                 {"note", about.note}});
+                 {"note", about.note},
+                 {"shapes_source", about.shapes_source}});
   }
   answer.document = {{"arms", arms}};
   return answer;

@@ -79,10 +79,13 @@ void add_source(const std::string& name, Answer& answer) {
     if (!std::equal(about.name.begin(), about.name.end(), name.begin(), name.end(), same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
+    answer.text += fmt::format("shapes of its links: {}\n",
+                               about.shapes_source.empty() ? "none" : about.shapes_source);
     answer.document.add(Json{{"maker", about.maker},
                              {"model", about.model},
                              {"source", about.source},
-                             {"note", about.note}});
+                             {"note", about.note},
+                             {"shapes_source", about.shapes_source}});
   }
 }
 
@@ -106,28 +109,29 @@ Answer show(const ShowArguments& arguments) {
 
 Verb show_verb() {
   const auto arguments = std::make_shared<ShowArguments>();
-  return {.name = "show",
-          .summary = "Print an arm as a table: joints, limits, frames, reach",
-          .description =
-              "Prints each joint with its type, its axis in the world at zero joint values, its "
-              "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
-              "the frames of all links and of the tool at zero joint values; and a ball that the "
-              "tool cannot leave. Limits that are not known are assumed in motions; they are "
-              "marked with an a, and with --json null, with the assumed ones in `assumed`. Of a "
-              "built-in arm also its maker and the document that the numbers are from; with --srdf "
-              "the groups and named states.",
-          .arguments = {arguments->arm.argument()},
-          .options = joined(
-              {arguments->unit.options(),
-               {Option("--out FILE", "Also write the arm to this .json file.", &arguments->out)},
-               arguments->arm.options(),
-               arguments->limits.options()}),
-          .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
-                       {"A UR5 with limits of its user",
-                        "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
-                       {"An arm file to change and use in place of the built-in arm",
-                        "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
-          .run = [arguments] { return show(*arguments); }};
+  return {
+      .name = "show",
+      .summary = "Print an arm as a table: joints, limits, frames, reach",
+      .description =
+          "Prints each joint with its type, its axis in the world at zero joint values, its "
+          "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
+          "the frames of all links and of the tool at zero joint values; and a ball that the "
+          "tool cannot leave. Limits that are not known are assumed in motions; they are "
+          "marked with an a, and with --json null, with the assumed ones in `assumed`. Of a "
+          "built-in arm also its maker, the document that the numbers are from and what the shapes "
+          "of its links contain; with --srdf the groups and named states.",
+      .arguments = {arguments->arm.argument()},
+      .options =
+          joined({arguments->unit.options(),
+                  {Option("--out FILE", "Also write the arm to this .json file.", &arguments->out)},
+                  arguments->arm.options(),
+                  arguments->limits.options()}),
+      .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                   {"A UR5 with limits of its user",
+                    "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
+                   {"An arm file to change and use in place of the built-in arm",
+                    "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
+      .run = [arguments] { return show(*arguments); }};
 }
 
 }  // namespace beeline::command

@@ -16,6 +16,8 @@ struct BuiltInArm {
   std::string model;   ///< the maker's name of the arm
   std::string source;  ///< document that gives the lengths and limits
   std::string note;  ///< zero, signs and couplings that differ from the controller's; may be empty
+  /// Where the meshes are from that the shapes of the links contain; empty: it has no shapes.
+  std::string shapes_source;
   /// Names of the joints in descriptions for ROS, in the arm's order, one list for each
   /// description. A trajectory with these names belongs to the arm: see matched_to().
   std::vector<std::vector<std::string>> joint_names;

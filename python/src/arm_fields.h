@@ -11,7 +11,7 @@ namespace beeline::python {
 template <>
 struct Fields<BuiltInArm>
     : Members<&BuiltInArm::name, &BuiltInArm::maker, &BuiltInArm::model, &BuiltInArm::source,
-              &BuiltInArm::note, &BuiltInArm::joint_names> {};
+              &BuiltInArm::note, &BuiltInArm::shapes_source, &BuiltInArm::joint_names> {};
 
 template <>
 struct Fields<Limits> : Members<&Limits::lower, &Limits::upper, &Limits::velocity,

@@ -78,8 +78,9 @@ void bind_shape_files(nb::module_& m) {
   Signature shapes(
       "read_arm_shapes", "ArmShapes",
       "Reads the shapes of the links of the arm that `source` names: the `<collision>` "
-      "elements of a URDF file, or the list `shapes` of an arm file. Built-in arms and "
-      "joint strings have none. Meshes, STL or OBJ, are taken as their convex hulls "
+      "elements of a URDF file, or the list `shapes` of an arm file. Joint strings have none; "
+      "built-in arms have them if BuiltInArm.shapes_source is not empty. Meshes, STL or OBJ, are "
+      "taken as their convex hulls "
       "(Shape.hull_of). Raises FileError for a shape or a mesh that is not read, and for "
       "a link with shapes that cannot be placed on a link of the arm.");
   shapes.takes("source", path_like, "Name, joint string or path, as of Arm.load().")

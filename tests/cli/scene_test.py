@@ -316,10 +316,28 @@ def test_shapes_of_a_urdf_file(beeline, written):
     assert probed["clearance"]["pair"] == ["probe", "post"]
 
 
+def test_built_in_arms_have_shapes(beeline, written, tmp_path):
+    """The same answers as with the arm's file; the mount moves the arm, and a tool is added."""
+    q = "0,-0.785,0,-2.356,0,1.571,0.785"
+    still = written("still.csv", "t," + ",".join(f"joint{i}" for i in range(1, 8)) + f"\n0,{q}\n1,{q}\n")
+    post = written("post.json", scene(ball("post", (0.31, 0, 0.7), 0.02)))
+    proof = check(beeline, "panda", still, "--scene", post)["clearance"]
+    assert proof["status"] == "collides" and "post" in proof["pair"]
+    assert check(beeline, "panda", still, "--scene", post, "--mount", "0,0.5,0")["clearance"]["status"] == "clear"
+    assert check(beeline, "panda", still, "--self")["clearance"]["status"] == "clear"
+    tool = written("hand.json", json.dumps({"name": "hand", "shapes": [{"sphere": {"radius": 0.01}, "pose": {"xyz": [0, 0, 0.2]}}]}))
+    moved = check(beeline, "panda", still, "--scene", post, "--mount", "0,0.5,0", "--tool-shape", tool)["clearance"]
+    assert moved["status"] == "clear" and moved["pairs"] > proof["pairs"]
+    assert beeline("draw", "panda", "--scene", post, "--out", str(tmp_path / "a.svg")).code == 0
+    assert "shapes of its links: the collision meshes of example-robot-data" in beeline("show", "panda").out
+    assert "shapes of its links: none\n" in beeline("show", "fr3").out
+    assert beeline("show", "fr3", "--json").json["shapes_source"] == ""
+
+
 def test_refusals(refused, written, motion, beeline):
     arm, empty = written("arm.json", planar_arm()), written("empty.json", scene())
-    refused(2, "check", "panda", motion, "--scene", empty, says=["panda has no shapes", "<collision>", "\"shapes\""])
-    refused(2, "check", "panda", motion, "--self", says=["--self: panda"])
+    refused(2, "check", "fr3", motion, "--scene", empty, says=["fr3 has no shapes", "<collision>", "\"shapes\""])
+    refused(2, "check", "fr3", motion, "--self", says=["--self: fr3"])
     refused(2, "check", arm, motion, "--through", "a.csv", "--clearance", "1", says=["--clearance needs --scene"])
     refused(2, "check", arm, motion, "--self", "--no-self", says=["--no-self"])
     refused(2, "check", arm, motion, "--self", "--clearance", "0", says=["--clearance", "above 0"])
@@ -345,7 +363,7 @@ def test_refusals(refused, written, motion, beeline):
     cone = written("cone.urdf", URDF.replace("<sphere radius=\"0.1\"/>", "<cone radius=\"1\"/>"))
     still = written("still.csv", "t,j1,j2\n0,0,0\n1,0,0\n")
     refused(3, "check", cone, still, "--tip", "hand", "--self", says=["cone.urdf:4", "hand", "<cone>", "<mesh>"])
-    refused(2, "draw", "panda", "--scene", empty, "--out", "a.svg", says=["panda has no shapes"])
+    refused(2, "draw", "fr3", "--scene", empty, "--out", "a.svg", says=["fr3 has no shapes"])
     refused(2, "draw", arm, "--scene", "a.svg", "--out", "a.svg", says=["a.svg"])
     refused(2, "draw", arm, "--clearance", "1", "--out", "a.svg", says=["--clearance needs --scene"])
     refused(2, "export", arm, motion, "--as", "ros2", "--out", "a.yaml", "--allow", "a,b", says=["--allow needs --scene"])

@@ -1,12 +1,17 @@
 """Shapes, scenes and proofs of clearance, as in C++."""
 
 import json
+import pathlib
 import pickle
+import re
+import tarfile
 import warnings
 
 import beeline
 import numpy as np
 import pytest
+
+PROBLEMS = pathlib.Path(__file__).resolve().parents[3] / "shared/data/motion_bench_maker/panda_problems.tar.xz"
 
 
 def at(*position):
@@ -147,7 +152,7 @@ def test_shapes_of_a_file(tmp_path):
     np.testing.assert_allclose(shapes.links[1].shapes[0].pose[:3, 3], [0.25, 0, 0])
     with pytest.raises(beeline.Error, match="unknown joint.*j.*known: k"):
         beeline.read_arm_shapes(path, tip="b", hold={"j": 0})
-    assert beeline.read_arm_shapes("panda").links == []
+    assert beeline.read_arm_shapes("fr3").links == []
     tool = tmp_path / "tool.json"
     tool.write_text('{"name": "probe", "shapes": [{"sphere": {"radius": 0.1}}]}')
     body = beeline.read_tool_shapes(tool, beeline.arms.panda())
@@ -211,3 +216,34 @@ def test_pictures_show_the_obstacles(arm, links):
     plain, charted = (beeline.timing_figure(arm, motion, clearance=given) for given in (None, clearance))
     assert ">required<" in charted.svg and ">required<" not in plain.svg
     assert "remark of mine" in beeline.controller_file(arm, motion, "ros2", remarks=["remark of mine"]).text
+
+
+def test_shapes_of_built_in_arms():
+    """They equal the shapes in the file of the arm; an arm has them if it says where they are from."""
+    folder = pathlib.Path(__file__).resolve().parents[2] / "beeline/model/arms"
+    with_shapes = [about.name for about in beeline.built_in_arms() if about.shapes_source]
+    assert set(with_shapes) == {"panda", "ur3", "ur5", "ur10", "ur5e", "iiwa7", "gen3", "xarm7"}
+    for name in (about.name for about in beeline.built_in_arms()):
+        links = beeline.read_arm_shapes(name).links
+        assert bool(links) == (name in with_shapes)
+        assert links == beeline.read_arm_shapes(folder / f"{name}.json").links
+        assert len({body.link for body in links}) in (0, beeline.Arm.load(name).dof + 1)
+
+
+@pytest.mark.skipif(not PROBLEMS.exists(), reason="the problems of MotionBenchMaker are not here")
+def test_no_start_or_goal_of_motion_bench_maker_is_refused(tmp_path):
+    """840 configurations that are free with the meshes, at 1 mm, with the Panda's built-in shapes and all pairs of its links."""
+    with tarfile.open(PROBLEMS) as archive:
+        archive.extractall(tmp_path, filter="data")
+    arm, links = beeline.arms.panda(), beeline.read_arm_shapes("panda").links
+    configurations = refused = 0
+    for path in sorted(tmp_path.glob("*/scene*.yaml")):
+        obstacles = beeline.read_scene(path).obstacles  # without the file's matrix
+        model = beeline.CollisionModel(arm, links, beeline.Scene(obstacles), clearance=0.001)
+        request = path.with_name(path.name.replace("scene", "request")).read_text()
+        start = [float(x) for x in re.search(r"position: \[([^]]*)]", request)[1].split(",")]
+        goal = [float(x) for x in re.findall(r"position: (-?[\d.e-]+)", request)]
+        for q in start[:7], goal[:7]:
+            configurations += 1
+            refused += bool(beeline.pairs_too_close(model, q))
+    assert (configurations, refused) == (840, 0)

@@ -148,7 +148,7 @@ Arm arm_from_joint_string(std::string_view text);
 ///      "controller_base_assumed", "flange_assumed",       which count as stated unless true
 ///      "maker", "model", "source", "note",                and these texts
 ///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
-///      "shapes": [...],                                   see read_arm_shapes(), not kept
+///      "shapes": [...], "shapes_source",                  see read_arm_shapes(), not kept
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/built_in_shapes.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/shape_json.h>
@@ -87,7 +88,9 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
                           const ShapeOptions& options) {
   const bool is_file = is_urdf_path(text) || extension(text) == "json";
   if (is_file) return arm_shapes_from_text(read_file(text), text, ends, options);
-  read_arm(text, ends);  // refuses what is no arm
+  const std::string name = read_arm(text, ends).name();  // refuses what is no arm
+  const std::string_view built_in = internal::built_in_shapes(name);
+  if (!built_in.empty()) return arm_shapes_from_text(built_in, name + ".json", ends, options);
   refuse_hold(options);
   return {};
 }

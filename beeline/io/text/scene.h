@@ -94,8 +94,9 @@ struct ArmShapes {
   std::map<std::string, Pose> base_links = {};
 };
 
-/// Reads the shapes of the links of the arm that `text` names, see read_arm(). Built-in arms and
-/// joint strings have none. An arm file has them as
+/// Reads the shapes of the links of the arm that `text` names, see read_arm(). Joint strings have
+/// none; built-in arms have them if BuiltInArm::shapes_source says where they are from. An arm file
+/// has them as
 ///     "shapes": [{"joint": "shoulder", "name": "upper arm", "shapes": [SHAPE, ...],
 ///                 "attached": true}, ...]
 /// where SHAPE is as in read_scene(), posed in the frame of the link that the joint moves, without
