@@ -96,24 +96,6 @@ void bind_load(nb::class_<Program>& program) {
                 nb::arg("unit") = nb::none());
 }
 
-void bind_attached_parts(nb::module_& m) {
-  Signature parts("attached_parts", "list[AttachedPart]",
-                  "Returns where a trajectory attaches the parts of a program, in the order of "
-                  "Program.attachments. Raises Error as prove_clearance() with a program does.");
-  parts.takes("model", "CollisionModel", "The arm in the scene before.")
-      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("program", "Program", "Program.")
-      .takes("arrivals", "Sequence[int]", "The sample at which each move ends.");
-  define(
-      m,
-      [](const CollisionModel& model, const Trajectory& trajectory, const Program& program,
-         nb::handle ends) {
-        return Value<std::vector<AttachedPart>>::to(attached_parts(
-            model, trajectory, program, Value<std::vector<std::size_t>>::from(ends, "arrivals")));
-      },
-      parts, nb::arg("model"), nb::arg("trajectory"), nb::arg("program"), nb::arg("arrivals"));
-}
-
 }  // namespace
 
 void bind_programs(nb::module_& m) {
@@ -144,7 +126,6 @@ void bind_programs(nb::module_& m) {
         return unlocked(asked.budget, [&] { return move_program(arm, begin, moves, asked); });
       },
       planned, nb::arg("arm"), nb::arg("start").none(), nb::arg("program"), nb::arg("keywords"));
-  bind_attached_parts(m);
 }
 
 }  // namespace beeline::python

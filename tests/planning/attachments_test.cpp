@@ -180,7 +180,7 @@ Program random_moves(Random& random, const Arm& arm, int count) {
 TEST(Attachments, AProofWithAPartIsThatOfAnArmWhoseToolHasItsShapes) {
   Random random;
   int clear = 0, colliding = 0;
-  for (int i = 0; i < testing::cases(200); ++i) {
+  for (int i = 0; i < testing::cases(100); ++i) {
     const Arm arm = random_arm(random, random.integer(2, 5));
     const auto links = random_link_shapes(random, arm, 0.05);
     Scene scene = random_scene(random, arm, 8, 0.4, 4);
@@ -188,6 +188,15 @@ TEST(Attachments, AProofWithAPartIsThatOfAnArmWhoseToolHasItsShapes) {
     const Configuration start = middle_configuration(arm);
     const Moved motion = moved(arm, start, moves);
     const Pose world_T_tool = forward_kinematics(arm, start);
+    for (Obstacle& obstacle : scene.obstacles) {  // beside the tool
+      const auto at = static_cast<std::size_t>(random.integer(0, 2));
+      const Pose tool = forward_kinematics(arm, motion.trajectory.positions[motion.arrivals[at]]);
+      const Vector3 beside = 0.3 * random.vector();
+      for (Shape& shape : obstacle.shapes) {
+        const Vector3 offset = shape.pose.translation() - arm.base().translation();
+        shape.pose.translation() = tool.translation() + beside + 0.2 * offset;
+      }
+    }
     LinkShapes tool{.name = "part", .link = arm.joints().size(), .shapes = {}};
     tool.at_proximal_joint = tool.at_distal_joint = false;
     Obstacle part{.name = "part"};
@@ -212,10 +221,11 @@ TEST(Attachments, AProofWithAPartIsThatOfAnArmWhoseToolHasItsShapes) {
     (expected ? clear : colliding) += 1;
     if (!expected || !found) continue;
     EXPECT_NEAR(found.pair.upper, expected.pair.upper, 1e-6);
-    EXPECT_NEAR(found.least_distance, expected.least_distance, 1e-3);
+    // Both are raised in steps, which rounding may change.
+    EXPECT_NEAR(found.least_distance, expected.least_distance, 0.03 * expected.pair.upper);
   }
-  EXPECT_GT(clear, testing::cases(200) / 20);
-  EXPECT_GT(colliding, testing::cases(200) / 20);
+  EXPECT_GT(clear, testing::cases(100) / 20);
+  EXPECT_GT(colliding, testing::cases(100) / 20);
 }
 
 TEST(Attachments, ThePoseInTheWorldIsKeptByAttachingAndDetaching) {
