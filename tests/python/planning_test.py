@@ -203,7 +203,7 @@ def test_a_program_carries_a_part():
     start, end = np.radians([[0, 60, 60], [40, 60, 60]])
     x, y = beeline.forward_kinematics(arm, start)[:2, 3]
     links = [beeline.LinkShapes("hand", 3, [beeline.Shape(beeline.Sphere(0.05))])]
-    scene = beeline.Scene([box("part", x, y)], allowed_pairs=[("hand", "part")])
+    scene = beeline.Scene([box("part", x, y), box("far", -9, 0)], allowed_pairs=[("hand", "part")])
     model = beeline.CollisionModel(arm, links, scene)
     moves = [beeline.Move("joint", q=start), beeline.Move("joint", q=end), beeline.Move("joint", q=start)]
     carried = beeline.Attachment("part", after=1, until=2, place="here")
@@ -212,7 +212,7 @@ def test_a_program_carries_a_part():
     motion = beeline.move_program(arm, None, program)
     arrivals = [move.end for move in motion.moves]
     proof = beeline.prove_clearance(model, motion.trajectory, program, arrivals, closest=True)
-    assert proof and beeline.verify(arm, motion.trajectory, program).arrivals == arrivals
+    assert proof and list(beeline.verify(arm, motion.trajectory, program).arrivals) == arrivals
     [part] = beeline.attached_parts(model, motion.trajectory, program, arrivals)
     times = motion.trajectory.times
     assert (part.part, part.attached, part.detached) == ("part", times[arrivals[0]], times[arrivals[1]])
