@@ -49,6 +49,16 @@ struct CheckedMotion {
   bool has_path = true;  ///< false: without --through
   LimitUsage limits = {};
   std::optional<ClearanceReport> clearance = std::nullopt;
+  Program moves = {};  ///< of a program
+
+  /// The program with the moves that are in the trajectory.
+  FollowedProgram followed(const std::string& file) const {
+    return {moves, file, verification.arrivals};
+  }
+  /// Whether parts are attached at waypoints of which some are not in the trajectory.
+  bool has_unknown_parts() const {
+    return !moves.attachments.empty() && verification.arrivals.size() < moves.moves.size();
+  }
 
   bool passed() const { return verification && (!clearance || clearance->proof); }
 };
@@ -68,8 +78,11 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
     plot.path = FollowedPath{verification.path, verification.path_parameters, *options.task,
                              tolerance, checked.waypoints};
   }
-  if (scene != nullptr) {
+  if (scene != nullptr && checked.moves.attachments.empty()) {
     plot.clearance = clearance_over_time(scene->model, trajectory, arguments.budget.next());
+  } else if (scene != nullptr && !checked.has_unknown_parts()) {
+    plot.clearance = clearance_over_time(scene->model, trajectory, checked.moves,
+                                         verification.arrivals, arguments.budget.next());
   }
   const Picture picture = timing_figure(arm, trajectory, plot);
   write_file(arguments.plot, render(picture, format_of(arguments.plot)));
@@ -190,6 +203,10 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
   text += limit_tolerance_text(arguments.verify.limit_tolerance);
   if (checked.clearance) text += checked.clearance->text();
   if (!checked.has_path) text += not_checked_text(checked);
+  if (checked.has_unknown_parts()) {
+    text +=
+        "not checked   the clearance: parts are attached at waypoints that are not in the motion\n";
+  }
   if (!arguments.plot.empty() && verification.ending == Ending::complete) {
     text += fmt::format("plot          {}\n", arguments.plot);
   }
@@ -197,16 +214,21 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
 }
 
 CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
-                            const Trajectory& trajectory, const VerifyOptions& options) {
+                            const Trajectory& trajectory, const VerifyOptions& options,
+                            bool has_scene) {
   const std::string text = read_file(arguments.through);
   if (is_program(text)) {
     const Program program =
         program_from(text, arguments.through, arm,
                      {arguments.arm, arguments.task, arguments.work, arguments.unit},
                      arguments.path, forward_kinematics(arm, trajectory.positions.front()));
+    check_scene_of(program, arguments.through, has_scene);
     const Verification verification = at_rows(
         program, arguments.through, [&] { return verify(arm, trajectory, program, options); });
-    return {verification, {}, program.moves.size(), true};
+    return {.verification = verification,
+            .count = program.moves.size(),
+            .program = true,
+            .moves = program};
   }
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
@@ -240,11 +262,15 @@ CheckedMotion checked_motion(const CheckArguments& arguments, const Arm& arm,
   CheckedMotion checked =
       arguments.through.empty()
           ? CheckedMotion{.verification = verify(arm, trajectory, options), .has_path = false}
-          : check_through(arguments, arm, trajectory, options);
+          : check_through(arguments, arm, trajectory, options, scene != nullptr);
   checked.limits = limit_usage(arm, trajectory, arguments.budget.next());
-  if (scene != nullptr) {
-    checked.clearance = arguments.scene.prove(*scene, trajectory, arguments.budget.next());
-  }
+  if (scene == nullptr || checked.has_unknown_parts()) return checked;
+  const Budget budget = arguments.budget.next();
+  const bool is_followed = checked.program && checked.verification.arrivals.size() == checked.count;
+  checked.clearance =
+      is_followed
+          ? arguments.scene.prove(*scene, trajectory, checked.followed(arguments.through), budget)
+          : arguments.scene.prove(*scene, trajectory, budget);
   return checked;
 }
 

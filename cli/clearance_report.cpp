@@ -132,6 +132,57 @@ Json json_held(const std::map<std::string, double>& held) {
   return values;
 }
 
+/// A line for each part that is attached: from when, until when, and what it may touch.
+std::vector<SceneLine> attached_lines(const ClearanceReport& report) {
+  std::vector<SceneLine> lines;
+  for (std::size_t i = 0; i < report.attached.size(); ++i) {
+    const Attachment& attachment = report.attachments[i];
+    const AttachedPart& part = report.attached[i];
+    std::string text =
+        fmt::format("{} from {} s ({})", part.part, shown(part.attached), attachment.place);
+    if (part.detached) {
+      text += fmt::format(" to {} s ({})", shown(*part.detached), attachment.detach_place);
+    }
+    if (!part.touch.empty()) text += "; may touch " + listed(part.touch);
+    lines.push_back({"attached", std::move(text)});
+  }
+  return lines;
+}
+
+Json json_attached(const ClearanceReport& report) {
+  Json list = Json::list();
+  for (std::size_t i = 0; i < report.attached.size(); ++i) {
+    const Attachment& attachment = report.attachments[i];
+    const AttachedPart& part = report.attached[i];
+    const bool detached = part.detached.has_value();
+    list.append(Json{{"part", part.part},
+                     {"row", attachment.line},
+                     {"place", attachment.place},
+                     {"time", part.attached},
+                     {"detach_place", detached ? Json(attachment.detach_place) : Json()},
+                     {"detach_time", detached ? Json(*part.detached) : Json()},
+                     {"tool_T_part", json_matrix(part.tool_T_part.matrix())},
+                     {"touch", part.touch}});
+  }
+  return list;
+}
+
+/// How a contact is exempted: in the row that attaches one of the two bodies, if it is attached
+/// then, or by options.
+std::string exemption(const ClearanceReport& report) {
+  const ClearanceProof& proof = report.proof;
+  for (std::size_t i = 0; i < report.attached.size(); ++i) {
+    const AttachedPart& part = report.attached[i];
+    const bool held =
+        part.attached <= proof.time && (!part.detached || proof.time < *part.detached);
+    const bool is_first = proof.pair.names[0] == part.part;
+    if (!held || (!is_first && proof.pair.names[1] != part.part)) continue;
+    return "name " + proof.pair.names[is_first ? 1 : 0] + " in the column touch of " +
+           report.attachments[i].place;
+  }
+  return "exempt it by" + allow_options(report);
+}
+
 }  // namespace
 
 MotionStatus ClearanceReport::refusal() const {
@@ -155,11 +206,12 @@ MotionStatus ClearanceReport::refusal() const {
 std::string ClearanceReport::reason_text() const {
   const std::string text = sentence(proof.reason);
   if (proof.status != ClearanceStatus::collides) return text;
-  return text + hulls_clause(*scene, proof.pair.names) +
-         "; if this contact is meant, exempt it by" + allow_options(*this);
+  return text + hulls_clause(*scene, proof.pair.names) + "; if this contact is meant, " +
+         exemption(*this);
 }
 
 bool ClearanceReport::checks_nothing() const {
+  if (!attached.empty()) return proof.pairs == 0;
   return proof.pairs == 0 && scene->model.apart_count() == 0;
 }
 
@@ -183,6 +235,12 @@ std::vector<SceneLine> conditions(const CheckedScene& scene) {
   for (const auto& [path, links] : scene.scenes_without_shapes) {
     lines.push_back({"no shapes", listed(links) + " (" + path + ")"});
   }
+  return lines;
+}
+
+std::vector<SceneLine> ClearanceReport::conditions() const {
+  std::vector<SceneLine> lines = attached_lines(*this);
+  for (SceneLine& line : command::conditions(*scene)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -232,15 +290,20 @@ std::string ClearanceReport::text() const {
                         pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
                         shown(proof.pair.clearance));
   }
-  text += fmt::format("pairs         {} of {}", proof.pairs, number_of_bodies(*scene));
+  const std::string bodies = number_of_bodies(*scene);
   const std::size_t apart = scene->model.apart_count();
+  if (!attached.empty()) {
+    return text + fmt::format("pairs         at most {} at a time, of {}\n", proof.pairs, bodies) +
+           lines_text(conditions());
+  }
+  text += fmt::format("pairs         {} of {}", proof.pairs, bodies);
   if (proof.pairs > scene->model.pair_count()) {
     text +=
         fmt::format("; {} of them only outside the joint limits, which the motion leaves", apart);
   } else if (apart > 0) {
     text += fmt::format("; {} more never meet within the joint limits, proved", apart);
   }
-  return text + "\n" + lines_text(conditions(*scene));
+  return text + "\n" + lines_text(conditions());
 }
 
 Json ClearanceReport::document() const {
@@ -263,7 +326,9 @@ Json ClearanceReport::document() const {
   document.add("too_close", json_pairs(too_close));
   document.add("nothing_checked", checks_nothing());
   document.add("pairs", proof.pairs);
-  document.add("apart_pairs", scene->model.pair_count() + scene->model.apart_count() - proof.pairs);
+  const std::size_t all = scene->model.pair_count() + scene->model.apart_count();
+  document.add("apart_pairs", attached.empty() ? Json(all - proof.pairs) : Json());
+  document.add("attachments", json_attached(*this));
   document.add(conditions_document(*scene));
   document.add("reason", reason_text());
   document.add(reason_members(proof.reason));

@@ -100,7 +100,7 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
       fmt::format("Clearance of {} m{} {}: {}", number(clearance.clearance),
                   clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
                   fmt::join(others, " and "), proved)};
-  for (SceneLine& line : conditions(*clearance.scene)) {
+  for (SceneLine& line : clearance.conditions()) {
     line.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line.label[0])));
     remarks.push_back(line.label + ": " + line.text);
   }
@@ -111,8 +111,12 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
 /// Proves that the motion of a file keeps its clearance, and adds that to the comments.
 void prove_clearance_of(Exported& exported, const ExportArguments& arguments,
                         const CheckedScene& scene, const Trajectory& trajectory,
-                        const std::string& motion, ControllerFileOptions& options) {
-  exported.clearance = arguments.scene.prove(scene, trajectory, arguments.budget.next());
+                        const std::string& motion, ControllerFileOptions& options,
+                        const FollowedProgram* followed = nullptr) {
+  const Budget budget = arguments.budget.next();
+  exported.clearance = followed != nullptr
+                           ? arguments.scene.prove(scene, trajectory, *followed, budget)
+                           : arguments.scene.prove(scene, trajectory, budget);
   if (exported.clearance->proof) {
     options.remarks = remarks_on(arguments, *exported.clearance, motion);
     return;
@@ -158,6 +162,7 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
       program_from(read_file(arguments.file), arguments.file, arm,
                    {arguments.arm, spatial, arguments.work, arguments.unit}, arguments.path,
                    start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
+  check_scene_of(program, arguments.file, scene != nullptr);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   if (arguments.ignore_limits || arguments.limit_tolerance > 0) {
@@ -171,8 +176,10 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
     Exported exported{.status = motion.status, .reason = motion.reason};
     ControllerFileOptions file = file_options(arguments, arm);
     if (motion && scene != nullptr) {
-      prove_clearance_of(exported, arguments, *scene, motion.trajectory, "the planned motion",
-                         file);
+      FollowedProgram followed{.program = program, .file = arguments.file};
+      for (const PlannedMove& move : motion.moves) followed.arrivals.push_back(move.end);
+      prove_clearance_of(exported, arguments, *scene, motion.trajectory, "the planned motion", file,
+                         &followed);
     }
     if (exported.status == MotionStatus::reached) {
       exported.file = controller_file(arm, program, motion, form, file);

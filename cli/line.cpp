@@ -204,6 +204,7 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   const Program program = program_from(
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
       arguments.path, start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
+  check_scene_of(program, arguments.through, scene != nullptr);
   waypoints = waypoints_of(arm, program);
   return line_by_program(arguments, frame.arm, start, frame.seen(program), task);
 }
@@ -215,13 +216,27 @@ PositionFrame positions_of_reason(const LineReport& report, const WorkFrame& fra
                                                             : frame.positions;
 }
 
+/// The program of a report; without moves if there is none.
+FollowedProgram program_of(const LineReport& report, const LineArguments& arguments) {
+  FollowedProgram followed{.program = report.program, .file = arguments.through};
+  for (const PlannedMove& move : report.moves) followed.arrivals.push_back(move.end);
+  return followed;
+}
+
 /// Proves that the motion of a program or a controller keeps its clearance, or refuses it.
 void prove_clearance_of(LineReport& report, const LineArguments& arguments,
                         const CheckedScene& scene, const WorkFrame& frame) {
-  report.clearance = arguments.scene.prove(scene, report.trajectory, arguments.budget.next());
+  const Budget budget = arguments.budget.next();
+  const SceneArgument& proving = arguments.scene;
+  report.clearance = report.moves.empty() ? proving.prove(scene, report.trajectory, budget)
+                                          : proving.prove(scene, report.trajectory,
+                                                          program_of(report, arguments), budget);
   if (report.clearance->proof) return;
   report.status = report.clearance->refusal();
   report.reason = report.clearance->proof.reason;
+  if (const ReasonValue* const move = report.reason.find(ReasonField::move)) {
+    report.failed = std::get<std::size_t>(*move) - 1;
+  }
   report.positions = positions_of_reason(report, frame);
 }
 
@@ -248,6 +263,11 @@ Answer line(const LineArguments& arguments) {
     TimingFigureOptions plot{.path = report.path};
     for (const PlannedMove& move : report.moves) {
       plot.waypoint_times.push_back(report.trajectory.times[move.end]);
+    }
+    if (scene && !arguments.files.plot.empty() && !report.program.attachments.empty()) {
+      plot.clearance =
+          clearance_over_time(scene->model, report.trajectory, report.program,
+                              program_of(report, arguments).arrivals, arguments.budget.next());
     }
     arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm,
                           scene ? &scene->model : nullptr);
@@ -309,6 +329,22 @@ std::vector<Option> control_options(LineArguments& arguments) {
                &control.intermediate, {.range = {1, 100'000}, .methods = {kinematics}})}});
 }
 
+constexpr const char* of_programs =
+    "A program is a file whose rows also have some of these columns, so that a whole pick is "
+    "one certified trajectory. motion: joint (a straight line in joint space), line (also "
+    "for an empty item), screw, arc after a row via with a position on it, spline "
+    "(consecutive rows are one curve, which stops only where it turns back). relative: "
+    "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
+    "row (a retreat); next, in the tool frame of the next waypoint that is not relative (an "
+    "approach). "
+    "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
+    "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
+    "joint move to a pose ends on the branch that the rows up to the next joint move need. "
+    "For each move it prints its duration, the tool's speed and the proved deviation. Rows "
+    "with the motion attach or detach move nothing: the obstacle of --scene in the column "
+    "part is carried by the tool from the waypoint before the one to the waypoint before the "
+    "other, and may touch the links and obstacles of the column touch, in quotes.\n\n";
+
 }  // namespace
 
 Verb line_verb() {
@@ -323,25 +359,13 @@ Verb line_verb() {
           "the path in metres and radians, measured and proved; the fraction of each joint limit "
           "that is used; and the smallest margins to position limits and singularities. If the "
           "path cannot be followed, it prints where and why, and nearby paths that can; exit code "
-          "1.\n\n"
-          "A program is a file whose rows also have some of these columns, so that a whole pick is "
-          "one certified trajectory. motion: joint (a straight line in joint space), line (also "
-          "for an empty item), screw, arc after a row via with a position on it, spline "
-          "(consecutive rows are one curve, which stops only where it turns back). relative: "
-          "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
-          "row (a retreat); next, in the tool frame of the next waypoint that is not relative (an "
-          "approach). "
-          "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
-          "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
-          "joint move to a pose ends on the branch that the rows up to the next joint move need. "
-          "For each move it prints its duration, the tool's speed and the proved deviation.\n\n"
+          "1.\n\n" +
+          std::string(of_programs) +
           "With --scene or --self the planned motion must keep a clearance, see `beeline help "
           "check`; otherwise nothing is written, and the status is collides or not_decided. "
-          "Without "
-          "--from the best branch that keeps it is taken, and those that do not are listed as "
-          "blocked, "
-          "with what they hit and where or why they end early; a program has one motion. The path "
-          "is not planned around obstacles.\n\n"
+          "Without --from the best branch that keeps it is taken, and those that do not are "
+          "listed as blocked, with what they hit and where or why they end early; a program has "
+          "one motion. The path is not planned around obstacles.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
       .options =

@@ -64,6 +64,12 @@ Program program_from(const std::string& text, const std::string& file, const Arm
   return program_of(arm, rows, configuration, start);
 }
 
+void check_scene_of(const Program& program, const std::string& file, bool has_scene) {
+  if (has_scene || program.attachments.empty()) return;
+  throw FileError(file, program.attachments.front().line,
+                  "attach needs the scene that has the part: --scene FILE");
+}
+
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {
   std::vector<Pose> poses;
   for (const Move& move : program.moves) {

@@ -26,15 +26,21 @@ Program program_from(const std::string& text, const std::string& file, const Arm
                      const ProgramContext& context, const PathArgument& path,
                      const std::optional<Pose>& start);
 
-/// Calls what computes with the program; a MoveError becomes a FileError at its row.
+/// Calls what computes with the program; a MoveError and an AttachmentError become a FileError at
+/// the row.
 template <class Compute>
 auto at_rows(const Program& program, const std::string& file, const Compute& compute) {
   try {
     return compute();
   } catch (const MoveError& error) {
     throw FileError(file, program.moves[error.move()].line, error.fault());
+  } catch (const AttachmentError& error) {
+    throw FileError(file, program.attachments[error.attachment()].line, error.fault());
   }
 }
+
+/// Throws FileError for a program of the file that attaches parts, unless there is a scene.
+void check_scene_of(const Program& program, const std::string& file, bool has_scene);
 
 /// The waypoints, for a picture.
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program);

@@ -73,7 +73,8 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
   }
   if (!plot.empty()) {
     TimingFigureOptions options = plot_options;
-    if (model != nullptr) options.clearance = clearance_over_time(*model, trajectory);
+    if (model != nullptr && !options.clearance)
+      options.clearance = clearance_over_time(*model, trajectory);
     const Picture picture = timing_figure(plotted.value_or(arm), trajectory, options);
     files.push_back({plot, render(picture, format_of(plot))});
   }

@@ -368,26 +368,4 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
   return checked;
 }
 
-ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
-                                     const Budget& budget) const {
-  ClearanceOptions options{.closest = true, .budget = budget};
-  if (resolution) options.resolution = *resolution;
-  ClearanceReport report{.scene = &scene,
-                         .clearance = scene.clearance,
-                         .proof = prove_clearance(scene.model, motion, options)};
-  warn_if_unchecked(scene);
-  if (report.proof.status != ClearanceStatus::collides) return report;
-  constexpr std::size_t most_listed = 100;
-  report.too_close.push_back(report.proof.pair.names);
-  for (const BodyDistance& pair :
-       pairs_too_close(scene.model, sample(motion, report.proof.time).position)) {
-    const auto& names = pair.names;
-    const bool known = std::find(report.too_close.begin(), report.too_close.end(), names) !=
-                       report.too_close.end();
-    if (!known) report.too_close.push_back(names);
-    if (report.too_close.size() == most_listed) break;
-  }
-  return report;
-}
-
 }  // namespace beeline::command

@@ -8,6 +8,7 @@
 #include <beeline/certificate/clearance.h>
 #include <beeline/io/text/json.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/program.h>
 
 #include "arm_argument.h"
 
@@ -64,17 +65,28 @@ std::string number_of_bodies(const CheckedScene& scene);
 /// Returns the lines as they stand in a report.
 std::string lines_text(const std::vector<SceneLine>& lines);
 
+/// A program that a motion follows, in a file, with the sample at which each move ends.
+struct FollowedProgram {
+  const Program& program;
+  std::string file = {};
+  std::vector<std::size_t> arrivals = {};
+};
+
 /// Whether a motion keeps its clearance.
 struct ClearanceReport {
   const CheckedScene* scene = nullptr;
   double clearance = 0;  ///< distance to keep, m, except from obstacles with their own
   ClearanceProof proof = {};
-  std::vector<NamedPair> too_close = {};  ///< at the time of a collision, at most 100
+  std::vector<NamedPair> too_close = {};     ///< at the time of a collision, at most 100
+  std::vector<Attachment> attachments = {};  ///< of the program; the times and poses of each:
+  std::vector<AttachedPart> attached = {};
 
   /// Whether no pair of bodies counts, so that the proof says nothing.
   bool checks_nothing() const;
   /// Returns what is proved: "each of the 12 pairs that count keeps at least 0.05 m".
   std::string guarantee() const;
+  /// Returns the parts that are attached, and the conditions() of the scene.
+  std::vector<SceneLine> conditions() const;
   /// Returns the status of a motion that is refused.
   MotionStatus refusal() const;
   /// Returns the sentence of the reason, with the option that exempts the pairs.
@@ -106,8 +118,13 @@ struct SceneArgument {
   /// Proves or refutes that the motion keeps its clearance.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
                         const Budget& budget) const;
+  /// The same for the motion of a program, with the parts that it attaches. Throws FileError for
+  /// its rows.
+  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
+                        const FollowedProgram& followed, const Budget& budget) const;
 
  private:
+  ClearanceOptions proof_options(const Budget& budget) const;
   /// Throws Error for an option that needs --scene or --self.
   void refuse_without_scene() const;
   ArmShapes shapes_of(const ArmArgument& arm_argument, const Arm& arm,

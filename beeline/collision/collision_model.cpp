@@ -154,7 +154,7 @@ void add_self_pairs(CollisionBodies& bodies, const LinkPairs& allowed) {
 CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links,
                                const Scene& scene, const CollisionOptions& options) {
   check_clearance(options.clearance);
-  auto bodies = std::make_unique<CollisionBodies>(arm, links, scene, options.clearance);
+  auto bodies = std::make_unique<CollisionBodies>(arm, links, scene, options);
   add_links(*bodies);
   add_obstacles(*bodies);
   const auto allowed = set_allowed(*bodies, options.allowed_pairs);

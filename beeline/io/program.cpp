@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include <beeline/io/program.h>
+#include <beeline/io/text/internal/name.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_parts.h>
 
 namespace beeline {
@@ -23,28 +25,38 @@ auto at_row(const ProgramRows& program, std::size_t i, const Compute& compute) {
 
 bool passes(const ProgramRow& row) { return row.motion == "via"; }
 
+bool is_of_part(const ProgramRow& row) { return row.motion == "attach" || row.motion == "detach"; }
+
+/// Whether the tool stops or turns at a waypoint of the row.
+bool has_waypoint(const ProgramRow& row) { return !passes(row) && !is_of_part(row); }
+
 /// The frame of a relative row, world_T_waypoint, among the poses of the rows.
 const Pose& frame_of(const std::vector<ProgramRow>& rows, std::size_t i,
                      const std::vector<Pose>& poses, const std::optional<Pose>& start) {
   if (rows[i].relative == "next") {
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
-      if (!passes(rows[k]) && rows[k].relative.empty()) return poses[k];
+      if (has_waypoint(rows[k]) && rows[k].relative.empty()) return poses[k];
     }
     throw Error("relative is next, but no row after this one has a pose that is not relative");
   }
   for (std::size_t k = i; k-- > 0;) {
-    if (!passes(rows[k])) return poses[k];
+    if (has_waypoint(rows[k])) return poses[k];
   }
   if (start) return *start;
   throw Error(
       "relative is previous, but there is no waypoint before this one, and no start is given");
 }
 
+/// "pick.csv:5".
+std::string place_of(const ProgramRows& program, std::size_t i) {
+  const std::size_t folder = program.path.find_last_of('/');
+  const std::string file = program.path.substr(folder == std::string::npos ? 0 : folder + 1);
+  return file + ":" + std::to_string(program.rows[i].line);
+}
+
 Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>& poses,
              const std::optional<Configuration>& q) {
   const ProgramRow& row = program.rows[i];
-  const std::size_t folder = program.path.find_last_of('/');
-  const std::string file = program.path.substr(folder == std::string::npos ? 0 : folder + 1);
   Move move{.kind = row.motion.empty() ? MoveKind::line : move_kind_named(row.motion),
             .target = poses[i],
             .q = q,
@@ -52,7 +64,7 @@ Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>&
             .speed = row.speed,
             .blend = row.blend.value_or(0),
             .dwell = row.dwell.value_or(0),
-            .place = file + ":" + std::to_string(row.line),
+            .place = place_of(program, i),
             .line = row.line};
   const bool via = i > 0 && passes(program.rows[i - 1]);
   if (via) move.via = poses[i - 1].translation();
@@ -60,6 +72,33 @@ Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>&
     throw Error("an arc needs a row before it with the motion via, a position that it passes");
   }
   return move;
+}
+
+/// Attaches or detaches the part of a row after the moves of a program. Throws Error for a part
+/// that is attached already, or that is not attached.
+void add_part(const ProgramRows& rows, std::size_t i, Program& program) {
+  const ProgramRow& row = rows.rows[i];
+  const auto attached =
+      std::find_if(program.attachments.begin(), program.attachments.end(),
+                   [&](const Attachment& one) { return one.part == row.part && !one.until; });
+  const bool is_attached = attached != program.attachments.end();
+  if (row.motion == "detach") {
+    if (!is_attached) throw Error(internal::in_quotes(row.part) + " is not attached here");
+    if (attached->after == program.moves.size()) {
+      throw Error(internal::in_quotes(row.part) + " is detached before a move carries it");
+    }
+    attached->until = program.moves.size();
+    attached->detach_place = place_of(rows, i);
+    return;
+  }
+  if (is_attached) {
+    throw Error(internal::in_quotes(row.part) + " is attached already, by row " + attached->place);
+  }
+  program.attachments.push_back({.part = row.part,
+                                 .after = program.moves.size(),
+                                 .touch = row.touch,
+                                 .place = place_of(rows, i),
+                                 .line = row.line});
 }
 
 }  // namespace
@@ -78,7 +117,11 @@ Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& con
         return read;
       });
     }
-    poses[i] = q[i] ? forward_kinematics(arm, *q[i]) : row.pose->pose;
+    if (q[i]) {
+      poses[i] = forward_kinematics(arm, *q[i]);
+    } else if (row.pose) {
+      poses[i] = row.pose->pose;
+    }
   }
   Program program;
   for (std::size_t i = 0; i < count; ++i) {
@@ -93,11 +136,21 @@ Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& con
         throw FileError(rows.path, rows.rows[i].line, "a via row must be followed by an arc");
       continue;
     }
+    if (is_of_part(rows.rows[i])) {
+      at_row(rows, i, [&] { add_part(rows, i, program); });
+      continue;
+    }
     program.moves.push_back(at_row(rows, i, [&] { return move_of(rows, i, poses, q[i]); }));
     row_of.push_back(i);
   }
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     at_row(rows, row_of[i], [&] { internal::check_move(arm, program, i); });
+  }
+  if (program.moves.empty()) throw FileError(rows.path, 0, "has no moves");
+  try {
+    internal::check_attachments(program);
+  } catch (const AttachmentError& error) {
+    throw FileError(rows.path, program.attachments[error.attachment()].line, error.fault());
   }
   return program;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/error.h>
 #include <beeline/planning/move_along.h>
@@ -46,10 +48,32 @@ struct Move {
 /// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.
 constexpr std::size_t max_moves = 5000;
 
+/// A part that the tool carries from one waypoint to another: an obstacle of the scene that is a
+/// body of the arm in between, fixed to the last link. It is taken as it stands relative to the
+/// tool, where the arm comes to rest at the first waypoint, before its dwell. At the second one it
+/// becomes an obstacle where it is. Obstacles and the other links must keep their clearance from
+/// it, as from a shape of the tool; CollisionOptions::allowed_pairs with its name hold for both.
+struct Attachment {
+  std::string part = {};  ///< name of the obstacle
+  /// Number of moves before it is attached, at the waypoint of the last of them; 0: at the start.
+  std::size_t after = 0;
+  /// Likewise for its end; default: it stays attached.
+  std::optional<std::size_t> until = std::nullopt;
+  /// Links and obstacles that may touch it while it is attached, such as the table below it.
+  std::vector<std::string> touch = {};
+  std::string place = {};         ///< place of its beginning in a file, for messages: pick.csv:5
+  int line = 0;                   ///< line of this file; 0: none
+  std::string detach_place = {};  ///< place of its end, likewise
+};
+
 /// The moves of an arm in order, such as a whole pick.
 struct Program {
-  std::vector<Move> moves;  ///< moves in order
+  std::vector<Move> moves;                   ///< moves in order
+  std::vector<Attachment> attachments = {};  ///< parts that the tool carries, in any order
 };
+
+/// "attach box (pick.csv:5)": the name of attachments[i] in messages.
+std::string attachment_name(const Program& program, std::size_t i);
 
 /// "move 3 (line, pick.csv:5)": the name of moves[i] in messages.
 std::string move_name(const Program& program, std::size_t i);
@@ -64,6 +88,20 @@ class MoveError : public Error {
 
  private:
   std::size_t move_;
+  std::string fault_;
+};
+
+/// Invalid input in one attachment of a program. The message is attachment_name(), `: ` and the
+/// fault.
+class AttachmentError : public Error {
+ public:
+  AttachmentError(const Program& program, std::size_t attachment, const std::string& fault);
+
+  std::size_t attachment() const { return attachment_; }  ///< index in Program::attachments
+  const std::string& fault() const { return fault_; }     ///< message without the name
+
+ private:
+  std::size_t attachment_;
   std::string fault_;
 };
 
@@ -119,8 +157,13 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
-/// `budget` limits the planning of the whole program. Throws Error for a program without moves, and
-/// MoveError for a blend that is not between two lines or is at a dwell, for a via or a
+/// A motion does not depend on the attachments; they are at waypoints where the arm stops. See
+/// prove_clearance() with a program.
+///
+/// `budget` limits the planning of the whole program. Throws Error for a program without moves,
+/// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
+/// before its beginning or after the last move, and at a waypoint that the tool passes without a
+/// stop, and MoveError for a blend that is not between two lines or is at a dwell, for a via or a
 /// configuration of a move that cannot have one, for an arc without via, for a speed, blend or
 /// dwell out of range, for a configuration outside the limits, and if path_through(),
 /// blended_lines() or move_along() throws.
@@ -143,5 +186,43 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 /// Throws Error as move_program() and verify() do.
 Verification verify(const Arm& arm, const Trajectory& trajectory, const Program& program,
                     const VerifyOptions& options = {});
+
+/// An attachment of a program, along a trajectory.
+struct AttachedPart {
+  std::string part = {};                          ///< name of the obstacle
+  double attached = 0;                            ///< time at which it is attached, s
+  std::optional<double> detached = std::nullopt;  ///< time at which it is detached, s
+  Pose tool_T_part = Pose::Identity();            ///< pose of its first shape in the tool
+  std::vector<std::string> touch = {};            ///< see Attachment::touch
+};
+
+/// Returns where a trajectory attaches the parts of a program, in the order of
+/// Program::attachments. Throws Error as prove_clearance() with a program does.
+std::vector<AttachedPart> attached_parts(const CollisionModel& model, const Trajectory& trajectory,
+                                         const Program& program,
+                                         std::span<const std::size_t> arrivals);
+
+/// Proves or refutes prove_clearance() for a trajectory that is a motion of the program, section by
+/// section: from one waypoint where a part is attached or detached to the next, against the scene
+/// and with the bodies of the arm that there are in between. `model` is the arm in the scene
+/// before, and `arrivals` has the sample at which each move ends, PlannedMove::end or, after
+/// verify(), Verification::arrivals.
+///
+/// The reason says in which move. A part that is too close to a body at the waypoint where it is
+/// attached or detached is refused there. ClearanceProof::pairs is the largest number in a section.
+/// Shapes are carried with a padding of some 1e-14 m, a bound of the rounding of their poses.
+///
+/// Throws Error for arrivals that are not a sample for each move, in order; AttachmentError as
+/// verify() does, for a part that is no obstacle of the scene, that is a half-space, and for an
+/// unknown name in Attachment::touch; and as the other prove_clearance() does.
+ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
+                               const Program& program, std::span<const std::size_t> arrivals,
+                               const ClearanceOptions& options = {});
+
+/// clearance_over_time() of each section, one after the other. The result has no parts if no pair
+/// counts in one of them. Throws Error as prove_clearance() does.
+ClearanceOverTime clearance_over_time(const CollisionModel& model, const Trajectory& trajectory,
+                                      const Program& program, std::span<const std::size_t> arrivals,
+                                      const Budget& budget = {});
 
 }  // namespace beeline

@@ -8,9 +8,9 @@ using enum ReasonField;
 /// "(0.1, 0, 0.3) m".
 std::string place_of(const ReasonText& reason) { return point_text(reason.point(position)) + " m"; }
 
-/// Empty for a configuration, which has no time.
+/// Empty for a configuration, which has no time, and if the name of a move stands before it.
 std::string at_time(const ReasonText& reason) {
-  return reason.has(time) ? "at " + reason.number(time, " s ") : "";
+  return reason.has(time) && !reason.has(move_name) ? "at " + reason.number(time, " s ") : "";
 }
 
 std::string not_decided(const ReasonText& reason) {

@@ -224,39 +224,6 @@ void bind_distances(nb::module_& m) {
             pairs_too_close(model, Value<Configuration>::from(q, "q")));
       },
       close, nb::arg("model"), nb::arg("q"));
-
-  Signature proof(
-      "prove_clearance", "ClearanceProof",
-      "Proves or refutes that each pair of the model keeps its clearance at all times of "
-      "the motion that the trajectory's columns mean, also between the samples. Warns if no pair "
-      "counts, as nothing is checked then.");
-  proof.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .options<ClearanceOptions>();
-  define(
-      m,
-      [](const CollisionModel& model, const Trajectory& trajectory, const nb::kwargs& keywords) {
-        auto asked = options<ClearanceOptions>(keywords);
-        ClearanceProof found =
-            unlocked(asked.budget, [&] { return prove_clearance(model, trajectory, asked); });
-        if (found.pairs == 0 && model.apart_count() == 0) {
-          warn_of_input("no pair of bodies counts: nothing was checked");
-        }
-        return found;
-      },
-      proof, nb::arg("model"), nb::arg("trajectory"), nb::arg("keywords"));
-
-  Signature over_time("clearance_over_time", "ClearanceOverTime", comment("clearance_over_time"));
-  over_time.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .options<BudgetOptions>();
-  define(
-      m,
-      [](const CollisionModel& model, const Trajectory& trajectory, const nb::kwargs& keywords) {
-        Budget budget = options<BudgetOptions>(keywords).budget;
-        return unlocked(budget, [&] { return clearance_over_time(model, trajectory, budget); });
-      },
-      over_time, nb::arg("model"), nb::arg("trajectory"), nb::arg("keywords"));
 }
 
 }  // namespace

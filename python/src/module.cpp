@@ -49,6 +49,7 @@ NB_MODULE(_core, module) {
   bind_planning(module);
   bind_pose_lists(module);
   bind_programs(module);
+  bind_clearances(module);
   bind_controller_files(module);
   bind_control(module);
   bind_pids(module);

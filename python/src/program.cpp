@@ -74,7 +74,8 @@ void bind_load(nb::class_<Program>& program) {
   Signature load(
       "load", "Program",
       "Reads a program file: a CSV file whose header names columns of poses and some of motion, "
-      "relative, q, speed, blend, dwell. Raises FileError for invalid lines, which it names.");
+      "relative, q, speed, blend, dwell, part, touch. Raises FileError for invalid lines, which it "
+      "names.");
   load.takes("path", path_like, "Path.")
       .takes("arm", "Arm", "The arm.")
       .keywords()
@@ -99,6 +100,8 @@ void bind_load(nb::class_<Program>& program) {
 
 void bind_programs(nb::module_& m) {
   bind_record<Move>(m);
+  bind_record<Attachment>(m);
+  bind_record<AttachedPart>(m);
   nb::class_<Program> program = bind_record<Program>(m);
   bind_load(program);
   bind_record<PlannedMove>(m);

@@ -13,7 +13,19 @@ struct Fields<Move> : Members<&Move::kind, &Move::target, &Move::q, &Move::via, 
 };
 
 template <>
-struct Fields<Program> : Members<&Program::moves> {
+struct Fields<Attachment>
+    : Members<&Attachment::part, &Attachment::after, &Attachment::until, &Attachment::touch,
+              &Attachment::place, &Attachment::detach_place> {
+  static constexpr std::size_t required = 1;
+};
+
+template <>
+struct Fields<AttachedPart>
+    : Members<&AttachedPart::part, &AttachedPart::attached, &AttachedPart::detached,
+              &AttachedPart::tool_T_part, &AttachedPart::touch> {};
+
+template <>
+struct Fields<Program> : Members<&Program::moves, &Program::attachments> {
   static constexpr std::size_t required = 1;
 };
 

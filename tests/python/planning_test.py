@@ -192,6 +192,51 @@ def test_a_program_of_moves():
     assert not answer and answer.failed == 2 and "move 3" in answer.reason
 
 
+def test_a_program_carries_a_part():
+    arm = beeline.arms.rrr()
+
+    def box(name, x, y):
+        pose = np.eye(4)
+        pose[:2, 3] = x, y
+        return beeline.Obstacle(name, [beeline.Shape(beeline.Box([0.4, 0.4, 0.4]), pose)])
+
+    start, end = np.radians([[0, 60, 60], [40, 60, 60]])
+    x, y = beeline.forward_kinematics(arm, start)[:2, 3]
+    links = [beeline.LinkShapes("hand", 3, [beeline.Shape(beeline.Sphere(0.05))])]
+    scene = beeline.Scene([box("part", x, y), box("far", -9, 0)], allowed_pairs=[("hand", "part")])
+    model = beeline.CollisionModel(arm, links, scene)
+    moves = [beeline.Move("joint", q=start), beeline.Move("joint", q=end), beeline.Move("joint", q=start)]
+    carried = beeline.Attachment("part", after=1, until=2, place="here")
+    program = beeline.Program(moves, attachments=[carried])
+    assert program != beeline.Program(moves) and program.attachments == [carried]
+    motion = beeline.move_program(arm, None, program)
+    arrivals = [move.end for move in motion.moves]
+    proof = beeline.prove_clearance(model, motion.trajectory, program, arrivals, closest=True)
+    assert proof and list(beeline.verify(arm, motion.trajectory, program).arrivals) == arrivals
+    [part] = beeline.attached_parts(model, motion.trajectory, program, arrivals)
+    times = motion.trajectory.times
+    assert (part.part, part.attached, part.detached) == ("part", times[arrivals[0]], times[arrivals[1]])
+    tool = beeline.forward_kinematics(arm, start)
+    np.testing.assert_allclose(tool @ part.tool_T_part, scene.obstacles[0].shapes[0].pose, atol=1e-12)
+    # A post that only the part sweeps through.
+    tip = beeline.forward_kinematics(arm, np.radians([20, 60, 60]))[:2, 3]
+    post = tip * (1 + 0.35 / np.linalg.norm(tip))
+    blocked = beeline.CollisionModel(arm, links, beeline.Scene([*scene.obstacles, box("post", *post)],
+                                                               allowed_pairs=scene.allowed_pairs))
+    refused = beeline.prove_clearance(blocked, motion.trajectory, program, arrivals)
+    assert refused.status == "collides" and set(refused.pair.names) == {"part", "post"}
+    assert refused.reason.fields["move"] == 2 and "move 2 (joint)" in str(refused.reason)
+    assert beeline.prove_clearance(blocked, motion.trajectory)
+    over_time = beeline.clearance_over_time(blocked, motion.trajectory, program, arrivals)
+    assert min(over_time.sampled) < 0 < min(beeline.clearance_over_time(blocked, motion.trajectory).sampled)
+    with pytest.raises(beeline.Error, match="arrivals must be a sample for each of the 3 moves"):
+        beeline.prove_clearance(model, motion.trajectory, program, arrivals[:2])
+    with pytest.raises(beeline.Error, match="given together"):
+        beeline.prove_clearance(model, motion.trajectory, program)
+    with pytest.raises(beeline.Error, match='attach prt: unknown obstacle "prt"'):
+        beeline.attached_parts(model, motion.trajectory, beeline.Program(moves, attachments=[beeline.Attachment("prt")]), arrivals)
+
+
 def test_configurations_of_a_file(tmp_path):
     path = tmp_path / "moves.csv"
     path.write_text("motion,q\njoint,ready\njoint,\"0,-45,0,-135,0,90,45\"\n")

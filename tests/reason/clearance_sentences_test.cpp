@@ -36,6 +36,10 @@ std::vector<Said> said_of_clearances() {
       {{ReasonCode::bodies_too_close, with(bodies, {{distance, 0.0004}})},
        "at 0.5 s hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of "
        "0.001 m"},
+      {{ReasonCode::bodies_too_close,
+        with(bodies, {{distance, 0.0004}, {move, std::size_t{4}}, {move_name, "move 4 (line)"}})},
+       "move 4 (line), at 0.5 s: hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the "
+       "clearance of 0.001 m"},
       {{ReasonCode::clearance_not_decided,
         with(bodies, {{distance, 0.00101}, {begin, 0.49}, {end, 0.51}})},
        "between 0.49 s and 0.51 s hand is about 0.00101 m from table, too near to the clearance of "

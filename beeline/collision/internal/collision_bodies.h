@@ -11,8 +11,15 @@ namespace beeline::internal {
 /// The bodies of a CollisionModel: convex bodies of links and obstacles, and the pairs that count.
 struct CollisionBodies {
   CollisionBodies(const Arm& moving, const std::vector<LinkShapes>& shapes, const Scene& around,
-                  double distance)
-      : arm(moving), links(shapes), scene(around), clearance(distance) {}
+                  const CollisionOptions& asked)
+      : arm(moving),
+        links(shapes),
+        scene(around),
+        options{.clearance = asked.clearance,
+                .self_collision = asked.self_collision,
+                .allowed_pairs = asked.allowed_pairs,
+                .budget = {.max_work = asked.budget.max_work}},
+        clearance(asked.clearance) {}
   CollisionBodies(const CollisionBodies&) = delete;
   CollisionBodies& operator=(const CollisionBodies&) = delete;
 
@@ -20,6 +27,7 @@ struct CollisionBodies {
   std::vector<std::string> joint_names = arm.joint_names();
   std::vector<LinkShapes> links;          ///< the bodies' hulls refer to their vertices
   Scene scene;                            ///< likewise
+  CollisionOptions options;               ///< of its budget only the limit of work
   double clearance = 0;                   ///< of pairs of links
   ChainMotion motion = ChainMotion(arm);  ///< at zero; questions work on copies
 

@@ -171,17 +171,22 @@ std::string sentence(const PoseNote& note, const std::string& where,
 /// Parses a pose from numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 
-/// A row of a program file: a move to a waypoint. planning/program.h defines its meaning; an empty
-/// text or option is an empty item.
+/// A row of a program file: a move to a waypoint, or a part that the tool takes or leaves at the
+/// waypoint before. planning/program.h defines its meaning; an empty text or option is an empty
+/// item.
 struct ProgramRow {
-  std::string motion;    ///< kind of the motion: joint, line, screw, arc, spline, via; empty: line
-  std::string relative;  ///< previous, next; empty: the pose is in the work frame
+  /// Kind of the motion: joint, line, screw, arc, spline, via; empty: line. Of a part: attach,
+  /// detach.
+  std::string motion;
+  std::string relative;             ///< previous, next; empty: the pose is in the work frame
   std::optional<WrittenPose> pose;  ///< pose of the row; none if all items of the pose are empty
   std::string q;                    ///< joint values, or the name of a state
   std::optional<double> speed;      ///< tool speed, m/s
   std::optional<double> blend;      ///< deviation of the blend, m
   std::optional<double> dwell;      ///< time at rest, s
-  int line = 0;                     ///< line of the file
+  std::string part = {};            ///< name of the obstacle that is attached or detached
+  std::vector<std::string> touch = {};  ///< names of the bodies that an attached part may touch
+  int line = 0;                         ///< line of the file
 };
 
 struct ProgramRows {
@@ -190,7 +195,7 @@ struct ProgramRows {
 };
 
 /// Returns the columns that a program file may have besides the columns of a pose, in any order:
-///     motion,relative,q,speed,blend,dwell
+///     motion,relative,q,speed,blend,dwell,part,touch
 const std::vector<std::string>& program_columns();
 
 /// Whether the header of a CSV text names one of program_columns().
@@ -200,7 +205,8 @@ bool is_program(std::string_view text);
 /// of one form of a pose unless all rows have joint values, `q`. Throws FileError for a column that
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
 /// neither a pose nor joint values, with both, or with a part of a pose, except a via row with a
-/// position only; and as read_poses().
+/// position only; an attach or detach row without a part, or with items of a move; a part or touch
+/// in another row; and as read_poses(). Names in touch are separated by commas, in quotes.
 /// Speeds, blends and dwells are in m/s, m and s, unless their names, a row of units or a comment
 /// gives another unit; joint values are in the unit of the options, and a comment that gives
 /// another one is refused beside them.

@@ -4,6 +4,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/path/blend.h>
+#include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
@@ -166,6 +167,7 @@ void check_program(const Arm& arm, const Program& program, const std::optional<T
       throw MoveError(program, i, error.what());
     }
   }
+  check_attachments(program);
 }
 
 bool is_passed(const Program& program, std::size_t i) {

@@ -38,6 +38,30 @@ TEST(ProgramRows, NeedNoPoseColumnsWhereAllAreJointValues) {
   EXPECT_EQ(program.rows[1].q, "1,2");
 }
 
+TEST(ProgramRows, AttachAndDetachParts) {
+  const ProgramRows program = rows_of(
+      "motion;q;part;touch\nattach;;a box;\" table ,gripper\"\njoint;1,2;;\ndetach;;a box;\n");
+  ASSERT_EQ(program.rows.size(), 3u);
+  EXPECT_EQ(program.rows[0].part, "a box");
+  EXPECT_EQ(program.rows[0].touch, (std::vector<std::string>{"table", "gripper"}));
+  EXPECT_FALSE(program.rows[0].pose);
+  EXPECT_TRUE(program.rows[1].part.empty() && program.rows[1].touch.empty());
+  EXPECT_EQ(program.rows[2].motion, "detach");
+  EXPECT_TRUE(program.rows[2].touch.empty());
+  const std::string head = "motion,x,y,theta,speed,part,touch\n";
+  const std::pair<const char*, const char*> cases[] = {
+      {"attach,,,,,,", "p.csv:2: attach needs the name of an obstacle"},
+      {"detach,,,,,,table", "p.csv:2: detach needs the name of an obstacle"},
+      {"detach,,,,,box,table", "p.csv:2: touch is for attach"},
+      {"attach,1,2,3,,box,", "p.csv:2: attach moves nothing"},
+      {"attach,,,,1,box,", "p.csv:2: attach moves nothing"},
+      {"line,1,2,3,,box,", "p.csv:2: part and touch are for rows"},
+      {"line,1,2,3,,,table", "p.csv:2: part and touch are for rows"},
+      {"attach,,,,,box,\"a,\"", "p.csv:2: column touch has an empty name"},
+      {"attach,,,,,box,\",\"", "p.csv:2: column touch has an empty name"}};
+  for (const auto& [row, culprit] : cases) EXPECT_REFUSED(rows_of(head + row + "\n"), culprit);
+}
+
 TEST(ProgramRows, AFileIsAProgramByItsHeader) {
   EXPECT_TRUE(is_program("# c\n\nx,y,z,dwell\n"));
   EXPECT_TRUE(is_program("q;motion"));

@@ -17,7 +17,7 @@ using Columns = std::vector<std::string>;
 constexpr std::size_t max_program_rows = 100'000;
 
 const Columns& motions() {
-  static const Columns names{"joint", "line", "screw", "arc", "spline", "via"};
+  static const Columns names{"joint", "line", "screw", "arc", "spline", "via", "attach", "detach"};
   return names;
 }
 
@@ -32,7 +32,7 @@ bool has(const Columns& names, const std::string& name) {
 
 /// The columns of a program file: the index of each in a row.
 struct ProgramColumns {
-  std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
+  std::array<std::optional<std::size_t>, 8> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
   const PoseColumns* form = nullptr;                ///< none: all rows have joint values
   std::vector<double> factors = {};  ///< of each number in a row: pose_factors(), factor_of()
@@ -156,6 +156,39 @@ std::optional<WrittenPose> pose_in(internal::CsvRows& rows, const std::vector<st
   return written;
 }
 
+/// The names between commas.
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+    const std::size_t last = end > first ? text.find_last_not_of(' ', end - 1) + 1 : first;
+    if (last == first) throw Error("column touch has an empty name");
+    names.push_back(text.substr(first, last - first));
+    begin = end + 1;
+  }
+  return names;
+}
+
+bool is_of_part(const ProgramRow& row) { return row.motion == "attach" || row.motion == "detach"; }
+
+/// Checks the items of a row that attaches or detaches a part, or that they are of no other row.
+void check_part(const ProgramRow& row) {
+  if (!is_of_part(row)) {
+    if (row.part.empty() && row.touch.empty()) return;
+    throw Error("part and touch are for rows with the motion attach or detach");
+  }
+  if (row.part.empty()) {
+    throw Error(row.motion + " needs the name of an obstacle, in a column part");
+  }
+  if (row.pose || !row.q.empty() || !row.relative.empty() || row.speed || row.blend || row.dwell) {
+    throw Error(row.motion + " moves nothing: this row has only a part, and touch to attach it");
+  }
+  if (row.motion == "detach" && !row.touch.empty()) {
+    throw Error("touch is for attach: a part that is detached is an obstacle again");
+  }
+}
+
 void check_row(const ProgramRow& row) {
   if (!row.motion.empty() && !has(motions(), row.motion)) {
     throw unknown_name("motion", row.motion, motions());
@@ -163,6 +196,8 @@ void check_row(const ProgramRow& row) {
   if (!row.relative.empty() && !has(frames(), row.relative)) {
     throw unknown_name("relative", row.relative, frames());
   }
+  check_part(row);
+  if (is_of_part(row)) return;
   if (!row.pose && row.q.empty()) {
     throw Error("this row has neither a pose nor, in a column q, joint values");
   }
@@ -194,7 +229,9 @@ ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const 
                  .q = text(2),
                  .speed = optional_number(rows, columns, 3, items),
                  .blend = optional_number(rows, columns, 4, items),
-                 .dwell = optional_number(rows, columns, 5, items)};
+                 .dwell = optional_number(rows, columns, 5, items),
+                 .part = text(6),
+                 .touch = names_in(text(7))};
   check_row(row);
   return row;
 }
@@ -202,7 +239,8 @@ ProgramRow row_in(internal::CsvRows& rows, const ProgramColumns& columns, const 
 }  // namespace
 
 const Columns& program_columns() {
-  static const Columns columns{"motion", "relative", "q", "speed", "blend", "dwell"};
+  static const Columns columns{"motion", "relative", "q",    "speed",
+                               "blend",  "dwell",    "part", "touch"};
   return columns;
 }
 
