@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,13 +9,16 @@
 
 namespace beeline::internal {
 
+/// ReachOptions::blocked_by.
+using BlockedBy = std::function<Reason(const ConfigurationRef&)>;
+
 /// All solutions of poses of one arm. Not thread-safe: each thread has a copy.
 class PoseSolver {
  public:
-  /// `redundant_values`: see ReachOptions.
-  PoseSolver(const Arm& arm, int redundant_values);
+  /// `redundant_values`, `blocked_by`: see ReachOptions.
+  PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by = {});
 
-  /// Finds the solutions within limits. They are complete for an arm without a redundant joint. For
+  /// Finds the free solutions within limits. They are complete for an arm without a redundant joint. For
   /// an arm with a redundant joint they are the solutions at each of its values; if solutions exist
   /// only between these values, one is found.
   void solve(const Pose& world_T_tool);
@@ -25,6 +29,8 @@ class PoseSolver {
   int branches() const { return branches_; }  ///< see ReachCells
 
  private:
+  /// Counts the solutions from column `first` on, found together, and keeps those that are free.
+  void keep_free(Eigen::Index first);
   void add_all(const Pose& world_T_tool, InverseSolver& solver);
   /// Adds the branches within limits at a value of the redundant joint.
   void add_branches(const Pose& world_T_tool, double value);
@@ -41,6 +47,8 @@ class PoseSolver {
   Configuration seed_;
   Eigen::MatrixXd found_;
   Eigen::Index count_ = 0;
+  BlockedBy blocked_by_;
+  bool has_solution_ = false;  ///< free or not
   int branches_ = 0;
 };
 
