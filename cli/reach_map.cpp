@@ -235,27 +235,28 @@ Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute
            arguments->unit.options(),
            arguments->budget.options(),
            arguments->arm.options()}),
-      .examples = {{"Positions and tool directions of an arm, 12 cm apart",
-                    "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
-                   {"Where it can point straight down",
-                    "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
-                   {"A map of six dimensions, of which two are not stored",
-                    "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
-                   {"The positions that an arm of five joints reaches in any orientation",
-                    "beeline reach map px150 --by sampling --any-orientation --out px150.h5"},
-                   {"What an arm with shapes of its links can do beside a post",
-                    "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", "
-                    "\"shapes\": [{\"joint\": \"joint1\", \"shapes\": [{\"capsule\": {\"radius\": "
-                    "0.1, \"length\": 3.5}, \"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, "
-                    "0]}}]}]}' > arm.json\n"
-                    "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
-                    "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
-                    "scene.json\n"
-                    "beeline reach map arm.json --scene scene.json --resolution 1 --out free.h5"},
-                   {"The first in two parts, which two machines may compute",
-                    "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
-                    "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
-                    "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
+      .examples =
+          {{"Positions and tool directions of an arm, 12 cm apart",
+            "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
+           {"Where it can point straight down",
+            "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
+           {"A map of six dimensions, of which two are not stored",
+            "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
+           {"The positions that an arm of five joints reaches in any orientation",
+            "beeline reach map px150 --by sampling --any-orientation --out px150.h5"},
+           {"What an arm with shapes of its links can do beside a post",
+            "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", "
+            "\"shapes\": [{\"joint\": \"joint1\", \"shapes\": [{\"capsule\": {\"radius\": "
+            "0.1, \"length\": 3.5}, \"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, "
+            "0]}}]}]}' > arm.json\n"
+            "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
+            "scene.json\n"
+            "beeline reach map arm.json --scene scene.json --resolution 1 --out free.h5"},
+           {"The first in two parts, which two machines may compute",
+            "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
+            "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
+            "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
       .run = [arguments, compute] { return compute([&] { return job_of(*arguments); }); }};
 }
 

@@ -73,9 +73,10 @@ struct ReachCells {
 /// than a pose has components. Without rolls, throws Error for an arm whose last joint does not
 /// turn about the tool's z axis. With blocked_by, throws Error without rolls, because the last
 /// joint moves the bodies on the last link, and for azimuths, because a scene is not the same from
-/// each of them; neither by sampling without rolls. With azimuths, throws Error for an arm whose solutions cannot all
-/// be computed, such as a redundant one. By sampling, throws Error for azimuths, for one
-/// orientation, and for a joint without position limits that is not revolute or that others follow.
+/// each of them; neither by sampling without rolls. With azimuths, throws Error for an arm whose
+/// solutions cannot all be computed, such as a redundant one. By sampling, throws Error for
+/// azimuths, for one orientation, and for a joint without position limits that is not revolute or
+/// that others follow.
 ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
                        const ReachOptions& options = {});
 

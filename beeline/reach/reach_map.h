@@ -91,8 +91,8 @@ struct ReachMapOptions {
 /// `path`.parts. A call after an ended or killed one reuses these slabs. The last step joins and
 /// deletes them. The datasets do not depend on threads, shards or interruptions. Needs the memory
 /// of two slabs, by sampling the memory of 2^25 cells. Throws Error as reach_cells() does, for
-/// `blocked_by` without `scene` and for a shard that does not exist. Throws FileError for a file that cannot be written and for a folder
-/// with slabs of another map.
+/// `blocked_by` without `scene` and for a shard that does not exist. Throws FileError for a file
+/// that cannot be written and for a folder with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});
 

@@ -161,9 +161,7 @@ std::string named(const std::optional<ReachScene>& scene) {
          scene->digest + ")";
 }
 
-std::string digest_of(const std::optional<ReachScene>& scene) {
-  return scene ? scene->digest : "";
-}
+std::string digest_of(const std::optional<ReachScene>& scene) { return scene ? scene->digest : ""; }
 
 /// The arm as JSON without the frames of its controller, which a map does not depend on.
 std::string kinematics_of(const Arm& arm) {

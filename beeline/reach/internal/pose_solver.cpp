@@ -39,10 +39,13 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by)
     : arm_(arm),
-      any_(arm, {.task = default_task(arm), .blocked_by = blocked_by}),
+      any_(arm, {.task = default_task(arm)}),
       redundant_(redundant_joint(arm)),
       seed_(middle_configuration(arm)),
       blocked_by_(std::move(blocked_by)) {
+  if (blocked_by_) {
+    any_free_.emplace(arm, InverseOptions{.task = default_task(arm), .blocked_by = blocked_by_});
+  }
   if (redundant_) {
     values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
     form_ = PieperSolver::make(arm, default_task(arm));
@@ -118,7 +121,9 @@ void PoseSolver::solve(const Pose& world_T_tool) {
     }
   }
   seed_ = middle;
-  if (!has_solution_) add_all(world_T_tool, any_);
+  if (has_solution_) return;
+  add_all(world_T_tool, any_);
+  if (has_solution_ && count_ == 0) add_all(world_T_tool, *any_free_);
 }
 
 }  // namespace beeline::internal

@@ -18,9 +18,9 @@ class PoseSolver {
   /// `redundant_values`, `blocked_by`: see ReachOptions.
   PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by = {});
 
-  /// Finds the free solutions within limits. They are complete for an arm without a redundant joint. For
-  /// an arm with a redundant joint they are the solutions at each of its values; if solutions exist
-  /// only between these values, one is found.
+  /// Finds the free solutions within limits. They are complete for an arm without a redundant
+  /// joint. For an arm with a redundant joint they are the solutions at each of its values; if
+  /// solutions exist only between these values, one is found.
   void solve(const Pose& world_T_tool);
 
   /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the
@@ -38,6 +38,8 @@ class PoseSolver {
 
   Arm arm_;
   InverseSolver any_;                 ///< one solution
+  /// One that is free; slower where there is none. Only if solutions can be blocked.
+  std::optional<InverseSolver> any_free_;
   std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
   std::optional<int> redundant_;      ///< then with this coordinate locked
   std::vector<double> values_;        ///< at each of these
