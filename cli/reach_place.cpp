@@ -82,7 +82,7 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
   return answer;
 }
 
-/// Throws Error unless the joints of --arm carry the links as those of the map's arm do.
+/// Throws Error unless the arm of --arm has the joints of the map's arm.
 void check_same_joints(const Arm& shaped, const Arm& arm) {
   constexpr double rounding = 1e-12;
   const auto is_same = [](const Joint& a, const Joint& b) {

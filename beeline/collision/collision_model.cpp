@@ -168,7 +168,7 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
 CollisionModel::CollisionModel(std::unique_ptr<const CollisionBodies> bodies)
     : bodies_(std::move(bodies)) {}
 
-// Distances of links do not depend on the mount, so the pairs are those of the model.
+// Distances of links do not depend on the mount, so the pairs are the same.
 CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount) {
   const CollisionBodies& from = model.bodies();
   auto bodies = std::make_unique<CollisionBodies>(with_mount(from.arm, world_T_mount), from.links,

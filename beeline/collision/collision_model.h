@@ -81,13 +81,13 @@ class CollisionModel {
 };
 
 /// Returns the model of the arm mounted in the world, see with_mount() of an arm; obstacles stay
-/// where they are. It is prepared quickly, because the pairs of links that never come close are
-/// those of `model`.
+/// where they are. It is prepared quickly, because `model` knows the pairs of links that never
+/// come close.
 CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount);
 
 /// Returns a fingerprint of what a model checks, 16 hexadecimal digits: the shapes of links and
 /// obstacles with their poses, clearances and the pairs that count, but neither names nor the arm.
-/// It is the same in each run; models that differ have the same one by chance alone.
+/// It is the same in each run. Models that differ have different ones, except by chance.
 std::string digest(const CollisionModel& model);
 
 /// Returns the pair with the least distance beyond its clearance at a configuration. Throws Error

@@ -9,7 +9,7 @@
 namespace beeline::internal {
 
 /// The hash of a sequence of bytes and numbers: FNV-1a, 64 bits. It is the same on every machine,
-/// and differs where two sequences differ, but for chance.
+/// and differs where two sequences differ, except by chance.
 class Fingerprint {
  public:
   void add(std::string_view bytes) {
