@@ -36,8 +36,8 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
   answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
                             counted(result.checked, "mount"), result.mounts, result.reaching);
   if (result.blocked > 0) {
-    answer.text += fmt::format("{} left out: blocked in the scene, the first: {}\n", result.blocked,
-                               sentence(result.blocked_reason));
+    answer.text += fmt::format("{} left out: blocked in the scene\n  the first: {}\n",
+                               result.blocked, sentence(result.blocked_reason));
   }
   if (result.without_lines > 0) {
     answer.text += fmt::format("{} left out: not in straight lines", result.without_lines);

@@ -387,4 +387,4 @@ def test_mounts_whose_solutions_are_blocked_are_left_out(beeline, written, tmp_p
             ik = beeline("ik", arm, "--mount", placement["mount"], "--pose", pose, "--scene", post, "--all", "--json")
             assert min(math.dist(q, s) for s in ik.json["solutions"]) < 1e-4  # the mount is rounded
     assert "--arm" in beeline(*command, "--scene", post).err
-    assert "other joints" in beeline(*command, "--scene", post, "--arm", "rrr").err
+    assert "other joints" in beeline(*command, "--scene", post, "--arm", "RRR:1,1,1").err

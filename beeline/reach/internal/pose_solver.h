@@ -37,7 +37,7 @@ class PoseSolver {
   bool is_new(const ConfigurationRef& q, Eigen::Index first) const;
 
   Arm arm_;
-  InverseSolver any_;                 ///< one solution
+  InverseSolver any_;  ///< one solution
   /// One that is free; slower where there is none. Only if solutions can be blocked.
   std::optional<InverseSolver> any_free_;
   std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
