@@ -47,6 +47,22 @@ std::vector<std::string> ArmArgument::inputs(std::vector<std::string> others) co
 }
 
 std::vector<Option> ArmArgument::options() {
+  return joined(
+      {chain_options(),
+       {Option("--tcp POSE",
+               "The tool centre point: its pose in the arm's own tool frame, as --mount.", &tcp),
+        Option("--mount POSE",
+               "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
+               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another "
+               "--pose-form.",
+               &mount),
+        Option("--limits FILE",
+               "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
+               "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
+               &limits)}});
+}
+
+std::vector<Option> ArmArgument::chain_options() {
   return {
       Option("--base LINK",
              "First link of the chain, any link of a URDF file. Default: its root link, or the "
@@ -66,17 +82,7 @@ std::vector<Option> ArmArgument::options() {
       Option("--group NAME",
              "The group of --srdf that gives base and tip of the chain; --base and --tip replace "
              "them.",
-             &group, {.needs = "--srdf"}),
-      Option("--tcp POSE",
-             "The tool centre point: its pose in the arm's own tool frame, as --mount.", &tcp),
-      Option("--mount POSE",
-             "Where the arm stands: the pose of its base in the world, as x,y,theta (planar arms), "
-             "x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another --pose-form.",
-             &mount),
-      Option("--limits FILE",
-             "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
-             "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
-             &limits)};
+             &group, {.needs = "--srdf"})};
 }
 
 ChainEnds ArmArgument::ends() const {

@@ -21,6 +21,8 @@ struct ArmArgument {
   /// The files that the arm is read from, for refuse_overwriting(), and others.
   std::vector<std::string> inputs(std::vector<std::string> others = {}) const;
   std::vector<Option> options();
+  /// The first of these: --base, --tip, --srdf and --group, which say what is read from the file.
+  std::vector<Option> chain_options();
   /// The arm with the tool and the limits, in the world. Warns of what the files say that is not
   /// applied and, unless `reports_faults` is false, of the faults beside the chain.
   Arm read(const UnitArgument& unit, bool reports_faults = true) const;

@@ -20,9 +20,10 @@ struct CompareArguments {
   PlaneArgument plane;
 };
 
-Json json_of(const ReachSide& side, const std::string& map, const Arm& arm) {
-  Json json{{"map", map},
-            {"arm", arm.name()},
+Json json_of(const ReachSide& side, const ReachMap& map) {
+  Json json{{"map", map.path()},
+            {"arm", map.arm().name()},
+            {"map_scene", scene_document(map)},
             {"volume", side.volume},
             {"alone", side.volume_only_here},
             {"better", side.volume_more_directions},
@@ -62,6 +63,11 @@ std::string table(const ReachComparison& comparison, const ReachMap& first,
     text += numbers("manipulability, mean", a.manipulability, b.manipulability);
     text += numbers("margin, mean", a.margin, b.margin);
   }
+  for (const ReachMap* map : {&first, &second}) {
+    if (const auto& scene = map->header().scene) {
+      text += name_of(*map) + ": free in " + scene_name(*scene) + "\n";
+    }
+  }
   return text + fmt::format("compared at points {} m apart\n", shown(comparison.step));
 }
 
@@ -78,8 +84,8 @@ Answer compare(const CompareArguments& arguments) {
   const ReachComparison comparison = compare_reach(first, second);
   Answer answer{.text = table(comparison, first, second)};
   Json sides = Json::list();
-  sides.append(json_of(comparison.sides[0], arguments.first, first.arm()));
-  sides.append(json_of(comparison.sides[1], arguments.second, second.arm()));
+  sides.append(json_of(comparison.sides[0], first));
+  sides.append(json_of(comparison.sides[1], second));
   answer.document = {{"status", "compared"},
                      {"maps", sides},
                      {"both", comparison.both},

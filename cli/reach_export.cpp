@@ -21,9 +21,16 @@ Answer export_map(const MapExportArguments& arguments) {
   if (extension(arguments.out) != "vti") {
     throw Error("--out: " + arguments.out + " does not end in .vti");
   }
-  write_vti(ReachMap(arguments.map), arguments.out);
-  return {.text = "written       " + arguments.out + "\n",
-          .document = {{"status", "written"}, {"out", arguments.out}}};
+  const ReachMap map(arguments.map);
+  write_vti(map, arguments.out);
+  Answer answer{
+      .text = "written       " + arguments.out + "\n",
+      .document = {
+          {"status", "written"}, {"out", arguments.out}, {"map_scene", scene_document(map)}}};
+  if (const auto& scene = map.header().scene) {
+    answer.text += "free in       " + scene_name(*scene) + "\n";
+  }
+  return answer;
 }
 
 }  // namespace

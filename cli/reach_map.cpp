@@ -10,6 +10,7 @@
 #include <beeline/reach/reach_map.h>
 
 #include "arm_argument.h"
+#include "blocked_solutions.h"
 #include "budget_argument.h"
 #include "command/progress.h"
 #include "format.h"
@@ -29,6 +30,7 @@ struct MapArguments {
   ArmArgument arm;
   UnitArgument unit;
   BudgetArgument budget;
+  SceneArgument scene;
   std::string out, lower, upper, orientation, shard, by = "inverse-kinematics";
   bool any_orientation = false;
   std::optional<double> resolution, azimuths, directions, rolls;
@@ -111,8 +113,7 @@ Answer compute(const MakeReachMapJob& make_job) {
     job.options.reach.budget = progress.of(job.options.reach.budget);
     ending = compute_reach_map(job.arm, job.grid, job.out, job.options);
   }
-  if (ending == Ending::complete) return map_totals(ReachMap(job.out, job.options.reach.threads));
-  return interrupted_map(job.out, ending);
+  return ending == Ending::complete ? computed_map(job) : interrupted_map(job.out, ending);
 }
 
 std::vector<Option> grid_options(MapArguments& arguments) {
@@ -172,18 +173,39 @@ std::vector<Option> method_options(MapArguments& arguments) {
       threads_option(&arguments.reach.threads)};
 }
 
+/// Only solutions that are free in the scene, if there is one, count.
+void add_scene(const MapArguments& arguments, ReachMapJob& job) {
+  std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, job.arm);
+  if (!scene) return;
+  warn_if_unchecked(*scene);
+  job.scene = std::make_shared<const CheckedScene>(std::move(*scene));
+  job.options.reach.scene = ReachScene{.digest = digest(job.scene->model),
+                                       .clearance = job.scene->clearance,
+                                       .files = arguments.scene.scenes};
+  job.options.reach.blocked_by = blocked_in(*job.scene);
+}
+
 ReachMapJob job_of(const MapArguments& arguments) {
-  refuse_overwriting(arguments.out, arguments.arm.inputs());
+  refuse_overwriting(arguments.out, arguments.arm.inputs(arguments.scene.inputs()));
   const ReachShard shard = shard_of(arguments.shard);
   const Arm arm = arguments.arm.read(arguments.unit);
   ReachMapJob job{.arm = arm, .grid = grid_of(arm, arguments), .out = arguments.out};
   job.options = {.reach = arguments.reach, .shard = shard};
   job.options.reach.samples = samples_of(arguments, job.grid);
   job.options.reach.budget = arguments.budget.next();
+  add_scene(arguments, job);
   return job;
 }
 
 }  // namespace
+
+Answer computed_map(const ReachMapJob& job) {
+  Answer answer = map_totals(ReachMap(job.out, job.options.reach.threads));
+  if (!job.scene) return answer;
+  answer.text += scene_text(*job.scene);
+  answer.document.add("scene", scene_document(*job.scene));
+  return answer;
+}
 
 Verb reach_map_verb() { return reach_map_verb(compute); }
 
@@ -200,27 +222,41 @@ Verb reach_map_verb(const std::function<Answer(const MakeReachMapJob&)>& compute
           "folder FILE.parts when it is complete; after an interruption the same command "
           "continues. With --shard, several machines compute a part each, and `beeline reach "
           "merge` joins the parts; the result is the same. --by sampling marks the cells that the "
-          "tool of sampled configurations is in, and says so in the file.",
+          "tool of sampled configurations is in, and says so in the file. With --scene or --self a "
+          "solution or a sample counts only if each pair of bodies is proved to keep its clearance "
+          "there, as in `beeline ik`; such a map has --rolls, --orientation or headings and no "
+          "--azimuths, and its file says which scene it is of.",
       .arguments = {arguments->arm.argument()},
       .options = joined(
           {{Option("--out FILE", "The map, an HDF5 file.", &arguments->out, {.required = true})},
            grid_options(*arguments),
            method_options(*arguments),
+           arguments->scene.distance_options(),
            arguments->unit.options(),
            arguments->budget.options(),
            arguments->arm.options()}),
-      .examples = {{"Positions and tool directions of an arm, 12 cm apart",
-                    "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
-                   {"Where it can point straight down",
-                    "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
-                   {"A map of six dimensions, of which two are not stored",
-                    "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
-                   {"The positions that an arm of five joints reaches in any orientation",
-                    "beeline reach map px150 --by sampling --any-orientation --out px150.h5"},
-                   {"The first in two parts, which two machines may compute",
-                    "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
-                    "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
-                    "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
+      .examples =
+          {{"Positions and tool directions of an arm, 12 cm apart",
+            "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
+           {"Where it can point straight down",
+            "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
+           {"A map of six dimensions, of which two are not stored",
+            "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
+           {"The positions that an arm of five joints reaches in any orientation",
+            "beeline reach map px150 --by sampling --any-orientation --out px150.h5"},
+           {"What an arm with shapes of its links can do beside a post",
+            "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", "
+            "\"shapes\": [{\"joint\": \"joint1\", \"shapes\": [{\"capsule\": {\"radius\": "
+            "0.1, \"length\": 3.5}, \"pose\": {\"xyz\": [-1.75, 0, 0], \"rpy\": [0, 1.5708, "
+            "0]}}]}]}' > arm.json\n"
+            "printf '{\"obstacles\": [{\"name\": \"post\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": 0.1, \"length\": 2}, \"pose\": {\"xyz\": [2.1, 1.3, 0]}}]}]}' > "
+            "scene.json\n"
+            "beeline reach map arm.json --scene scene.json --resolution 1 --out free.h5"},
+           {"The first in two parts, which two machines may compute",
+            "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
+            "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
+            "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
       .run = [arguments, compute] { return compute([&] { return job_of(*arguments); }); }};
 }
 

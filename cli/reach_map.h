@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 
 #include "command/verb.h"
+#include "scene_argument.h"
 
 namespace beeline::command {
 
@@ -16,7 +18,11 @@ struct ReachMapJob {
   ReachGrid grid;
   std::string out;
   ReachMapOptions options = {};
+  std::shared_ptr<const CheckedScene> scene = {};  ///< which options.reach asks; none: no scene
 };
+
+/// The answer of a map that was computed: its totals, and the scene.
+Answer computed_map(const ReachMapJob& job);
 
 /// Makes the job of the options that were typed. Throws Error as ReachGrid does.
 using MakeReachMapJob = std::function<ReachMapJob()>;

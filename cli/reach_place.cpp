@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
+#include <beeline/certificate/clearance.h>
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/reach/place.h>
 
+#include "arm_argument.h"
+#include "blocked_solutions.h"
 #include "budget_argument.h"
 #include "command/progress.h"
 #include "format.h"
@@ -17,6 +21,8 @@ namespace {
 
 struct PlaceArguments {
   std::string map, poses, lower, upper;
+  ArmArgument shaped;  ///< --arm with the options of its chain
+  SceneArgument scene;
   UnitArgument unit;
   BudgetArgument budget;
   PlacementOptions options;
@@ -29,8 +35,16 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
   Answer answer{.yes = !reason, .reason = sentence(reason)};
   answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
                             counted(result.checked, "mount"), result.mounts, result.reaching);
+  if (result.blocked > 0) {
+    answer.text += fmt::format("{} left out: blocked in the scene\n  the first: {}\n",
+                               result.blocked, sentence(result.blocked_reason));
+  }
   if (result.without_lines > 0) {
-    answer.text += fmt::format("{} left out: not in straight lines\n", result.without_lines);
+    answer.text += fmt::format("{} left out: not in straight lines", result.without_lines);
+    if (result.blocked_lines > 0) {
+      answer.text += fmt::format(", {} of them because of the scene", result.blocked_lines);
+    }
+    answer.text += "\n";
   }
   Json list = Json::list();
   if (result) {
@@ -60,9 +74,51 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
                      {"mounts", result.mounts},
                      {"checked", result.checked},
                      {"reaching", result.reaching},
+                     {"blocked", result.blocked},
+                     {"without_lines", result.without_lines},
+                     {"blocked_lines", result.blocked_lines},
                      {"placements", list}};
   answer.document.add(json_reason(reason));
   return answer;
+}
+
+/// Throws Error unless the arm of --arm has the joints of the map's arm.
+void check_same_joints(const Arm& shaped, const Arm& arm) {
+  constexpr double rounding = 1e-12;
+  const auto is_same = [](const Joint& a, const Joint& b) {
+    return (a.offset.matrix() - b.offset.matrix()).cwiseAbs().maxCoeff() < rounding &&
+           (a.screw - b.screw).cwiseAbs().maxCoeff() < rounding;
+  };
+  const bool same = std::equal(shaped.joints().begin(), shaped.joints().end(), arm.joints().begin(),
+                               arm.joints().end(), is_same);
+  if (!same) throw Error("--arm: " + shaped.name() + " has other joints than the map's arm");
+}
+
+/// The scene in the world, and the map's arm with the shapes of --arm.
+std::optional<CheckedScene> scene_of(const PlaceArguments& arguments, const Arm& arm) {
+  if (arguments.scene.given() == arguments.shaped.text.empty()) {
+    throw Error(
+        "--arm and --scene or --self: a map has no shapes of its arm's links, so that a scene "
+        "needs "
+        "both");
+  }
+  if (arguments.scene.given()) {
+    check_same_joints(arguments.shaped.read(arguments.unit, false), arm);
+  }
+  return arguments.scene.read(arguments.shaped, arm);
+}
+
+/// PlacementOptions::blocked_by for a scene, which must outlive the search.
+std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CheckedScene& scene) {
+  return [&scene](const Pose& world_T_mount) -> BlockedAtMount {
+    const auto model =
+        std::make_shared<const CollisionModel>(with_mount(scene.model, world_T_mount));
+    return {.configuration = [model](const ConfigurationRef& q) { return blocked_by(*model, q); },
+            .motion =
+                [model](const Trajectory& motion, const Budget& budget) {
+                  return prove_clearance(*model, motion, {.budget = budget}).reason;
+                }};
+  };
 }
 
 Vector3 corner_of(const std::string& text, const char* option) {
@@ -78,13 +134,23 @@ Answer place(PlaceArguments& arguments) {
   PlacementOptions options = arguments.options;
   if (!arguments.lower.empty()) options.lower = corner_of(arguments.lower, "--lower");
   if (!arguments.upper.empty()) options.upper = corner_of(arguments.upper, "--upper");
+  const std::optional<CheckedScene> scene = scene_of(arguments, map.arm());
+  if (scene) {
+    warn_if_unchecked(*scene);
+    options.blocked_by = blocked_at_mounts(*scene);
+  }
   PlacementResult result;
   {
     Progress progress;
     options.budget = progress.of(arguments.budget.next());
     result = find_placements(map, poses.poses, options);
   }
-  return answer_of(map.arm(), result, arguments);
+  Answer answer = answer_of(map.arm(), result, arguments);
+  if (scene) {
+    answer.text += "\n" + scene_text(*scene);
+    answer.document.add("scene", scene_document(*scene));
+  }
+  return answer;
 }
 
 std::vector<Option> mount_options(PlaceArguments& arguments) {
@@ -118,7 +184,12 @@ Verb reach_place_verb() {
           "kinematics at every pose and, with --lines, by a proved motion in straight lines "
           "through them. Printed are the mounts as --mount takes them, those with the largest "
           "margin to the joint limits first: the least margin and the least manipulability over "
-          "all poses; at each position the best heading. Exit code 1: there is none.",
+          "all poses; at each position the best heading. With --scene, which stands in the world "
+          "of "
+          "the poses while the mount moves, or --self, and with --arm, solutions and lines count "
+          "only if each pair of bodies is proved to keep its clearance; link 0, which stands at "
+          "the "
+          "mount, is not checked against obstacles. Exit code 1: there is none.",
       .arguments = {file_argument("MAP", "A file of `beeline reach map`, not of one orientation.",
                                   &arguments->map)},
       .options =
@@ -130,6 +201,12 @@ Verb reach_place_verb() {
                           "poses, one after the other.",
                           &arguments->options.lines)},
                   mount_options(*arguments),
+                  {Option("--arm FILE",
+                          "The file of the map's arm with the shapes of its links, for --scene and "
+                          "--self.",
+                          &arguments->shaped.text)},
+                  arguments->shaped.chain_options(),
+                  arguments->scene.distance_options(),
                   arguments->unit.options(),
                   arguments->budget.options()}),
       .examples = {{"Three poses above a table: where can the arm stand?",

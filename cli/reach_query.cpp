@@ -64,7 +64,8 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
   const bool reached = cells.branches[at] > 0;
   const InverseResult exact =
       inverse_kinematics(map.arm(), pose, {.task = default_task(map.arm())});
-  const std::string itself = exact ? "reached" : name(exact.status);
+  const std::string itself = std::string(exact ? "reached" : name(exact.status)) +
+                             (exact && map.header().scene ? ", not checked in the scene" : "");
   Answer answer;
   answer.yes = reached;
   answer.text =
@@ -89,7 +90,11 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
         itself;
   }
   answer.text += "the pose itself " + itself + "\n";
-  answer.document.add("pose_itself", exact ? "solved" : itself);
+  if (const auto& scene = map.header().scene) {
+    answer.text += "free in         " + scene_name(*scene) + "\n";
+  }
+  answer.document.add("map_scene", scene_document(map));
+  answer.document.add("pose_itself", exact ? "solved" : name(exact.status));
   return answer;
 }
 

@@ -31,6 +31,17 @@ double percent(std::int64_t part, std::int64_t all) {
 
 }  // namespace
 
+std::string scene_name(const ReachScene& scene) {
+  return (scene.files.empty() ? "no scene, apart from itself" : listed(scene.files)) +
+         fmt::format(", {} m are required", shown(scene.clearance));
+}
+
+Json scene_document(const ReachMap& map) {
+  const std::optional<ReachScene>& scene = map.header().scene;
+  if (!scene) return {};
+  return {{"digest", scene->digest}, {"clearance", scene->clearance}, {"files", scene->files}};
+}
+
 Positional map_argument(std::string* target) {
   return file_argument("MAP", "A file of `beeline reach map`.", target);
 }
@@ -49,6 +60,8 @@ Answer map_totals(const ReachMap& map) {
   if (samples > 0) {
     answer.text += "by sampling   " + counted(samples, "configuration") + "\n";
   }
+  const std::optional<ReachScene>& scene = map.header().scene;
+  if (scene) answer.text += "free in       " + scene_name(*scene) + "\n";
   if (!map.complete()) {
     answer.text += fmt::format("in this file  {} of {} slabs, {}\n", there, slabs,
                                counted(totals.cells, "cell"));
@@ -63,6 +76,7 @@ Answer map_totals(const ReachMap& map) {
                      {"arm", map.arm().name()},
                      {"by", samples > 0 ? "sampling" : "inverse-kinematics"},
                      {"samples", samples},
+                     {"map_scene", scene_document(map)},
                      {"cells", map.grid().cells()},
                      {"positions", map.grid().positions()},
                      {"directions", map.grid().directions()},

@@ -70,7 +70,7 @@ Answer lead(ReachMapUnits& units, const ReachMapJob& job) {
   ending = static_cast<Ending>(largest_of_all(static_cast<int>(ending)));
   if (ending != Ending::complete) return interrupted_map(job.out, ending);
   units.join();
-  return map_totals(ReachMap(job.out, job.options.reach.threads));
+  return computed_map(job);
 }
 
 Answer compute(const MakeReachMapJob& make_job) {

@@ -165,6 +165,25 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
   bodies_ = std::move(bodies);
 }
 
+CollisionModel::CollisionModel(std::unique_ptr<const CollisionBodies> bodies)
+    : bodies_(std::move(bodies)) {}
+
+// Distances of links do not depend on the mount, so the pairs are the same.
+CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount) {
+  const CollisionBodies& from = model.bodies();
+  auto bodies = std::make_unique<CollisionBodies>(with_mount(from.arm, world_T_mount), from.links,
+                                                  from.scene, from.clearance);
+  add_links(*bodies);
+  add_obstacles(*bodies);
+  bodies->obstacle_allowed = from.obstacle_allowed;
+  bodies->self_pairs = from.self_pairs;
+  bodies->apart_pairs = from.apart_pairs;
+  bodies->apart_lower = from.apart_lower;
+  bodies->apart_upper = from.apart_upper;
+  bodies->set_groups();
+  return CollisionModel(std::move(bodies));
+}
+
 CollisionModel::CollisionModel(CollisionModel&&) noexcept = default;
 CollisionModel& CollisionModel::operator=(CollisionModel&&) noexcept = default;
 CollisionModel::~CollisionModel() = default;
@@ -183,6 +202,8 @@ std::vector<NamedPair> CollisionModel::neighbour_pairs() const {
 std::size_t CollisionModel::apart_count() const { return bodies_->apart_pairs.size(); }
 
 const Arm& CollisionModel::arm() const { return bodies_->arm; }
+
+double CollisionModel::clearance() const { return bodies_->clearance; }
 
 std::size_t CollisionModel::pair_count() const { return bodies_->pair_count; }
 

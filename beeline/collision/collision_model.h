@@ -61,6 +61,8 @@ class CollisionModel {
   ~CollisionModel();
 
   const Arm& arm() const;
+  /// Returns the distance that is kept, m, except from obstacles with their own.
+  double clearance() const;
   /// Returns the number of pairs that count: pairs of a link's shape and an obstacle's, or of two
   /// links' shapes.
   std::size_t pair_count() const;
@@ -72,8 +74,21 @@ class CollisionModel {
   const internal::CollisionBodies& bodies() const { return *bodies_; }
 
  private:
+  friend CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount);
+  explicit CollisionModel(std::unique_ptr<const internal::CollisionBodies> bodies);
+
   std::unique_ptr<const internal::CollisionBodies> bodies_;
 };
+
+/// Returns the model of the arm mounted in the world, see with_mount() of an arm; obstacles stay
+/// where they are. It is prepared quickly, because `model` knows the pairs of links that never
+/// come close.
+CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount);
+
+/// Returns a fingerprint of what a model checks, 16 hexadecimal digits: the shapes of links and
+/// obstacles with their poses, clearances and the pairs that count, but neither names nor the arm.
+/// It is the same in each run. Models that differ have different ones, except by chance.
+std::string digest(const CollisionModel& model);
 
 /// Returns the pair with the least distance beyond its clearance at a configuration. Throws Error
 /// when q does not fit the arm, and for a model without pairs.

@@ -9,6 +9,18 @@
 namespace beeline {
 namespace {
 
+/// The header of a file of a map. Throws Error for what has no map, or none in a file.
+ReachMapHeader header_of(const Arm& arm, const ReachGrid& grid, const ReachOptions& options) {
+  if (options.blocked_by && (!options.scene || options.scene->digest.empty())) {
+    throw Error::of("scene", "a file of a map with blocked_by needs the digest of its scene");
+  }
+  if (options.scene && !options.blocked_by) {
+    throw Error::of("blocked_by", "a map of a scene needs what is blocked there");
+  }
+  (void)reach_cells(arm, grid, 0, 0, options);  // refuses what has no map
+  return {arm, grid, options.redundant_values, options.samples, options.scene};
+}
+
 std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMapHeader& header) {
   if (shard.number < 1 || shard.number > shard.count) {
     throw Error::of("shard", "shard " + std::to_string(shard.number) + " of " +
@@ -85,9 +97,8 @@ std::string listed_slabs(const std::vector<std::size_t>& slabs) {
 
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options) {
-  const ReachMapHeader header{arm, grid, options.reach.redundant_values, options.reach.samples};
+  const ReachMapHeader header = header_of(arm, grid, options.reach);
   const std::vector<internal::SlabRange> units = units_of(options.shard, header);
-  (void)reach_cells(arm, grid, 0, 0, options.reach);  // refuses what has no map
   try {
     return compute_file(units, header, path, options.reach);
   } catch (const FileError&) {
@@ -106,8 +117,7 @@ struct ReachMapUnits::Work {
 
 ReachMapUnits::ReachMapUnits(const Arm& arm, const ReachGrid& grid, const std::string& path,
                              const ReachOptions& options) {
-  (void)reach_cells(arm, grid, 0, 0, options);  // refuses what has no map
-  const ReachMapHeader header{arm, grid, options.redundant_values, options.samples};
+  const ReachMapHeader header = header_of(arm, grid, options);
   work_.reset(new Work{header, path, options, internal::units_of(header), {path, header}});
 }
 

@@ -145,30 +145,51 @@ std::vector<Rank> ranking(const ReachMap& map, const Mounts& mounts, std::span<c
   return ranks;
 }
 
-/// The solution with the largest margin of each pose; none where a pose has none.
+/// The solution with the largest margin of those that are free; its margin is negative if there is
+/// none, and `blocked` is the reason of a blocked one.
+struct BestSolution {
+  double margin = -1;
+  Configuration q;
+  Reason blocked = {};
+};
+
+BestSolution best_of(const Arm& arm, const Eigen::Ref<const Eigen::MatrixXd>& solutions,
+                     const internal::BlockedBy& blocked_by) {
+  BestSolution best;
+  for (Eigen::Index i = 0; i < solutions.cols(); ++i) {
+    const double margin = internal::least_margin(arm, solutions.col(i), 0, arm.dof());
+    if (margin <= best.margin) continue;
+    if (blocked_by) {
+      best.blocked = blocked_by(solutions.col(i));
+      if (best.blocked) continue;
+    }
+    best.margin = margin;
+    best.q = solutions.col(i);
+  }
+  return best;
+}
+
+/// The best solution of each pose; none where a pose has none, and `blocked` is then the reason of
+/// a blocked one.
 std::optional<Placement> placement_at(const Arm& arm, const Pose& world_T_mount,
-                                      std::span<const Pose> poses, internal::PoseSolver& solver) {
+                                      std::span<const Pose> poses, internal::PoseSolver& solver,
+                                      const internal::BlockedBy& blocked_by, Reason& blocked) {
   Placement placement{.world_T_mount = world_T_mount,
                       .margin = 1,
                       .manipulability = std::numeric_limits<double>::infinity()};
   const Pose mount_T_world = world_T_mount.inverse();
   for (const Pose& pose : poses) {
     solver.solve(mount_T_world * pose);
-    double best = -1;
-    Configuration q;
-    const auto solutions = solver.solutions();
-    for (Eigen::Index i = 0; i < solutions.cols(); ++i) {
-      const double margin = internal::least_margin(arm, solutions.col(i), 0, arm.dof());
-      if (margin <= best) continue;
-      best = margin;
-      q = solutions.col(i);
+    BestSolution best = best_of(arm, solver.solutions(), blocked_by);
+    if (best.margin < 0) {
+      blocked = std::move(best.blocked);
+      return std::nullopt;
     }
-    if (best < 0) return std::nullopt;
-    const Eigen::MatrixXd j = task_jacobian(arm, q, default_task(arm));
-    placement.margin = std::min(placement.margin, best);
+    const Eigen::MatrixXd j = task_jacobian(arm, best.q, default_task(arm));
+    placement.margin = std::min(placement.margin, best.margin);
     placement.manipulability =
         std::min(placement.manipulability, manipulability_measures(j).manipulability);
-    placement.solutions.push_back(q);
+    placement.solutions.push_back(std::move(best.q));
   }
   return placement;
 }
@@ -192,6 +213,9 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   if (map.grid().orientations() == ReachOrientations::fixed) {
     throw Error("the map has one orientation; a placement needs a map of directions");
   }
+  if (map.header().scene) {
+    throw Error("the map is of a scene, which would move with the mount: make one without a scene");
+  }
   internal::check_complete(map);
   constexpr Eigen::Index most = 500'000'000;
   if (map.grid().cells() > most) {
@@ -200,53 +224,105 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   }
 }
 
-/// Returns the mounts from which all poses are reached, the best first.
+/// What is found at the mounts from which all poses are reached. Threads add to it.
+class ReachingMounts {
+ public:
+  ReachingMounts(const ReachMap& map, std::span<const Pose> poses, const PlacementOptions& options)
+      : arm_(map.arm()), poses_(poses), options_(options) {}
+
+  /// Checks the mount with this rank and heading.
+  void check(Eigen::Index rank, const Pose& world_T_mount, double heading,
+             internal::PoseSolver& solver) {
+    Reason none;
+    auto placement = placement_at(arm_, world_T_mount, poses_, solver, {}, none);
+    if (!placement) return;
+    Reason blocked;
+    if (options_.blocked_by) {
+      const BlockedAtMount there = options_.blocked_by(world_T_mount);
+      placement = placement_at(arm_, world_T_mount, poses_, solver, there.configuration, blocked);
+    }
+    const std::lock_guard lock(adding_);
+    if (placement) {
+      placement->heading = heading;
+      free_.push_back(std::move(*placement));
+      return;
+    }
+    if (blocked_ == 0 || rank < first_blocked_) {
+      first_blocked_ = rank;
+      blocked_reason_ = std::move(blocked);
+    }
+    ++blocked_;
+  }
+
+  /// Sets the counts, and returns the placements, the best first. The result must not depend on the
+  /// order of threads, so equal placements are ordered by their mounts.
+  std::vector<Placement> take(PlacementResult& result) {
+    result.reaching = std::ssize(free_) + blocked_;
+    result.blocked = blocked_;
+    result.blocked_reason = std::move(blocked_reason_);
+    const auto key = [](const Placement& p) {
+      const Vector3& at = p.world_T_mount.translation();
+      return std::tuple(-p.margin, -p.manipulability, at.x(), at.y(), at.z(), p.heading);
+    };
+    std::sort(free_.begin(), free_.end(),
+              [&key](const Placement& a, const Placement& b) { return key(a) < key(b); });
+    return std::move(free_);
+  }
+
+ private:
+  const Arm& arm_;
+  std::span<const Pose> poses_;
+  const PlacementOptions& options_;
+  std::mutex adding_;
+  std::vector<Placement> free_;
+  std::int64_t blocked_ = 0;
+  Eigen::Index first_blocked_ = 0;
+  Reason blocked_reason_;
+};
+
+/// Returns the free mounts from which all poses are reached, the best first.
 std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts,
                                        std::span<const Pose> poses, const PlacementOptions& options,
                                        internal::BudgetMeter& budget, PlacementResult& result) {
   const std::vector<Rank> ranks = ranking(map, mounts, poses, options, budget);
   internal::Copies<internal::PoseSolver> solvers(
       internal::PoseSolver(map.arm(), map.header().redundant_values));
-  std::mutex adding;
-  std::vector<Placement> found;
+  ReachingMounts found(map, poses, options);
   internal::FinishedSteps checked(budget, std::ssize(ranks));
   internal::in_parallel(std::ssize(ranks), 16, options.threads,
                         [&](Eigen::Index first, Eigen::Index last) {
                           const auto solver = solvers.borrow();
                           for (Eigen::Index i = first; i < last; ++i) {
                             if (budget.ended(std::ssize(poses))) return;
-                            const Pose world_T_mount = mounts.pose(ranks[i].mount);
-                            std::optional<Placement> placement =
-                                placement_at(map.arm(), world_T_mount, poses, *solver);
+                            const Eigen::Index mount = ranks[i].mount;
+                            found.check(i, mounts.pose(mount), mounts.heading(mount), *solver);
                             checked.add(1);
-                            if (!placement) continue;
-                            placement->heading = mounts.heading(ranks[i].mount);
-                            const std::lock_guard lock(adding);
-                            found.push_back(std::move(*placement));
                           }
                         });
   result.checked = checked.count();
-  result.reaching = std::ssize(found);
-  // The result must not depend on the order of threads, so equal placements are ordered by their
-  // mounts.
-  const auto key = [](const Placement& p) {
-    const Vector3& at = p.world_T_mount.translation();
-    return std::tuple(-p.margin, -p.manipulability, at.x(), at.y(), at.z(), p.heading);
-  };
-  std::sort(found.begin(), found.end(),
-            [&key](const Placement& a, const Placement& b) { return key(a) < key(b); });
-  return found;
+  return found.take(result);
 }
 
-/// Returns the duration of the lines through the poses; none if the arm cannot follow them.
-std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_mount,
-                                        std::span<const Pose> poses,
-                                        internal::BudgetMeter& budget) {
-  PathMotionOptions options;
-  options.budget = budget.part();
-  const PathMotion motion = move_in_lines(with_mount(arm, world_T_mount), poses, options);
-  if (!motion) return std::nullopt;
-  return motion.trajectory.times.back();
+/// Sets the duration of the lines through the poses; counts the mount and returns false if the arm
+/// cannot follow them.
+bool has_lines(const Arm& arm, std::span<const Pose> poses, const PlacementOptions& options,
+               internal::BudgetMeter& budget, Placement& placement, PlacementResult& result) {
+  PathMotionOptions motion_options;
+  motion_options.budget = budget.part();
+  if (options.blocked_by) {
+    motion_options.blocked_by = options.blocked_by(placement.world_T_mount).motion;
+  }
+  const PathMotion motion =
+      move_in_lines(with_mount(arm, placement.world_T_mount), poses, motion_options);
+  if (motion) {
+    placement.duration = motion.trajectory.times.back();
+    return true;
+  }
+  ++result.without_lines;
+  const bool blocked =
+      motion.status == MotionStatus::collides || motion.status == MotionStatus::not_decided;
+  result.blocked_lines += blocked;
+  return false;
 }
 
 }  // namespace
@@ -258,14 +334,16 @@ Reason reason_of(const PlacementResult& result) {
   if (result) return {};
   if (result.mounts == 0) return {ReasonCode::poses_too_far_apart};
   const auto number = [](std::int64_t n) { return static_cast<std::size_t>(n); };
-  if (result.reaching == 0) {
-    return {
+  if (result.reaching == result.blocked) {
+    Reason reason{
         ReasonCode::no_mount_reaches,
         {{ReasonField::count, number(result.checked)}, {ReasonField::of, number(result.mounts)}}};
+    if (result.blocked_reason) reason.details.push_back(result.blocked_reason);
+    return reason;
   }
   return {ReasonCode::no_mount_moves_in_lines,
           {{ReasonField::count, number(result.without_lines)},
-           {ReasonField::of, number(result.reaching)}}};
+           {ReasonField::of, number(result.reaching - result.blocked)}}};
 }
 
 PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
@@ -288,15 +366,7 @@ PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world
       return other.world_T_mount.translation() == placement.world_T_mount.translation();
     };
     if (std::any_of(result.placements.begin(), result.placements.end(), stands_here)) continue;
-    if (lines) {
-      const std::optional<double> duration =
-          duration_of_lines(map.arm(), placement.world_T_mount, world_T_tool, budget);
-      if (!duration) {
-        ++result.without_lines;
-        continue;
-      }
-      placement.duration = *duration;
-    }
+    if (lines && !has_lines(map.arm(), world_T_tool, options, budget, placement, result)) continue;
     result.placements.push_back(std::move(placement));
   }
   result.ending = budget.ending();

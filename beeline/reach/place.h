@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,8 +9,17 @@
 #include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/reach/reach_map.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
+
+/// Why configurations and motions must not be given while the arm stands at one mount; empty
+/// functions have no reason. Usually blocked_by() and prove_clearance() of with_mount() of a
+/// CollisionModel.
+struct BlockedAtMount {
+  std::function<Reason(const ConfigurationRef&)> configuration = {};
+  std::function<Reason(const Trajectory&, const Budget&)> motion = {};
+};
 
 /// The mounts that are searched: a grid of positions, each with rotations about the world's z axis.
 struct PlacementOptions {
@@ -26,6 +36,11 @@ struct PlacementOptions {
   /// Whether the tool must be able to move in straight lines through the poses, one after the
   /// other. The search ends after ten times `count` mounts, at least 100, without such lines.
   bool lines = false;
+  /// Returns what blocks the arm at a mount, world_T_mount, in the world of the poses (in Python
+  /// the CollisionModel of the map's arm, whose obstacles stay while the arm moves). Asked for each
+  /// mount from which all poses are reached, from many threads: blocked solutions do not count, and
+  /// blocked lines are none. Default: nothing.
+  std::function<BlockedAtMount(const Pose&)> blocked_by = {};
   int threads = 0;  ///< number of threads; 0: one for each core. The result does not depend on it.
   Budget budget = {};  ///< budget; a unit of its work is one pose
 };
@@ -45,10 +60,14 @@ struct Placement {
 struct PlacementResult {
   /// The best heading of each position, by decreasing margin, then manipulability.
   std::vector<Placement> placements = {};
-  std::int64_t mounts = 0;         ///< number of mounts of the grid
-  std::int64_t checked = 0;        ///< number of mounts checked by inverse kinematics at every pose
-  std::int64_t reaching = 0;       ///< number of checked mounts from which all poses are reached
-  std::int64_t without_lines = 0;  ///< number of these mounts refused because of the lines
+  std::int64_t mounts = 0;    ///< number of mounts of the grid
+  std::int64_t checked = 0;   ///< number of mounts checked by inverse kinematics at every pose
+  std::int64_t reaching = 0;  ///< number of checked mounts from which all poses are reached
+  /// Number of these mounts at which all solutions of some pose are blocked.
+  std::int64_t blocked = 0;
+  Reason blocked_reason = {};        ///< a solution's at the first of them by the map's ranking
+  std::int64_t without_lines = 0;    ///< number of the others refused because of the lines
+  std::int64_t blocked_lines = 0;    ///< number of these whose lines the arm could follow unblocked
   Ending ending = Ending::complete;  ///< whether the budget ended the search
 
   /// Whether there is a placement.
@@ -62,8 +81,8 @@ Reason reason_of(const PlacementResult& result);
 /// Finds mounts from which the arm of a map reaches all poses (world_T_tool). The map ranks the
 /// mounts: by the number of poses whose cells are reached, then by the least margin of these cells.
 /// Each placement is checked by the inverse kinematics of the poses themselves. Throws Error for a
-/// map with one orientation, an incomplete one, one of more than 5e8 cells, no poses, an option out
-/// of its range, and more than 1e8 mounts.
+/// map of a scene, which would move with the mount, one with one orientation, an incomplete one,
+/// one of more than 5e8 cells, no poses, an option out of its range, and more than 1e8 mounts.
 PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
                                 const PlacementOptions& options = {});
 

@@ -37,13 +37,14 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
     throw Error("samples is " + std::to_string(options.samples) + "; it can be 0 to 1e12");
   }
   if (options.samples > 0) return internal::sampled_cells(arm, grid, first, last, options);
-  const internal::FreeJoints free = internal::free_joints(arm, grid);
+  const internal::FreeJoints free =
+      internal::free_joints(arm, grid, static_cast<bool>(options.blocked_by));
   const Eigen::Index at_position = grid.directions() * grid.rolls(), azimuths = grid.azimuths();
   ReachCells cells;
   cells.resize(static_cast<std::size_t>((last - first) * at_position));
   internal::BudgetMeter budget(options.budget);
   internal::Copies<CellSolver> solvers(
-      {internal::BranchSolver(arm, free, options.redundant_values),
+      {internal::BranchSolver(arm, free, options.redundant_values, options.blocked_by),
        internal::CellExpansion(arm, grid, free, options.redundant_values)});
   internal::FinishedSteps computed(budget, last - first);
   // Positions counted without azimuths, which are solved together.

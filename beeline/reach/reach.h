@@ -1,16 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/reach/grid.h>
+#include <beeline/reason.h>
 
 namespace beeline {
 
 /// The largest number of samples of a map by sampling.
 constexpr std::int64_t max_samples = 1'000'000'000'000;
+
+/// The scene in which solutions of a map are free, as its file identifies it.
+struct ReachScene {
+  std::string digest = {};              ///< digest() of the CollisionModel
+  double clearance = 0;                 ///< distance to keep, m; obstacles may have their own
+  std::vector<std::string> files = {};  ///< paths of its files, for reports
+};
 
 struct ReachOptions {
   /// Number of configurations of a map by sampling, which fill the joint ranges evenly: a cell is
@@ -20,6 +31,14 @@ struct ReachOptions {
   /// solutions of an arm of seven joints are computed at each. If none has a solution, the ranges
   /// between them are searched. Branches, manipulability and margin are the best of all solutions.
   int redundant_values = 16;
+  /// Reason why a configuration must not count as a solution, none if it may; usually blocked_by()
+  /// of a CollisionModel of the same arm (in Python the model). Branches, manipulability and margin
+  /// are of solutions without a reason; a sample with one is left out. For an arm of seven joints,
+  /// the ranges between the values of the redundant joint are not searched where a value has a
+  /// solution, free or not. Called from many threads. Default: every solution counts.
+  std::function<Reason(const ConfigurationRef&)> blocked_by = {};
+  /// The scene of `blocked_by`. Files of maps need it, because parts of another one are refused.
+  std::optional<ReachScene> scene = std::nullopt;
   int threads = 0;  ///< number of threads; 0: one for each core. The results do not depend on it.
   /// A unit of its work is one cell, or one sample. Reports the fraction computed, from any thread.
   Budget budget = {};
@@ -52,9 +71,12 @@ struct ReachCells {
 /// last joint reaches it, and the margin is the smallest margin of the other joints. A pose between
 /// the cells belongs to the cell ReachGrid::cell_of(). Throws Error for an arm with fewer joints
 /// than a pose has components. Without rolls, throws Error for an arm whose last joint does not
-/// turn about the tool's z axis. With azimuths, throws Error for an arm whose solutions cannot all
-/// be computed, such as a redundant one. By sampling, throws Error for azimuths, for one
-/// orientation, and for a joint without position limits that is not revolute or that others follow.
+/// turn about the tool's z axis. With blocked_by, throws Error without rolls, because the last
+/// joint moves the bodies on the last link, and for azimuths, because a scene is not the same from
+/// each of them; neither by sampling without rolls. With azimuths, throws Error for an arm whose
+/// solutions cannot all be computed, such as a redundant one. By sampling, throws Error for
+/// azimuths, for one orientation, and for a joint without position limits that is not revolute or
+/// that others follow.
 ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
                        const ReachOptions& options = {});
 

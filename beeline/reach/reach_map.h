@@ -19,6 +19,7 @@ struct ReachMapHeader {
   ReachGrid grid;
   int redundant_values = 16;  ///< see ReachOptions
   std::int64_t samples = 0;   ///< configurations of a map by sampling; 0: by inverse kinematics
+  std::optional<ReachScene> scene = std::nullopt;  ///< in which solutions are free; none: all count
 };
 
 /// A reach map, in memory or in an HDF5 file, which any program that reads HDF5 reads too
@@ -89,9 +90,9 @@ struct ReachMapOptions {
 /// Computes a map, or a shard of it, into a file. Each slab is written whole into the folder
 /// `path`.parts. A call after an ended or killed one reuses these slabs. The last step joins and
 /// deletes them. The datasets do not depend on threads, shards or interruptions. Needs the memory
-/// of two slabs, by sampling the memory of 2^25 cells. Throws Error as reach_cells() does and for a
-/// shard that does not exist. Throws FileError for a file that cannot be written and for a folder
-/// with slabs of another map.
+/// of two slabs, by sampling the memory of 2^25 cells. Throws Error as reach_cells() does, for
+/// `blocked_by` without `scene` and for a shard that does not exist. Throws FileError for a file
+/// that cannot be written and for a folder with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});
 

@@ -21,9 +21,14 @@ std::string reach_sentence(const ReasonText& reason) {
     case ReasonCode::poses_too_far_apart:
       return "the poses are farther apart than the arm reaches";
     case ReasonCode::no_mount_reaches:
-      return "the arm reaches all poses from none of the " + reason.number(count) +
+      return std::string("the arm reaches all poses ") +
+             (reason.details().empty() ? "" : "with free solutions ") + "from none of the " +
+             reason.number(count) +
              (reason.number(count) == reason.number(of) ? " mounts"
-                                                        : " mounts that the map ranks first");
+                                                        : " mounts that the map ranks first") +
+             (reason.details().empty()
+                  ? ""
+                  : "; at the first one that reaches them: " + sentence(reason.required_detail()));
     case ReasonCode::no_mount_moves_in_lines:
       return "the arm reaches all poses from " + mounts(of) +
              ", but moves in straight lines from none of the " + reason.number(count) + " best";

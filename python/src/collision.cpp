@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "collision_fields.h"
 #include "interruption.h"
+#include "plane_poses.h"
 #include "warning_category.h"
 
 namespace beeline::python {
@@ -179,6 +180,14 @@ void bind_model(nb::module_& m) {
       .def_prop_ro("apart_count", &CollisionModel::apart_count, getter("apart_count", "int"),
                    "Number of pairs of two links' shapes that count only outside the position "
                    "limits.")
+      .def_prop_ro("clearance", &CollisionModel::clearance, getter("clearance", "float"),
+                   "Distance that is kept, m, except from obstacles with their own.")
+      .def_prop_ro(
+          "digest", [](const CollisionModel& self) { return digest(self); },
+          getter("digest", "str"),
+          "A fingerprint of what the model checks: shapes, poses, clearances and pairs, but "
+          "neither "
+          "names nor the arm.")
       .def_prop_ro(
           "neighbour_pairs",
           [](const CollisionModel& self) {
@@ -186,6 +195,16 @@ void bind_model(nb::module_& m) {
           },
           getter("neighbour_pairs", Value<std::vector<NamedPair>>::type()),
           "Pairs of bodies of the arm that share a joint and, for this reason, do not count.");
+  Signature mounted("with_mount", "CollisionModel",
+                    "Returns the model of the arm mounted in the world, as Arm.with_mount(); "
+                    "obstacles stay where they are.");
+  mounted.takes("self").takes("world_T_mount", array_like, pose_doc);
+  define(
+      model,
+      [](const CollisionModel& self, nb::handle pose) {
+        return with_mount(self, PosePlane::frame(self.arm(), pose, "world_T_mount"));
+      },
+      mounted, nb::arg("world_T_mount"));
 }
 
 void bind_blocked_by(nb::module_& m) {

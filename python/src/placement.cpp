@@ -1,8 +1,11 @@
+#include <beeline/certificate/clearance.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/reach/surface.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "draw_fields.h"
+#include "interruption.h"
 #include "placement_fields.h"
 #include "plane_poses.h"
 #include "rows.h"
@@ -63,6 +66,26 @@ Picture picture_of(const SliceArray& arrays) {
   return without_lock([&] { return compose(reach_figure(slice)); });
 }
 
+}  // namespace
+
+std::function<BlockedAtMount(const Pose&)> Value<std::function<BlockedAtMount(const Pose&)>>::from(
+    nb::handle value, const char* name) {
+  if (value.is_none()) return {};
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+  const auto* const model = &nb::cast<const CollisionModel&>(value);
+  return [model, held = shared_object(nb::borrow(value))](const Pose& world_T_mount) {
+    const auto there = std::make_shared<const CollisionModel>(with_mount(*model, world_T_mount));
+    return BlockedAtMount{
+        .configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
+        .motion =
+            [there](const Trajectory& motion, const Budget& budget) {
+              return prove_clearance(*there, motion, {.budget = budget}).reason;
+            }};
+  };
+}
+
+namespace {
+
 /// The picture of a slice or of two.
 Picture picture_from(nb::handle slice) {
   const SliceArray* single = nullptr;
@@ -92,6 +115,7 @@ void bind_placements(nb::module_& m) {
       [](const ReachMap& map, nb::handle poses, const nb::kwargs& keywords) {
         const std::vector<Pose> reached = PosePlane(map.arm()).poses(poses, "poses");
         auto asked = options<PlacementOptions>(keywords);
+        check_model_of(map.arm(), keywords);
         check_threads(asked.threads);
         return unlocked(asked.budget, [&] { return find_placements(map, reached, asked); });
       },

@@ -5,11 +5,21 @@
 
 namespace beeline::python {
 
+/// PlacementOptions::blocked_by: a CollisionModel, which the function keeps.
+template <>
+struct Value<std::function<BlockedAtMount(const Pose&)>> {
+  using Function = std::function<BlockedAtMount(const Pose&)>;
+  static std::string type() { return "CollisionModel | None"; }
+  static nb::object to(const Function&) { return nb::none(); }
+  static Function from(nb::handle value, const char* name);
+};
+
 template <>
 struct Fields<PlacementOptions>
     : Members<&PlacementOptions::lower, &PlacementOptions::upper, &PlacementOptions::step,
               &PlacementOptions::headings, &PlacementOptions::count, &PlacementOptions::max_checked,
-              &PlacementOptions::lines, &PlacementOptions::threads, &PlacementOptions::budget> {};
+              &PlacementOptions::lines, &PlacementOptions::blocked_by, &PlacementOptions::threads,
+              &PlacementOptions::budget> {};
 
 template <>
 struct Fields<Placement>
@@ -19,8 +29,9 @@ struct Fields<Placement>
 template <>
 struct Fields<PlacementResult>
     : Members<&PlacementResult::placements, &PlacementResult::mounts, &PlacementResult::checked,
-              &PlacementResult::reaching, &PlacementResult::without_lines,
-              &PlacementResult::ending> {};
+              &PlacementResult::reaching, &PlacementResult::blocked,
+              &PlacementResult::blocked_reason, &PlacementResult::without_lines,
+              &PlacementResult::blocked_lines, &PlacementResult::ending> {};
 
 /// The positions of a map in a plane perpendicular to an axis of the world. Notebooks draw it.
 struct SliceArray {

@@ -217,7 +217,7 @@ void bind_grid_state(nb::class_<GridOfArm>& grid) {
 
 CellArrays computed_cells(const Arm& arm, const ReachGrid& grid, nb::handle first, nb::handle last,
                           const nb::kwargs& keywords) {
-  auto [asked] = reach_options(keywords);
+  auto [asked] = reach_options(arm, keywords);
   const Index begin = Value<Index>::from(first, "first");
   const Index end = Value<std::optional<Index>>::from(last, "last").value_or(grid.positions());
   cells_shape(grid, std::max<Index>(0, end - begin));  // refuses too many

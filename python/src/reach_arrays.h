@@ -46,11 +46,16 @@ PositionArrays summary_of(const ReachGrid& grid, const ReachCells& cells);
 
 /// The part of ReachMap in the module, and its files.
 void bind_map(nb::module_& module);
-/// The options of computing cells. Throws Error for a negative number of threads.
+/// The scene of the option blocked_by, a model; none without. Throws Error for one of another arm.
+std::optional<ReachScene> scene_of(const Arm& arm, const nb::kwargs& keywords);
+
+/// The options of computing cells. Throws Error for a negative number of threads, and for a model
+/// of another arm.
 template <class... Others>
-std::tuple<ReachOptions, Others...> reach_options(const nb::kwargs& keywords) {
+std::tuple<ReachOptions, Others...> reach_options(const Arm& arm, const nb::kwargs& keywords) {
   std::tuple<ReachOptions, Others...> asked{options<ReachOptions, Others...>(keywords)};
   check_threads(std::get<0>(asked).threads);
+  std::get<0>(asked).scene = scene_of(arm, keywords);
   return asked;
 }
 

@@ -7,6 +7,7 @@
 #include <beeline/reach/reach_map.h>
 #include <beeline/reach/surface.h>
 
+#include "inverse_fields.h"
 #include "kept_array.h"
 #include "record.h"
 
@@ -49,18 +50,28 @@ struct Fields<ReachGridOptions>
               &ReachGridOptions::rolls> {};
 
 template <>
-struct Fields<ReachOptions> : Members<&ReachOptions::samples, &ReachOptions::redundant_values,
-                                      &ReachOptions::threads, &ReachOptions::budget> {};
+struct Fields<ReachOptions>
+    : Members<&ReachOptions::samples, &ReachOptions::redundant_values, &ReachOptions::blocked_by,
+              &ReachOptions::threads, &ReachOptions::budget> {};
+
+template <>
+struct Fields<ReachScene>
+    : Members<&ReachScene::digest, &ReachScene::clearance, &ReachScene::files> {
+  static constexpr std::size_t required = 1;
+};
 
 /// What a ReachMapHeader says besides the arm and the grid: ReachOptions of the same names.
 struct MapOptions {
   /// As reach_cells() takes it, 1 to 1000.
   int redundant_values = ReachOptions().redundant_values;
   std::int64_t samples = 0;  ///< configurations of a map by sampling; 0: by inverse kinematics
+  /// The scene in which solutions are free, of the model of blocked_by; None: all solutions count.
+  std::optional<ReachScene> scene = std::nullopt;
 };
 
 template <>
-struct Fields<MapOptions> : Members<&MapOptions::redundant_values, &MapOptions::samples> {
+struct Fields<MapOptions>
+    : Members<&MapOptions::redundant_values, &MapOptions::samples, &MapOptions::scene> {
   static void check(const MapOptions& made) {
     if (made.redundant_values < 1 || made.redundant_values > 1000) {
       throw Error("redundant_values is " + std::to_string(made.redundant_values) +

@@ -89,7 +89,7 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
   define(
       m,
       [](const Arm& arm, const GridOfArm& grid, nb::handle path, const nb::kwargs& keywords) {
-        auto [reach, shard] = reach_options<ShardOptions>(keywords);
+        auto [reach, shard] = reach_options<ShardOptions>(arm, keywords);
         const std::string file = path_from(path, "path");
         ReachMapOptions asked{reach, shard.shard};
         return Value<Ending>::to(

@@ -1,6 +1,7 @@
 #include <beeline/reach/reach_map.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "reach_arrays.h"
 
 namespace beeline::python {
@@ -39,7 +40,9 @@ const CellArrays& all_cells(nb::handle self) {
 
 MapOptions options_of(const ReachMap& map) {
   const ReachMapHeader& header = map.header();
-  return {.redundant_values = header.redundant_values, .samples = header.samples};
+  return {.redundant_values = header.redundant_values,
+          .samples = header.samples,
+          .scene = header.scene};
 }
 
 bool same_cells(const ReachCells& a, const ReachCells& b) {
@@ -67,7 +70,7 @@ bool same_map(const ReachMap& a, const ReachMap& b) {
 ReachMap map_of(const Arm& arm, const ReachGrid& grid, const CellArrays& cells,
                 const MapOptions& made) {
   Fields<MapOptions>::check(made);
-  return {{arm, grid, made.redundant_values, made.samples}, cells_of(grid, cells)};
+  return {{arm, grid, made.redundant_values, made.samples, made.scene}, cells_of(grid, cells)};
 }
 
 void bind_arrays(nb::class_<ReachMap>& map) {
@@ -211,20 +214,32 @@ void bind_making(nb::module_& m, nb::class_<ReachMap>& map) {
   define(
       m,
       [](const Arm& arm, const nb::kwargs& keywords) {
-        auto [with, asked] = reach_options<ReachGridOptions>(keywords);
+        auto [with, asked] = reach_options<ReachGridOptions>(arm, keywords);
         ReachOptions& reach = with;
         const ReachGrid grid(arm, asked);
         cells_shape(grid, grid.positions());  // refuses too many
         ReachCells cells = unlocked(
             reach.budget, [&] { return reach_cells(arm, grid, 0, grid.positions(), reach); });
-        return ReachMap({arm, grid, reach.redundant_values, reach.samples}, std::move(cells));
+        return ReachMap({arm, grid, reach.redundant_values, reach.samples, reach.scene},
+                        std::move(cells));
       },
       computed, nb::arg("arm"), nb::arg("options"));
 }
 
 }  // namespace
 
+std::optional<ReachScene> scene_of(const Arm& arm, const nb::kwargs& keywords) {
+  check_model_of(arm, keywords);
+  if (!keywords.contains("blocked_by")) return std::nullopt;
+  const CollisionModel* model = nullptr;
+  if (!nb::try_cast<const CollisionModel*>(keywords["blocked_by"], model) || !model) {
+    return std::nullopt;
+  }
+  return ReachScene{.digest = digest(*model), .clearance = model->clearance()};
+}
+
 void bind_map(nb::module_& m) {
+  bind_record<ReachScene>(m);
   bind_record<ReachMap::Totals>(m);
   bind_record<ReachShard>(m);
   nb::class_<ReachMap> map(

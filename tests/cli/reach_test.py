@@ -11,6 +11,8 @@ import time
 import numpy
 import pytest
 
+from shaped_arm import planar_arm
+
 MAP = ["reach", "map", "puma560", "--resolution", "0.1", "--directions", "45", "--degrees"]
 
 
@@ -333,3 +335,56 @@ def test_a_placement_that_ended_early_reports_what_it_found(beeline, puma, writt
     assert answer.code == 1 and answer.json["status"] == "work_limit" and answer.json["placements"]
     empty = beeline("reach", "place", puma, "--poses", pose, "--degrees", "--lower", "1,1,1", "--upper", "0,0,0")
     assert empty.code == 2 and "box of the mounts is empty" in empty.err
+
+
+ARM = planar_arm()
+POST = json.dumps({"obstacles": [{"name": "post", "shapes": [
+    {"cylinder": {"radius": 0.3, "length": 2}, "pose": {"xyz": [2.1, 1.3, 0]}}]}]})
+FAR = json.dumps({"obstacles": [{"name": "far", "shapes": [{"sphere": {"radius": 1}, "pose": {"xyz": [50, 0, 0]}}]}]})
+
+
+def test_a_map_of_a_scene_counts_free_solutions(beeline, written, tmp_path):
+    arm, post, far = written("arm.json", ARM), written("post.json", POST), written("far.json", FAR)
+    grid = ["--resolution", "1.5", "--directions", "90", "--degrees"]
+    cells = lambda name, *options: beeline("reach", "map", arm, *grid, "--out", tmp_path / name, *options, "--json")
+    whole, free = cells("all.h5"), cells("free.h5", "--scene", post, "--clearance", "0.05")
+    away = cells("far.h5", "--scene", far, "--no-self")
+    assert away.json["cells_reached"] == whole.json["cells_reached"] > free.json["cells_reached"] > 0
+    assert free.json["scene"]["clearance"] == free.json["map_scene"]["clearance"] == 0.05
+    assert free.json["map_scene"]["files"] == [str(post)] and whole.json["map_scene"] is None
+    text = beeline("reach", "query", tmp_path / "free.h5").out
+    assert f"free in       {post}, 0.05 m are required" in text
+    compared = beeline("reach", "compare", tmp_path / "all.h5", tmp_path / "free.h5")
+    assert "free.h5: free in " in compared.out and "all.h5: free" not in compared.out
+    merged = beeline("reach", "merge", tmp_path / "far.h5", tmp_path / "free.h5", "--out", tmp_path / "m.h5")
+    assert merged.code == 3 and "another map: its scene is" in merged.err
+    placed = beeline("reach", "place", tmp_path / "free.h5", "--poses", written("p.csv", "x,y,theta\n1,2,0\n"))
+    assert placed.code == 2 and "without a scene" in placed.err
+
+
+def test_a_map_of_a_scene_has_rolls_and_no_azimuths(beeline, written, tmp_path):
+    assert beeline("show", "ur5", "--out", tmp_path / "ur5.json").code == 0
+    ur5 = json.loads((tmp_path / "ur5.json").read_text())
+    ur5["shapes"] = [{"joint": "joint6", "shapes": [{"sphere": {"radius": 0.05}}]}]
+    arm, far = written("shaped.json", json.dumps(ur5)), written("far.json", FAR)
+    command = ["reach", "map", arm, "--resolution", "0.5", "--scene", far, "--out", tmp_path / "m.h5"]
+    assert "--rolls" in beeline(*command).err
+    assert "--azimuths" in beeline(*command, "--azimuths", "1").err
+    assert beeline(*command, "--rolls", "3").code == 0
+
+
+def test_mounts_whose_solutions_are_blocked_are_left_out(beeline, written, tmp_path):
+    arm, post, far = written("arm.json", ARM), written("post.json", POST), written("far.json", FAR)
+    poses = written("poses.csv", "x,y,theta\n4,3,0\n4,4,0\n")
+    assert beeline("reach", "map", arm, "--resolution", "1.5", "--out", tmp_path / "m.h5").code == 0
+    command = ["reach", "place", tmp_path / "m.h5", "--poses", poses, "--step", "1", "--count", "100", "--json"]
+    alone, away = beeline(*command).json, beeline(*command, "--scene", far, "--arm", arm, "--no-self").json
+    assert away["placements"] == alone["placements"] and away["blocked"] == 0
+    near = beeline(*command, "--scene", post, "--arm", arm).json
+    assert 0 < near["blocked"] < near["reaching"] == alone["reaching"]
+    for placement in near["placements"][:3]:
+        for pose, q in zip(("4,3,0", "4,4,0"), placement["solutions"]):
+            ik = beeline("ik", arm, "--mount", placement["mount"], "--pose", pose, "--scene", post, "--all", "--json")
+            assert min(math.dist(q, s) for s in ik.json["solutions"]) < 1e-4  # the mount is rounded
+    assert "--arm" in beeline(*command, "--scene", post).err
+    assert "other joints" in beeline(*command, "--scene", post, "--arm", "RRR:1,1,1").err

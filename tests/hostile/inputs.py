@@ -116,6 +116,7 @@ show robot.urdf --srdf arm.srdf --group arm
 ik shaped.json --pose 4.459,5.226,0 --degrees --all --scene cell.json --clearance 0.02 --allow hand,wall
 batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --no-self
 line shaped.json --through planar.csv --out out.csv --scene cell.json
+reach map shaped.json --resolution 2 --directions 1 --scene cell.json --clearance 0.02 --allow hand,wall --out out.h5
 check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end
 check shaped.urdf shaped.csv --scene moved.scene --scene cell.yaml --moving-start --moving-end
 move shaped.urdf --from 0 --to 0.1 --method quickest --self

@@ -54,6 +54,7 @@ NOT_IN_PYTHON = {
     "Budget::whole": "set by the library alone",
     "MatchOptions::column_units": "set by the reader, from the names of columns",
     "ReachMapOptions::reach": "its members are keywords",
+    "ReachOptions::scene": "of the model of blocked_by",
     "RecordingOptions::angle_unit_is_known": "angle_unit=\"radians\" states it",
     "RecordingOptions::map_is_optional": "for two files with one map; load each with its own",
     "RecordingOptions::time_unit_is_optional": "for two files with one unit; load each with its own",

@@ -239,6 +239,60 @@ TEST_F(ReachMapFile, SamplesCountOnceInTheBudget) {
   EXPECT_EQ(last, 1);
 }
 
+/// Solutions with the second joint above this value are blocked.
+ReachOptions in_scene(double highest) {
+  return {.blocked_by = [highest](const ConfigurationRef& q) -> Reason {
+            return q[1] > highest ? Reason{ReasonCode::bodies_collide} : Reason{};
+          },
+          .scene = ReachScene{
+              .digest = number(highest), .clearance = 0.25, .files = {"cell.json", "b \"c\"\n"}}};
+}
+
+TEST_F(ReachMapFile, OfASceneHasPartsOfThisSceneAlone) {
+  const Example example;
+  const Arm& arm = example.arm;
+  const ReachGrid& grid = example.grid;
+  const ReachOptions cell = in_scene(-1), other = in_scene(-0.5);
+  const ReachCells expected = reach_cells(arm, grid, 0, grid.positions(), cell);
+  const ReachCells all = reach_cells(arm, grid, 0, grid.positions());
+  EXPECT_NE(expected.branches, all.branches);
+  compute_reach_map(arm, grid, path("part1"), {.reach = cell, .shard = {1, 2}});
+  compute_reach_map(arm, grid, path("part2"), {.reach = cell, .shard = {2, 2}});
+  compute_reach_map(arm, grid, path("other2"), {.reach = other, .shard = {2, 2}});
+  compute_reach_map(arm, grid, path("all2"), {.shard = {2, 2}});
+  EXPECT_REFUSED(merge_reach_maps({path("part1"), path("other2")}, path("m.h5")), "another map");
+  EXPECT_REFUSED(merge_reach_maps({path("part1"), path("all2")}, path("m.h5")), "another map");
+  EXPECT_REFUSED(merge_reach_maps({path("all2"), path("part1")}, path("m.h5")), "another map");
+  merge_reach_maps({path("part1"), path("part2")}, path("whole.h5"));
+  const ReachMap whole(path("whole.h5"));
+  expect_equal(whole.cells(0, grid.positions()), expected);
+  ASSERT_TRUE(whole.header().scene);
+  EXPECT_EQ(whole.header().scene->digest, cell.scene->digest);
+  EXPECT_EQ(whole.header().scene->clearance, 0.25);
+  EXPECT_EQ(whole.header().scene->files, cell.scene->files);
+  EXPECT_FALSE(ReachMap(path("all2")).header().scene);
+}
+
+TEST_F(ReachMapFile, OfASceneContinuesWhereItEnded) {
+  const Example example;
+  ReachMapOptions options{.reach = in_scene(-1)};
+  options.reach.budget.max_work = example.grid.cells() / 2;
+  ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"), options),
+            Ending::work_limit);
+  EXPECT_REFUSED(compute_reach_map(example.arm, example.grid, path("map.h5")), "another map");
+  EXPECT_REFUSED(
+      compute_reach_map(example.arm, example.grid, path("map.h5"), {.reach = in_scene(-0.5)}),
+      "another map");
+  options.reach.budget = {};
+  ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"), options),
+            Ending::complete);
+  const Eigen::Index positions = example.grid.positions();
+  expect_equal(ReachMap(path("map.h5")).cells(0, positions),
+               reach_cells(example.arm, example.grid, 0, positions, options.reach));
+  options.reach.scene.reset();
+  EXPECT_REFUSED(compute_reach_map(example.arm, example.grid, path("map.h5"), options), "scene");
+}
+
 TEST_F(ReachMapFile, ContinuesWhereItEnded) {
   const Example example;
   compute_reach_map(example.arm, example.grid, path("whole.h5"));

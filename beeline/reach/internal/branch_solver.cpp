@@ -5,8 +5,11 @@
 
 namespace beeline::internal {
 
-BranchSolver::BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values)
-    : arm_(arm), free_(free), solver_(with_free_joints(arm, free), redundant_values) {}
+BranchSolver::BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values,
+                           BlockedBy blocked_by)
+    : arm_(arm),
+      free_(free),
+      solver_(with_free_joints(arm, free), redundant_values, std::move(blocked_by)) {}
 
 void BranchSolver::solve(const Pose& world_T_tool) {
   solver_.solve(world_T_tool);

@@ -11,8 +11,10 @@ namespace beeline::internal {
 /// at a time. Not thread-safe: each thread has a copy.
 class BranchSolver {
  public:
-  /// `redundant_values`: see ReachOptions.
-  BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values);
+  /// `redundant_values`, `blocked_by`: see ReachOptions. With joints that are free, nothing can be
+  /// blocked: free_joints() has none in a scene.
+  BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values,
+               BlockedBy blocked_by = {});
 
   /// Adds a cell with the solutions of a pose.
   void solve(const Pose& world_T_tool);

@@ -19,6 +19,18 @@ void check_joints(const Arm& arm) {
       "has the cells that it reaches anywhere");
 }
 
+void check_in_scene(const ReachGrid& grid) {
+  if (grid.cylindrical()) {
+    throw Error::of("azimuths",
+                    "a scene is not the same from all azimuths: make a map without azimuths");
+  }
+  if (grid.orientations() == ReachOrientations::directions) {
+    throw Error::of("rolls",
+                    "in a scene a direction cannot have any roll, because the last joint moves the "
+                    "bodies on the last link: give the angle between rolls");
+  }
+}
+
 /// Whether a pose is solved by all its solutions, and there are finitely many.
 bool has_all_solutions(const Arm& arm) {
   return arm.dof() <= default_task(arm).size() &&
@@ -27,12 +39,16 @@ bool has_all_solutions(const Arm& arm) {
 
 }  // namespace
 
-FreeJoints free_joints(const Arm& arm, const ReachGrid& grid) {
+FreeJoints free_joints(const Arm& arm, const ReachGrid& grid, bool in_scene) {
   if (grid.orientations() == ReachOrientations::any) {
     throw Error::of("any_orientation",
                     "a map of any orientation is one by sampling: give the number of samples");
   }
   check_joints(arm);
+  if (in_scene) {
+    check_in_scene(grid);
+    return {};
+  }
   FreeJoints free{.any_roll = grid.orientations() == ReachOrientations::directions};
   const bool all = has_all_solutions(arm);
   if (free.any_roll || (all && grid.orientations() == ReachOrientations::rolls)) {
@@ -78,7 +94,7 @@ void ReachBranches::append(const ReachBranches& others) {
 
 ReachBranches reach_branches(const Arm& arm, const ReachGrid& grid, Eigen::Index first,
                              Eigen::Index last, const ReachOptions& options) {
-  const FreeJoints free = free_joints(arm, grid);
+  const FreeJoints free = free_joints(arm, grid, static_cast<bool>(options.blocked_by));
   BudgetMeter budget(options.budget);
   Copies<BranchSolver> solvers(BranchSolver(arm, free, options.redundant_values));
   const Eigen::Index block = block_of_positions(free.solved_orientations(grid));

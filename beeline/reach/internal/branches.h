@@ -25,8 +25,10 @@ struct FreeJoints {
   }
 };
 
-/// Throws Error as reach_cells() does.
-FreeJoints free_joints(const Arm& arm, const ReachGrid& grid);
+/// Returns them; none where solutions count only if they are free `in_scene`: what is around the
+/// arm is not the same at another azimuth, and the tool's bodies are not at another roll. Throws
+/// Error as reach_cells() does.
+FreeJoints free_joints(const Arm& arm, const ReachGrid& grid, bool in_scene);
 
 /// The arm without the limits of those joints.
 Arm with_free_joints(const Arm& arm, const FreeJoints& free);

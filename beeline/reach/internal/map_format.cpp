@@ -76,7 +76,8 @@ void write_values(MapDatasets& datasets, const MapFormat& format, std::size_t k,
 MapFormat::MapFormat(const ReachMapHeader& header)
     : grid_(header.grid),
       slabs_(header.grid),
-      free_(grid_.cylindrical() ? free_joints(header.arm, grid_) : FreeJoints{}),
+      free_(grid_.cylindrical() ? free_joints(header.arm, grid_, header.scene.has_value())
+                                : FreeJoints{}),
       datasets_(datasets_of(header, free_)) {}
 
 Hdf5Shape MapFormat::of_positions(std::array<Eigen::Index, 3> counts,

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <array>
-#include <cinttypes>
-#include <cstdio>
 
+#include <beeline/internal/fingerprint.h>
 #include <beeline/io/text/arm.h>
+#include <beeline/io/text/json.h>
 #include <beeline/reach/internal/branches.h>
 #include <beeline/reach/internal/map_header.h>
 #include <beeline/reach/internal/orientation_names.h>
@@ -12,7 +11,8 @@ namespace beeline::internal {
 namespace {
 
 constexpr const char* format_name = "beeline reach map";
-constexpr double version = 1;
+/// A map of a scene has the second version, so that older programs do not take it for one without.
+constexpr double version = 1, version_in_scene = 2;
 
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
@@ -29,13 +29,11 @@ std::string answers_of(const ReachMapHeader& header) {
   return "the inverse kinematics at the centre of each cell";
 }
 
-/// FNV-1a, 64 bits, of the arm's JSON: differs where two files are of different arms.
+/// The fingerprint of the arm's JSON: differs where two files are of different arms.
 std::string hash_of(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, hash);
-  return digits.data();
+  Fingerprint fingerprint;
+  fingerprint.add(std::string_view(text));
+  return fingerprint.text();
 }
 
 std::vector<double> list_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -140,6 +138,31 @@ ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
   return options;
 }
 
+std::string json_of(const ReachScene& scene) {
+  return Json{{"digest", scene.digest}, {"clearance", scene.clearance}, {"files", scene.files}}
+      .text();
+}
+
+ReachScene scene_from(const std::string& text, const std::string& path) {
+  const JsonDocument document(text, path);
+  const Json& root = document.root();
+  ReachScene scene{.digest = document.text(document.need(root, "digest")),
+                   .clearance = document.number(document.need(root, "clearance"))};
+  for (const Json& file : document.items(document.need(root, "files"))) {
+    scene.files.push_back(document.text(file));
+  }
+  return scene;
+}
+
+/// Names a scene in an error: "cell.json (digest 0123456789abcdef)".
+std::string named(const std::optional<ReachScene>& scene) {
+  if (!scene) return "none";
+  return (scene->files.empty() ? "of its own" : listed(scene->files)) + " (digest " +
+         scene->digest + ")";
+}
+
+std::string digest_of(const std::optional<ReachScene>& scene) { return scene ? scene->digest : ""; }
+
 /// The arm as JSON without the frames of its controller, which a map does not depend on.
 std::string kinematics_of(const Arm& arm) {
   return arm_to_json({arm.name(), arm.joints(), arm.tool(), arm.base()});
@@ -151,7 +174,7 @@ void write_header(Hdf5File& file, const ReachMapHeader& header) {
   const ReachGridOptions options = header.grid.options();
   const std::string arm = arm_to_json(header.arm);
   file.write_text("format", format_name);
-  file.write_numbers("version", {version});
+  file.write_numbers("version", {header.scene ? version_in_scene : version});
   file.write_text("arm", arm);
   file.write_text("arm_name", header.arm.name());
   file.write_text("arm_hash", hash_of(arm));
@@ -172,16 +195,18 @@ void write_header(Hdf5File& file, const ReachMapHeader& header) {
   if (options.rolls) file.write_numbers("roll_spacing", {*options.rolls});
   file.write_numbers("redundant_values", {static_cast<double>(header.redundant_values)});
   file.write_numbers("samples", {static_cast<double>(header.samples)});
+  if (header.scene) file.write_text("scene", json_of(*header.scene));
   write_coordinates(file, header.grid);
 }
 
 ReachMapHeader read_header(const Hdf5File& file, const std::string& path) {
   if (file.read_text("format") != format_name) throw FileError(path, 0, "is no reach map");
   const double number_of_version = file.read_numbers("version", 1)[0];
-  if (number_of_version != version) {
+  if (number_of_version != version && number_of_version != version_in_scene) {
     throw FileError(path, 0,
                     "is a reach map of version " + number(number_of_version) +
-                        "; this program reads version " + number(version));
+                        "; this program reads versions " + number(version) + " and " +
+                        number(version_in_scene));
   }
   const std::string text = file.read_text("arm");
   if (file.read_text("arm_hash") != hash_of(text)) {
@@ -199,7 +224,12 @@ ReachMapHeader read_header(const Hdf5File& file, const std::string& path) {
   try {
     ReachMapHeader header{arm, ReachGrid(arm, read_options(file, path)), static_cast<int>(values),
                           static_cast<std::int64_t>(samples)};
-    if (header.grid.cylindrical()) (void)free_joints(arm, header.grid);  // refuses what has no map
+    if (number_of_version == version_in_scene) {
+      header.scene = scene_from(file.read_text("scene"), path);
+    }
+    if (header.grid.cylindrical()) {  // refuses what has no map
+      (void)free_joints(arm, header.grid, header.scene.has_value());
+    }
     return header;
   } catch (const FileError&) {
     throw;
@@ -234,6 +264,9 @@ void check_same_map(const std::string& path, const ReachMapHeader& header,
   constexpr double rounding = 1e-12;
   if (a.orientation && !a.orientation->isApprox(*b.orientation, rounding)) {
     refuse("orientation is another one");
+  }
+  if (digest_of(header.scene) != digest_of(expected.scene)) {
+    refuse("scene is " + named(header.scene) + ", not " + named(expected.scene));
   }
   if (header.redundant_values != expected.redundant_values) {
     refuse("redundant_values are " + std::to_string(header.redundant_values) + ", not " +

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <numbers>
+#include <utility>
 
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/numerical/bounds.h>
@@ -36,11 +37,15 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 }  // namespace
 
-PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
+PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by)
     : arm_(arm),
       any_(arm, {.task = default_task(arm)}),
       redundant_(redundant_joint(arm)),
-      seed_(middle_configuration(arm)) {
+      seed_(middle_configuration(arm)),
+      blocked_by_(std::move(blocked_by)) {
+  if (blocked_by_) {
+    any_free_.emplace(arm, InverseOptions{.task = default_task(arm), .blocked_by = blocked_by_});
+  }
   if (redundant_) {
     values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
     form_ = PieperSolver::make(arm, default_task(arm));
@@ -76,17 +81,31 @@ void PoseSolver::add_branches(const Pose& world_T_tool, double value) {
     form_->configuration(branches, lane, value, found_.col(count_));
     if (is_new(found_.col(count_), first)) ++count_;
   }
+  keep_free(first);
+}
+
+void PoseSolver::keep_free(Eigen::Index first) {
+  has_solution_ = has_solution_ || count_ > first;
+  if (blocked_by_) {
+    const Eigen::Index end = std::exchange(count_, first);
+    for (Eigen::Index i = first; i < end; ++i) {
+      if (blocked_by_(found_.col(i))) continue;
+      if (i != count_) found_.col(count_) = found_.col(i);
+      ++count_;
+    }
+  }
   branches_ = std::max(branches_, static_cast<int>(count_ - first));
 }
 
 void PoseSolver::add_all(const Pose& world_T_tool, InverseSolver& solver) {
-  const int added = solver.solve(world_T_tool, seed_, found_.middleCols(count_, most_at_once));
-  count_ += added;
-  branches_ = std::max(branches_, added);
+  const Eigen::Index first = count_;
+  count_ += solver.solve(world_T_tool, seed_, found_.middleCols(first, most_at_once));
+  keep_free(first);
 }
 
 void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
+  has_solution_ = false;
   if (redundant_ &&
       out_of_reach(arm_, world_T_tool, default_task(arm_), InverseOptions{}.tolerance)) {
     return;
@@ -102,7 +121,9 @@ void PoseSolver::solve(const Pose& world_T_tool) {
     }
   }
   seed_ = middle;
-  if (count_ == 0) add_all(world_T_tool, any_);
+  if (has_solution_) return;
+  add_all(world_T_tool, any_);
+  if (has_solution_ && count_ == 0) add_all(world_T_tool, *any_free_);
 }
 
 }  // namespace beeline::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,15 +9,18 @@
 
 namespace beeline::internal {
 
+/// ReachOptions::blocked_by.
+using BlockedBy = std::function<Reason(const ConfigurationRef&)>;
+
 /// All solutions of poses of one arm. Not thread-safe: each thread has a copy.
 class PoseSolver {
  public:
-  /// `redundant_values`: see ReachOptions.
-  PoseSolver(const Arm& arm, int redundant_values);
+  /// `redundant_values`, `blocked_by`: see ReachOptions.
+  PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by = {});
 
-  /// Finds the solutions within limits. They are complete for an arm without a redundant joint. For
-  /// an arm with a redundant joint they are the solutions at each of its values; if solutions exist
-  /// only between these values, one is found.
+  /// Finds the free solutions within limits. They are complete for an arm without a redundant
+  /// joint. For an arm with a redundant joint they are the solutions at each of its values; if
+  /// solutions exist only between these values, one is found.
   void solve(const Pose& world_T_tool);
 
   /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the
@@ -25,13 +29,17 @@ class PoseSolver {
   int branches() const { return branches_; }  ///< see ReachCells
 
  private:
+  /// Counts the solutions from column `first` on, found together, and keeps those that are free.
+  void keep_free(Eigen::Index first);
   void add_all(const Pose& world_T_tool, InverseSolver& solver);
   /// Adds the branches within limits at a value of the redundant joint.
   void add_branches(const Pose& world_T_tool, double value);
   bool is_new(const ConfigurationRef& q, Eigen::Index first) const;
 
   Arm arm_;
-  InverseSolver any_;                 ///< one solution
+  InverseSolver any_;  ///< one solution
+  /// One that is free; slower where there is none. Only if solutions can be blocked.
+  std::optional<InverseSolver> any_free_;
   std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
   std::optional<int> redundant_;      ///< then with this coordinate locked
   std::vector<double> values_;        ///< at each of these
@@ -41,6 +49,8 @@ class PoseSolver {
   Configuration seed_;
   Eigen::MatrixXd found_;
   Eigen::Index count_ = 0;
+  BlockedBy blocked_by_;
+  bool has_solution_ = false;  ///< free or not
   int branches_ = 0;
 };
 

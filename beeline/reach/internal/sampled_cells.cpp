@@ -116,6 +116,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
       const Pose pose(Eigen::Map<const Eigen::Matrix4d>(poses.col(i).data()));
       const std::optional<Eigen::Index> cell = grid.cell_of(pose);
       if (!cell || *cell < begin || *cell >= end) continue;
+      if (options.blocked_by && options.blocked_by(q.col(i))) continue;
       targets.push_back(*cell - begin);
       q.col(hits++) = q.col(i);
     }

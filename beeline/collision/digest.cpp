@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <array>
+
+#include <beeline/collision/internal/collision_bodies.h>
+#include <beeline/internal/fingerprint.h>
+
+namespace beeline {
+namespace {
+
+using internal::Fingerprint;
+
+void add_numbers(Fingerprint& digest, const auto& matrix) {
+  for (const double value : matrix.reshaped()) digest.add(value);
+}
+
+/// Adds the sizes of a body.
+struct AddBody {
+  Fingerprint& digest;
+
+  void operator()(const Sphere& sphere) const { digest.add(sphere.radius); }
+  void operator()(const Capsule& capsule) const {
+    digest.add(capsule.radius);
+    digest.add(capsule.length);
+  }
+  void operator()(const Box& box) const { add_numbers(digest, box.size); }
+  void operator()(const Cylinder& cylinder) const {
+    digest.add(cylinder.radius);
+    digest.add(cylinder.length);
+  }
+  void operator()(const HalfSpace&) const {}
+  void operator()(const ConvexHull& hull) const {
+    digest.add(std::uint64_t{hull.vertices.size()});
+    for (const Vector3& vertex : hull.vertices) add_numbers(digest, vertex);
+  }
+};
+
+void add_shapes(Fingerprint& digest, const std::vector<Shape>& shapes) {
+  digest.add(std::uint64_t{shapes.size()});
+  for (const Shape& shape : shapes) {
+    digest.add(std::uint64_t{shape.body.index()});
+    std::visit(AddBody{digest}, shape.body);
+    add_numbers(digest, shape.pose.matrix());
+    digest.add(shape.padding);
+  }
+}
+
+/// Adds the pairs of bodies of links that count, also those that are proved to keep the clearance:
+/// how many these are depends on the search.
+void add_pairs(Fingerprint& digest, const internal::CollisionBodies& bodies) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (const auto* some : {&bodies.self_pairs, &bodies.apart_pairs}) {
+    for (const auto& pair : *some) pairs.push_back({pair.first, pair.second});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  digest.add(std::uint64_t{pairs.size()});
+  for (const auto& pair : pairs) {
+    digest.add(std::uint64_t{pair[0]});
+    digest.add(std::uint64_t{pair[1]});
+  }
+}
+
+}  // namespace
+
+std::string digest(const CollisionModel& model) {
+  const internal::CollisionBodies& bodies = model.bodies();
+  Fingerprint digest;
+  digest.add(bodies.clearance);
+  digest.add(std::uint64_t{bodies.links.size()});
+  for (const LinkShapes& link : bodies.links) {
+    digest.add(std::uint64_t{link.link});
+    add_shapes(digest, link.shapes);
+  }
+  digest.add(std::uint64_t{bodies.scene.obstacles.size()});
+  for (const Obstacle& obstacle : bodies.scene.obstacles) {
+    digest.add(obstacle.clearance.value_or(bodies.clearance));
+    add_shapes(digest, obstacle.shapes);
+  }
+  for (const bool allowed : bodies.obstacle_allowed) digest.add(std::uint64_t{allowed});
+  add_pairs(digest, bodies);
+  return digest.text();
+}
+
+}  // namespace beeline
