@@ -73,7 +73,7 @@ void add_obstacles(CollisionBodies& bodies) {
   std::vector<CollisionBodies::ObstacleBody> half_spaces;
   for (std::size_t i = 0; i < bodies.scene.obstacles.size(); ++i) {
     const Obstacle& obstacle = bodies.scene.obstacles[i];
-    const double clearance = obstacle.clearance.value_or(bodies.clearance);
+    const double clearance = obstacle.clearance.value_or(bodies.options.clearance);
     try {
       check_clearance(clearance);
       if (obstacle.shapes.empty()) throw Error("an obstacle has no shape");
@@ -172,7 +172,7 @@ CollisionModel::CollisionModel(std::unique_ptr<const CollisionBodies> bodies)
 CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount) {
   const CollisionBodies& from = model.bodies();
   auto bodies = std::make_unique<CollisionBodies>(with_mount(from.arm, world_T_mount), from.links,
-                                                  from.scene, from.clearance);
+                                                  from.scene, from.options);
   add_links(*bodies);
   add_obstacles(*bodies);
   bodies->obstacle_allowed = from.obstacle_allowed;
@@ -203,7 +203,7 @@ std::size_t CollisionModel::apart_count() const { return bodies_->apart_pairs.si
 
 const Arm& CollisionModel::arm() const { return bodies_->arm; }
 
-double CollisionModel::clearance() const { return bodies_->clearance; }
+double CollisionModel::clearance() const { return bodies_->options.clearance; }
 
 std::size_t CollisionModel::pair_count() const { return bodies_->pair_count; }
 

@@ -64,7 +64,7 @@ void add_pairs(Fingerprint& digest, const internal::CollisionBodies& bodies) {
 std::string digest(const CollisionModel& model) {
   const internal::CollisionBodies& bodies = model.bodies();
   Fingerprint digest;
-  digest.add(bodies.clearance);
+  digest.add(bodies.options.clearance);
   digest.add(std::uint64_t{bodies.links.size()});
   for (const LinkShapes& link : bodies.links) {
     digest.add(std::uint64_t{link.link});
@@ -72,7 +72,7 @@ std::string digest(const CollisionModel& model) {
   }
   digest.add(std::uint64_t{bodies.scene.obstacles.size()});
   for (const Obstacle& obstacle : bodies.scene.obstacles) {
-    digest.add(obstacle.clearance.value_or(bodies.clearance));
+    digest.add(obstacle.clearance.value_or(bodies.options.clearance));
     add_shapes(digest, obstacle.shapes);
   }
   for (const bool allowed : bodies.obstacle_allowed) digest.add(std::uint64_t{allowed});

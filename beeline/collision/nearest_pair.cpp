@@ -103,7 +103,7 @@ class Distances {
     const auto& first = bodies_.link_bodies[pair.first];
     const auto& second = bodies_.link_bodies[pair.second];
     visit_pair({pair.first, &placed_[pair.second], second.carried.frame, bodies_.name_of(second),
-                bodies_.clearance, rounding(first) + rounding(second)},
+                bodies_.options.clearance, rounding(first) + rounding(second)},
                within, found);
   }
 

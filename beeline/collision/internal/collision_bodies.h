@@ -18,8 +18,7 @@ struct CollisionBodies {
         options{.clearance = asked.clearance,
                 .self_collision = asked.self_collision,
                 .allowed_pairs = asked.allowed_pairs,
-                .budget = {.max_work = asked.budget.max_work}},
-        clearance(asked.clearance) {}
+                .budget = {.max_work = asked.budget.max_work}} {}
   CollisionBodies(const CollisionBodies&) = delete;
   CollisionBodies& operator=(const CollisionBodies&) = delete;
 
@@ -28,7 +27,6 @@ struct CollisionBodies {
   std::vector<LinkShapes> links;          ///< the bodies' hulls refer to their vertices
   Scene scene;                            ///< likewise
   CollisionOptions options;               ///< of its budget only the limit of work
-  double clearance = 0;                   ///< of pairs of links
   ChainMotion motion = ChainMotion(arm);  ///< at zero; questions work on copies
 
   struct LinkBody {

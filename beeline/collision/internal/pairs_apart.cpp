@@ -57,7 +57,7 @@ class PairSearch {
  public:
   PairSearch(const CollisionBodies& bodies, const CollisionBodies::SelfPair& pair,
              const Ranges& ranges)
-      : clearance_(bodies.clearance),
+      : clearance_(bodies.options.clearance),
         ranges_(ranges),
         motion_(bodies.motion),
         first_(bodies.link_bodies[pair.first].carried),
