@@ -17,9 +17,9 @@ constexpr double fraction_of_part = 1.0 / 120;  // of the duration
 /// The clearance of all pairs; none if they differ.
 std::optional<double> common_clearance(const internal::CollisionBodies& bodies) {
   for (const auto& obstacle : bodies.obstacle_bodies) {
-    if (obstacle.clearance != bodies.clearance) return std::nullopt;
+    if (obstacle.clearance != bodies.options.clearance) return std::nullopt;
   }
-  return bodies.clearance;
+  return bodies.options.clearance;
 }
 
 class OverTime {
@@ -32,7 +32,7 @@ class OverTime {
     const std::vector<double>& times = tubes.trajectory().times;
     longest_ = fraction_of_part * (times.back() - times.front());
     found_.clearance = common_clearance(model.bodies());
-    largest_clearance_ = model.bodies().clearance;
+    largest_clearance_ = model.clearance();
     for (const auto& obstacle : model.bodies().obstacle_bodies) {
       largest_clearance_ = std::max(largest_clearance_, obstacle.clearance);
     }
@@ -105,7 +105,7 @@ class OverTime {
   template <class Place>
   double proved_bound(const Place& place, double found, double distance) {
     for (double step = 0.005; step < 1; step *= 2) {
-      const double bound = found - step * std::max(distance, model_.bodies().clearance);
+      const double bound = found - step * std::max(distance, model_.clearance());
       if (bound <= -largest_clearance_) break;
       if (proves(place, bound)) return bound;
     }

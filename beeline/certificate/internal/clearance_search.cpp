@@ -97,7 +97,7 @@ void ClearanceSearch::add_all_pairs() {
       open_.push_back({.with = With::link, .body = pair.first, .other = pair.second});
     }
   } else if (!bodies_.apart_pairs.empty()) {  // proved to keep the clearance, but not more
-    proof_.least_distance = bodies_.clearance;
+    proof_.least_distance = bodies_.options.clearance;
   }
   for (const std::uint32_t whole : bodies_.link_groups) {
     if (bodies_.groups[whole].frame == 0) continue;  // link 0 does not move

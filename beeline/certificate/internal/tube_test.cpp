@@ -88,13 +88,13 @@ double TubeTest::clearance(const OpenPair& pair) const {
   switch (pair.with) {
     case OpenPair::With::link:
     case OpenPair::With::group:
-      return bodies_.clearance;
+      return bodies_.options.clearance;
     case OpenPair::With::obstacle:
       return bodies_.obstacle_bodies[pair.other].clearance;
     case OpenPair::With::node:
       return bodies_.tree.node(pair.other).clearance;
   }
-  return bodies_.clearance;
+  return bodies_.options.clearance;
 }
 
 double TubeTest::displacement(const OpenPair& pair) const {
@@ -123,7 +123,7 @@ double TubeTest::size_of(std::uint32_t group) const {
 
 bool TubeTest::is_coarse_group_pair(const OpenPair& pair) const {
   // A pair that rounding alone keeps open is divided too.
-  return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.clearance +
+  return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.options.clearance +
              16 * rounding(pair) >=
          displacement(pair);
 }
