@@ -223,6 +223,10 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                      {arguments.arm, arguments.task, arguments.work, arguments.unit},
                      arguments.path, forward_kinematics(arm, trajectory.positions.front()));
     check_scene_of(program, arguments.through, has_scene);
+    if (!program.attachments.empty() && (options.moving.start || options.moving.end)) {
+      throw Error(std::string(options.moving.start ? "--moving-start" : "--moving-end") +
+                  " does not go together with a program that attaches parts, at rest");
+    }
     const Verification verification = at_rows(
         program, arguments.through, [&] { return verify(arm, trajectory, program, options); });
     return {.verification = verification,

@@ -218,6 +218,7 @@ bool ClearanceReport::checks_nothing() const {
 std::string ClearanceReport::guarantee() const {
   if (proof.pairs == 0) return "no pair of bodies meets within the joint limits";
   const std::string least = shown(rounded_down(proof.least_distance, 6));
+  if (!attached.empty()) return fmt::format("all pairs that count keep at least {} m", least);
   if (proof.pairs == 1) return fmt::format("the pair that counts keeps at least {} m", least);
   return fmt::format("each of the {} pairs that count keeps at least {} m", proof.pairs, least);
 }

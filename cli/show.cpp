@@ -71,13 +71,18 @@ void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
 }
 
 /// Adds what a built-in arm is and where its numbers come from. It may be named in any case.
-void add_source(const std::string& name, Answer& answer) {
+void add_source(const std::string& name, const std::string& out, Answer& answer) {
   const auto same = [](unsigned char a, unsigned char b) {
     return std::tolower(a) == std::tolower(b);
   };
   for (const BuiltInArm& about : built_in_arms()) {
     if (!std::equal(about.name.begin(), about.name.end(), name.begin(), name.end(), same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
+    if (!about.shapes_source.empty() && !out.empty()) {
+      warn(out +
+           ": the shapes of the links are not written; commands that take them by the arm's "
+           "name find none in this file");
+    }
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
     answer.text += fmt::format("shapes of its links: {}\n",
                                about.shapes_source.empty() ? "none" : about.shapes_source);
@@ -100,7 +105,7 @@ Answer show(const ShowArguments& arguments) {
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
-  add_source(arguments.arm.text, answer);
+  add_source(arguments.arm.text, arguments.out, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
 }

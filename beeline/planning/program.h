@@ -52,7 +52,9 @@ constexpr std::size_t max_moves = 5000;
 /// body of the arm in between, fixed to the last link. It is taken as it stands relative to the
 /// tool, where the arm comes to rest at the first waypoint, before its dwell. At the second one it
 /// becomes an obstacle where it is. Obstacles and the other links must keep their clearance from
-/// it, as from a shape of the tool; CollisionOptions::allowed_pairs with its name hold for both.
+/// it, as from a shape of the tool, also where pairs of links do not count;
+/// CollisionOptions::allowed_pairs with its name hold for both. While it is carried it keeps the
+/// clearance of the model; an obstacle with a larger one of its own cannot be carried.
 struct Attachment {
   std::string part = {};  ///< name of the obstacle
   /// Number of moves before it is attached, at the waypoint of the last of them; 0: at the start.
@@ -183,7 +185,9 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 /// - The tool's speed is within the speed limit of each move.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
-/// Throws Error as move_program() and verify() do.
+/// Throws Error as move_program() and verify() do, and AttachmentError for an attachment at a
+/// waypoint at which the arm rests twice, away from it in between: which rest is meant is not
+/// known.
 Verification verify(const Arm& arm, const Trajectory& trajectory, const Program& program,
                     const VerifyOptions& options = {});
 

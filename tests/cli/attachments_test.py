@@ -144,6 +144,48 @@ def test_blends_of_all_corners_leave_stops_for_parts(cell):
     assert cell(pick(), "--blend", "0.05").code == 0
 
 
+AWAY_AND_BACK = "motion,x,y,theta\njoint,3,2.45,-90\njoint,3,3.6,-90\njoint,3,2.45,-90\njoint,3.3,3.6,-90\n"
+CARRY = "motion,x,y,theta,part,touch\njoint,3,2.45,-90,,\nattach,,,,box,bench\njoint,3.3,3.6,-90,,\n"
+
+
+def test_a_second_rest_at_the_waypoint_is_refused(cell, beeline, written, tmp_path):
+    """The part may be attached at the first, and hit something that it would not after the second."""
+    assert cell(AWAY_AND_BACK, "--out", "m.csv", scene=()).code == 0
+    written("carry.csv", CARRY)
+    check = ("check", "arm.json", "m.csv", "--degrees", "--through", "carry.csv", "--scene", "cell.json")
+    answer = beeline(*check)
+    assert answer.code not in (0, 1) and answer.err.count("\n") == 1
+    assert "carry.csv:3: the arm rests at the waypoint of move 1" in answer.err and " and again at " in answer.err
+    rows = AWAY_AND_BACK.replace("\n", ",,\n").replace("theta,,", "theta,part,touch").splitlines()
+    rows.insert(4, "attach,,,,box,bench")
+    written("carry.csv", "\n".join(rows) + "\n")
+    assert beeline(*check).code == 0
+    for end in ("--moving-start", "--moving-end"):
+        refused = beeline(*check, end)
+        assert refused.code == 2 and f"{end} does not go together" in refused.err
+
+
+def test_a_part_meets_the_arm_without_pairs_of_links(beeline, written):
+    """A box above the elbow, carried by the hand, is folded into the upper arm."""
+    written("arm.json", planar_arm())
+    written("cell.json", json.dumps({"obstacles": [body("box", [0.3, 0.3, 0.3], [2.2, 3.9, 0])]}))
+    written("fold.csv", "motion,joint1,joint2,joint3,part\njoint,60,0,0,\nattach,,,,box\njoint,60,0,130,\n")
+    fold = ("line", "arm.json", "--from", "60,0,20", "--degrees", "--through", "fold.csv", "--scene", "cell.json", "--json")
+    answers = [beeline(*fold, *options) for options in ((), ("--no-self",))]
+    assert [answer.code for answer in answers] == [1, 1], [answer.err for answer in answers]
+    assert answers[0].json["clearance"]["pair"] == answers[1].json["clearance"]["pair"]
+    assert "box" in answers[0].json["clearance"]["pair"]
+
+
+def test_a_part_with_a_larger_clearance_of_its_own_is_refused(cell, written):
+    scene = {"obstacles": [body("box", [0.6, 0.6, 0.6], [3, 2.0, 0]) | {"clearance": 0.2}]}
+    written("clear.json", json.dumps(scene))
+    answer = cell(pick(touch=""), scene=("--scene", "clear.json"))
+    assert answer.code not in (0, 1) and answer.err.count("\n") == 1
+    assert "pick.csv:4: the obstacle has a clearance of its own, 0.2 m" in answer.err
+    assert cell(pick(touch=""), "--clearance", "0.2", scene=("--scene", "clear.json")).code in (0, 1)
+
+
 def test_an_exported_program_says_what_it_carries(beeline, written, tmp_path):
     scene = {"obstacles": [body("part", [0.05, 0.05, 0.05], [0.5, 0.2, 0.12])]}
     written("cell.json", json.dumps(scene))
@@ -151,7 +193,7 @@ def test_an_exported_program_says_what_it_carries(beeline, written, tmp_path):
         {"sphere": {"radius": 0.02}, "pose": {"xyz": [0, 0, -0.05]}}]}))
     written("pick.csv", "motion,relative,x,y,z,roll,pitch,yaw,part\njoint,next,0,0,-0.1,0,0,0,\n"
                         "line,,0.5,0.2,0.15,180,0,0,\nattach,,,,,,,,part\nline,previous,0,0,-0.1,0,0,0,\n")
-    given = ("export", "ur5e", "pick.csv", "--from", "0,-120,-80,110,-90,90", "--degrees", "--as", "urscript",
+    given = ("export", "ur7e", "pick.csv", "--from", "0,-120,-80,110,-90,90", "--degrees", "--as", "urscript",
              "--out", "p.script")
     scened = ("--scene", "cell.json", "--tool-shape", "tool.json")
     answer = beeline(*given, *scened)

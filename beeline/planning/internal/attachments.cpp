@@ -66,10 +66,34 @@ void check_in_scene(const Attachment& attachment, const CollisionBodies& bodies)
       throw Error("a part with a half_space cannot be carried");
     }
   }
+  if (part->clearance.value_or(0) > bodies.options.clearance) {
+    throw Error("the obstacle has a clearance of its own, " + number(*part->clearance) +
+                " m; a part that is carried keeps that of the model, " +
+                number(bodies.options.clearance) + " m, which must not be smaller");
+  }
   for (const std::string& name : attachment.touch) {
     if (!is_among(names, name)) throw unknown_name("link or obstacle", name, names);
     if (name == attachment.part) throw Error("the part itself is among the bodies it may touch");
   }
+}
+
+/// Whether the arm is within tolerance of a move's waypoint from one sample to another.
+bool stays(const WaypointRests& rests, const Move& move, std::size_t a, std::size_t b) {
+  for (std::size_t k = std::min(a, b); k <= std::max(a, b); ++k) {
+    if (rests.offset(move, k) > 1) return false;
+  }
+  return true;
+}
+
+/// Returns a sample at which the arm rests at a move's waypoint, apart from the arrivals at it and
+/// at the waypoints before and after it, which are at `before` and `after`.
+std::optional<std::size_t> other_rest(const WaypointRests& rests, const Move& move,
+                                      std::size_t before, std::size_t arrival, std::size_t after) {
+  for (const std::size_t k : rests.rests(move, before)) {
+    const auto is_apart = [&](std::size_t from) { return !stays(rests, move, k, from); };
+    if (k < after && is_apart(before) && is_apart(arrival) && is_apart(after)) return k;
+  }
+  return std::nullopt;
 }
 
 template <class Check>
@@ -97,6 +121,26 @@ void check_attachments(const Program& program, const CollisionModel& model) {
   check_attachments(program);
   for_each_attachment(
       program, [&](std::size_t i) { check_in_scene(program.attachments[i], model.bodies()); });
+}
+
+void check_attachments(const Program& program, const Trajectory& trajectory,
+                       const WaypointRests& rests, const std::vector<std::size_t>& arrivals) {
+  const auto check = [&](std::size_t moves) {
+    if (moves == 0) return;
+    const std::size_t before = moves == 1 ? 0 : arrivals[moves - 2], at = arrivals[moves - 1];
+    const std::size_t after = moves < arrivals.size() ? arrivals[moves] : trajectory.size() - 1;
+    const auto other = other_rest(rests, program.moves[moves - 1], before, at, after);
+    if (!other) return;
+    throw Error(
+        "the arm rests at the waypoint of " + move_name(program, moves - 1) + " at " +
+        number(trajectory.times[std::min(at, *other)]) + " s and again at " +
+        number(trajectory.times[std::max(at, *other)]) +
+        " s, and which of them is meant is not known; a waypoint between them determines it");
+  };
+  for_each_attachment(program, [&](std::size_t i) {
+    check(program.attachments[i].after);
+    check(program.attachments[i].until.value_or(0));
+  });
 }
 
 }  // namespace internal

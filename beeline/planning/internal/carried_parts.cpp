@@ -86,6 +86,12 @@ CollisionModel CarriedParts::model() const {
   Scene scene = scene_;
   scene.obstacles.clear();
   CollisionOptions options = bodies.options;
+  // Without pairs of links, a part that is carried still meets them.
+  options.self_collision = true;
+  for (std::size_t a = 0; a < links.size() && !bodies.options.self_collision; ++a) {
+    for (std::size_t b = 0; b < a; ++b)
+      options.allowed_pairs.push_back({links[a].name, links[b].name});
+  }
   for (std::size_t k = 0; k < scene_.obstacles.size(); ++k) {
     const Obstacle& obstacle = scene_.obstacles[k];
     if (!carried_by_[k]) {

@@ -8,6 +8,7 @@
 #include <beeline/certificate/internal/set_fault.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/waypoint_rests.h>
@@ -54,7 +55,8 @@ class ProgramVerifier {
     while (passed && part_ < parts_.size()) {
       passed = parts_[part_].joint ? check_joint_move() : check_path();
     }
-    if (passed && parts_.empty()) check_rest(0);
+    if (passed && parts_.empty()) passed = check_rest(0);
+    if (passed) check_attachments(program_, trajectory_, rests_, result_.arrivals);
     // Last, so that the progress of candidates is copied without them.
     result_.deviation.interval_bounds = std::move(interval_bounds_);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
@@ -91,9 +93,8 @@ class ProgramVerifier {
 
   /// Checks that the arm is at rest where move i ends.
   bool check_stop(std::size_t i) {
-    const std::size_t at = result_.arrivals.back();
-    if (rests_.rests_at(at)) return true;
-    return fail(Fault::moving, at, i, {ReasonCode::passes_without_rest});
+    if (rests_.rests_at(result_.arrivals.back())) return true;
+    return fail(Fault::moving, result_.arrivals.back(), i, {ReasonCode::passes_without_rest});
   }
 
   bool fail_to_reach(std::size_t move) {
@@ -297,8 +298,7 @@ class ProgramVerifier {
     while (closed && moves && first < trajectory_.size() && rests_.offset(goal, first) <= 1) {
       ++first;
     }
-    const auto passed = rests_.passes({.target = goal}, first);
-    if (passed) rests.push_back(*passed);
+    if (const auto passed = rests_.passes({.target = goal}, first)) rests.push_back(*passed);
     return rests;
   }
 
