@@ -68,8 +68,8 @@ void check_in_scene(const Attachment& attachment, const CollisionBodies& bodies)
   }
   if (part->clearance.value_or(0) > bodies.options.clearance) {
     throw Error("the obstacle has a clearance of its own, " + number(*part->clearance) +
-                " m; a part that is carried keeps that of the model, " +
-                number(bodies.options.clearance) + " m, which must not be smaller");
+                " m, larger than the clearance of all bodies, " + number(bodies.options.clearance) +
+                " m, which a carried part keeps");
   }
   for (const std::string& name : attachment.touch) {
     if (!is_among(names, name)) throw unknown_name("link or obstacle", name, names);
