@@ -166,11 +166,11 @@ def test_a_second_rest_at_the_waypoint_is_refused(cell, beeline, written, tmp_pa
 
 
 def test_a_part_meets_the_arm_without_pairs_of_links(beeline, written):
-    """A box above the elbow, carried by the hand, is folded into the upper arm."""
+    """The hand folds its box into the upper arm."""
     written("arm.json", planar_arm())
-    written("cell.json", json.dumps({"obstacles": [body("box", [0.3, 0.3, 0.3], [2.2, 3.9, 0])]}))
-    written("fold.csv", "motion,joint1,joint2,joint3,part\njoint,60,0,0,\nattach,,,,box\njoint,60,0,130,\n")
-    fold = ("line", "arm.json", "--from", "60,0,20", "--degrees", "--through", "fold.csv", "--scene", "cell.json", "--json")
+    written("cell.json", json.dumps({"obstacles": [body("box", [0.6, 0.6, 0.6], [3, 2.1, 0])]}))
+    written("fold.csv", "motion,x,y,theta,q,part\njoint,3,2.45,-90,,\nattach,,,,,box\njoint,,,,\"110,-150,-120\",\n")
+    fold = ("line", "arm.json", *START, "--through", "fold.csv", "--scene", "cell.json", "--json")
     answers = [beeline(*fold, *options) for options in ((), ("--no-self",))]
     assert [answer.code for answer in answers] == [1, 1], [answer.err for answer in answers]
     assert answers[0].json["clearance"]["pair"] == answers[1].json["clearance"]["pair"]
