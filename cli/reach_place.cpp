@@ -99,8 +99,7 @@ std::optional<CheckedScene> scene_of(const PlaceArguments& arguments, const Arm&
   if (arguments.scene.given() == arguments.shaped.text.empty()) {
     throw Error(
         "--arm and --scene or --self: a map has no shapes of its arm's links, so that a scene "
-        "needs "
-        "both");
+        "needs both");
   }
   if (arguments.scene.given()) {
     check_same_joints(arguments.shaped.read(arguments.unit, false), arm);
@@ -128,6 +127,7 @@ Vector3 corner_of(const std::string& text, const char* option) {
 }
 
 Answer place(PlaceArguments& arguments) {
+  arguments.scene.fixed_mount = false;
   const ReachMap map(arguments.map, arguments.options.threads);
   const PoseList poses = waypoints_from(read_file(arguments.poses), arguments.poses, map.arm(),
                                         {.offered = false}, {}, arguments.unit, "--poses");
@@ -185,11 +185,10 @@ Verb reach_place_verb() {
           "through them. Printed are the mounts as --mount takes them, those with the largest "
           "margin to the joint limits first: the least margin and the least manipulability over "
           "all poses; at each position the best heading. With --scene, which stands in the world "
-          "of "
-          "the poses while the mount moves, or --self, and with --arm, solutions and lines count "
-          "only if each pair of bodies is proved to keep its clearance; link 0, which stands at "
-          "the "
-          "mount, is not checked against obstacles. Exit code 1: there is none.",
+          "of the poses while the mount moves, or --self, and with --arm, solutions and lines "
+          "count only if each pair of bodies is proved to keep its clearance. Link 0, which stands "
+          "at the mount, is not checked against obstacles. Obstacles in the frame of a link of the "
+          "base are refused. Exit code 1: there is none.",
       .arguments = {file_argument("MAP", "A file of `beeline reach map`, not of one orientation.",
                                   &arguments->map)},
       .options =

@@ -84,10 +84,11 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
     answer.document.add("margin", static_cast<double>(cells.margin[at]));
   } else {
     answer.text += fmt::format("{:<16}0\n", counted_name(map));
-    answer.reason =
-        (sampled(map) ? "no sample is in the cell; the pose itself: "
-                      : "the arm does not reach the centre of the cell; the pose itself: ") +
-        itself;
+    answer.reason = (sampled(map) ? "no sample is in the cell; the pose itself: "
+                     : map.header().scene
+                         ? "no solution at the centre of the cell is free; the pose itself: "
+                         : "the arm does not reach the centre of the cell; the pose itself: ") +
+                    itself;
   }
   answer.text += "the pose itself " + itself + "\n";
   if (const auto& scene = map.header().scene) {

@@ -89,15 +89,17 @@ void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
 }
 
 /// Reads the other scenes. Their frames are the links of the arm's base, which --mount moves, and
-/// MoveIt's planning frame, which it does not: the scene stands in the world.
+/// MoveIt's planning frame, which it does not: the scene stands in the world. If the mount is not
+/// fixed, the planning frame alone.
 void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmShapes& shapes,
-                       ShapeOptions options) {
+                       ShapeOptions options, bool fixed_mount) {
   options.hold.clear();
   const auto root = shapes.base_links.find("");
   for (const auto& [link, pose] : shapes.base_links) {
     const bool is_planning_frame =
         link.empty() || (link == "world" && root != shapes.base_links.end() &&
                          pose.matrix() == root->second.matrix());
+    if (!is_planning_frame && !fixed_mount) continue;
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
   for (auto& [path, scene] : files) {
@@ -319,7 +321,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
   for (const std::string& path : scenes) files.push_back({path, {}});
   read_cells(files, reading);
   const ArmShapes shapes = shapes_of(arm_argument, arm, reading);
-  read_other_scenes(files, arm, shapes, reading);
+  read_other_scenes(files, arm, shapes, reading, fixed_mount);
   auto scenes_held = held_in(files, hold_of_all, shapes.held);
   std::map<std::string, std::vector<std::string>> scenes_without_shapes;
   for (const SceneFile& file : files) {

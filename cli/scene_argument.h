@@ -102,6 +102,8 @@ struct SceneArgument {
   std::string tool_shape = {};
   bool self = false, no_self = false;
   std::optional<double> clearance, resolution;
+  /// False where mounts are searched: no obstacle is then given in a frame that moves with them.
+  bool fixed_mount = true;
 
   std::vector<Option> options();
   /// The same without --resolution, for single configurations.

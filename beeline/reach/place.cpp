@@ -145,24 +145,17 @@ std::vector<Rank> ranking(const ReachMap& map, const Mounts& mounts, std::span<c
   return ranks;
 }
 
-/// The solution with the largest margin of those that are free; its margin is negative if there is
-/// none, and `blocked` is the reason of a blocked one.
+/// The solution with the largest margin; its margin is negative if there is none.
 struct BestSolution {
   double margin = -1;
   Configuration q;
-  Reason blocked = {};
 };
 
-BestSolution best_of(const Arm& arm, const Eigen::Ref<const Eigen::MatrixXd>& solutions,
-                     const internal::BlockedBy& blocked_by) {
+BestSolution best_of(const Arm& arm, const Eigen::Ref<const Eigen::MatrixXd>& solutions) {
   BestSolution best;
   for (Eigen::Index i = 0; i < solutions.cols(); ++i) {
     const double margin = internal::least_margin(arm, solutions.col(i), 0, arm.dof());
     if (margin <= best.margin) continue;
-    if (blocked_by) {
-      best.blocked = blocked_by(solutions.col(i));
-      if (best.blocked) continue;
-    }
     best.margin = margin;
     best.q = solutions.col(i);
   }
@@ -173,16 +166,16 @@ BestSolution best_of(const Arm& arm, const Eigen::Ref<const Eigen::MatrixXd>& so
 /// a blocked one.
 std::optional<Placement> placement_at(const Arm& arm, const Pose& world_T_mount,
                                       std::span<const Pose> poses, internal::PoseSolver& solver,
-                                      const internal::BlockedBy& blocked_by, Reason& blocked) {
+                                      Reason& blocked) {
   Placement placement{.world_T_mount = world_T_mount,
                       .margin = 1,
                       .manipulability = std::numeric_limits<double>::infinity()};
   const Pose mount_T_world = world_T_mount.inverse();
   for (const Pose& pose : poses) {
     solver.solve(mount_T_world * pose);
-    BestSolution best = best_of(arm, solver.solutions(), blocked_by);
+    BestSolution best = best_of(arm, solver.solutions());
     if (best.margin < 0) {
-      blocked = std::move(best.blocked);
+      blocked = solver.blocked();
       return std::nullopt;
     }
     const Eigen::MatrixXd j = task_jacobian(arm, best.q, default_task(arm));
@@ -228,18 +221,21 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
 class ReachingMounts {
  public:
   ReachingMounts(const ReachMap& map, std::span<const Pose> poses, const PlacementOptions& options)
-      : arm_(map.arm()), poses_(poses), options_(options) {}
+      : arm_(map.arm()),
+        redundant_values_(map.header().redundant_values),
+        poses_(poses),
+        options_(options) {}
 
   /// Checks the mount with this rank and heading.
   void check(Eigen::Index rank, const Pose& world_T_mount, double heading,
              internal::PoseSolver& solver) {
-    Reason none;
-    auto placement = placement_at(arm_, world_T_mount, poses_, solver, {}, none);
-    if (!placement) return;
     Reason blocked;
+    auto placement = placement_at(arm_, world_T_mount, poses_, solver, blocked);
+    if (!placement) return;
     if (options_.blocked_by) {
       const BlockedAtMount there = options_.blocked_by(world_T_mount);
-      placement = placement_at(arm_, world_T_mount, poses_, solver, there.configuration, blocked);
+      internal::PoseSolver free(arm_, redundant_values_, there.configuration);
+      placement = placement_at(arm_, world_T_mount, poses_, free, blocked);
     }
     const std::lock_guard lock(adding_);
     if (placement) {
@@ -271,6 +267,7 @@ class ReachingMounts {
 
  private:
   const Arm& arm_;
+  int redundant_values_;
   std::span<const Pose> poses_;
   const PlacementOptions& options_;
   std::mutex adding_;

@@ -388,3 +388,23 @@ def test_mounts_whose_solutions_are_blocked_are_left_out(beeline, written, tmp_p
             assert min(math.dist(q, s) for s in ik.json["solutions"]) < 1e-4  # the mount is rounded
     assert "--arm" in beeline(*command, "--scene", post).err
     assert "other joints" in beeline(*command, "--scene", post, "--arm", "RRR:1,1,1").err
+
+
+def test_obstacles_that_the_mount_would_move_are_refused(beeline, written, tmp_path):
+    """A scene of MoveIt may give a pose in a link of the base, which ik --mount moves."""
+    box = '<collision><origin xyz="0.5 0 0"/><geometry><box size="1 .1 .1"/></geometry></collision>'
+    links = '<link name="world"/><link name="base_link"/>' + "".join(f'<link name="l{k}">{box}</link>' for k in (1, 2, 3))
+    joints = "".join(f'<joint name="j{k}" type="continuous"><parent link="{parent}"/><child link="l{k}"/>'
+                     f'<origin xyz="{0 if k == 1 else 1} 0 0"/><axis xyz="0 0 1"/></joint>'
+                     for k, parent in ((1, "base_link"), (2, "l1"), (3, "l2")))
+    arm = written("u.urdf", f'<robot name="u">{links}<joint name="stand" type="fixed"><parent link="world"/>'
+                            f'<child link="base_link"/><origin xyz="0.1 0 0"/></joint>{joints}</robot>')
+    scene = "name: s\nworld:\n  collision_objects:\n    - header: {{frame_id: {}}}\n      id: box\n" \
+        "      primitives: [{{type: 1, dimensions: [0.1, 0.1, 0.1]}}]\n" \
+        "      primitive_poses: [{{position: {{x: 9, y: 0, z: 0}}, orientation: {{x: 0, y: 0, z: 0, w: 1}}}}]\n"
+    assert beeline("reach", "map", arm, "--resolution", "1", "--out", tmp_path / "u.h5").code == 0
+    command = ["reach", "place", tmp_path / "u.h5", "--poses", written("p.csv", "x,y,theta\n1,1,0\n"), "--arm", arm, "--scene"]
+    fixed = beeline(*command, written("fixed.yaml", scene.format("world")))
+    assert fixed.code == 0, fixed.err
+    moved = beeline(*command, written("moved.yaml", scene.format("base_link")))
+    assert moved.code not in (0, 1) and moved.err.count("\n") == 1 and "base_link" in moved.err, moved.err

@@ -142,11 +142,10 @@ TEST(Attachments, APartThatIsLeftInTheGripperIsRefusedThere) {
   const CollisionModel wide(gantry.arm, gantry.links, gantry.scene, {.clearance = 5e-3});
   EXPECT_TRUE(proof_of(wide, moved(gantry.arm, gantry.above, program), program));
   Scene scene = gantry.scene;
-  scene.obstacles[0].clearance = 0.02;  // as an obstacle
   program.moves.erase(program.moves.begin(), program.moves.begin() + 1);
   program.attachments[0] = {.part = "part", .until = 4};
   scene.obstacles.erase(scene.obstacles.begin() + 1, scene.obstacles.end());
-  const CollisionModel model(gantry.arm, gantry.links, scene);
+  const CollisionModel model(gantry.arm, gantry.links, scene, {.clearance = 0.02});
   const ClearanceProof refused =
       proof_of(model, moved(gantry.arm, Configuration{{0, 0, 0.21}}, program), program);
   ASSERT_EQ(refused.status, ClearanceStatus::collides);

@@ -8,9 +8,11 @@
 #include <beeline/certificate/clearance.h>
 #include <beeline/collision/collision_model.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/reach/internal/pose_solver.h>
 #include <beeline/reach/place.h>
 #include <beeline/reach/reach.h>
 
@@ -93,6 +95,23 @@ void expect_alike(const ReachCells& a, const ReachCells& b) {
   EXPECT_TRUE(std::equal(a.manipulability.begin(), a.manipulability.end(), b.manipulability.begin(),
                          b.manipulability.end(), same));
   EXPECT_TRUE(std::equal(a.margin.begin(), a.margin.end(), b.margin.begin(), b.margin.end(), same));
+}
+
+/// The wrist of an arm of equal links is on its base: the first joint's value is free.
+TEST(ReachInScene, ASelfMotionIsSearchedForAFreeSolution) {
+  const auto faces_away = [](const ConfigurationRef& q) {
+    return std::cos(q[0]) > -0.5 ? Reason{ReasonCode::bodies_too_close} : Reason{};
+  };
+  internal::PoseSolver solver(arm_from_joint_string("RRR:3.5,3.5,2"), 1, faces_away);
+  solver.solve(to_space({2, 0, 0}));
+  ASSERT_GT(solver.solutions().cols(), 0);
+  EXPECT_FALSE(faces_away(solver.solutions().col(0)));
+  internal::PoseSolver none(built_in("rrr"), 1, [](const ConfigurationRef&) {
+    return Reason{ReasonCode::bodies_too_close};
+  });
+  none.solve(to_space({2, 0, 0}));
+  EXPECT_EQ(none.solutions().cols(), 0);
+  EXPECT_TRUE(none.blocked());
 }
 
 constexpr const char* arms[] = {"rrr", "puma560", "ur5", "panda", "scara"};
@@ -369,6 +388,25 @@ TEST(PlacementInScene, MovesInLinesThatAreClear) {
   EXPECT_EQ(refused.blocked, 0);
   EXPECT_EQ(refused.without_lines, 1);
   EXPECT_EQ(refused.blocked_lines, 1);
+}
+
+TEST(PlacementInScene, SearchesAFreeSolutionOfAnArmWithoutClosedForm) {
+  const Arm arm = arm_from_joint_string("RRRRR:1,1,1,1,1");
+  const ReachGrid grid(arm, {.resolution = 1.25, .directions = 60 * deg});
+  const ReachMap map({arm, grid}, reach_cells(arm, grid, 0, grid.positions()));
+  const std::vector<Pose> poses{to_space({2.5, 0, 0})};
+  PlacementOptions options{.lower = Vector3::Zero(), .upper = Vector3::Zero(), .headings = 1};
+  const PlacementResult all = find_placements(map, poses, options);
+  ASSERT_TRUE(all);
+  const Configuration found = all.placements[0].solutions[0];
+  options.blocked_by = [&](const Pose&) -> BlockedAtMount {
+    return {.configuration = [&](const ConfigurationRef& q) {
+      return (q - found).norm() < 0.5 ? Reason{ReasonCode::bodies_too_close} : Reason{};
+    }};
+  };
+  const PlacementResult free = find_placements(map, poses, options);
+  ASSERT_TRUE(free);
+  EXPECT_GE((free.placements[0].solutions[0] - found).norm(), 0.5);
 }
 
 TEST(PlacementInScene, RefusesAMapOfAScene) {

@@ -89,7 +89,11 @@ void PoseSolver::keep_free(Eigen::Index first) {
   if (blocked_by_) {
     const Eigen::Index end = std::exchange(count_, first);
     for (Eigen::Index i = first; i < end; ++i) {
-      if (blocked_by_(found_.col(i))) continue;
+      Reason blocked = blocked_by_(found_.col(i));
+      if (blocked) {
+        blocked_ = std::move(blocked);
+        continue;
+      }
       if (i != count_) found_.col(count_) = found_.col(i);
       ++count_;
     }
@@ -106,11 +110,17 @@ void PoseSolver::add_all(const Pose& world_T_tool, InverseSolver& solver) {
 void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
   has_solution_ = false;
+  blocked_ = {};
   if (redundant_ &&
       out_of_reach(arm_, world_T_tool, default_task(arm_), InverseOptions{}.tolerance)) {
     return;
   }
-  if (all_ && !redundant_) return add_all(world_T_tool, *all_);
+  if (all_ && !redundant_) {
+    add_all(world_T_tool, *all_);
+    // Along a self-motion, each branch is represented by one of its solutions.
+    if (has_solution_ && count_ == 0) add_all(world_T_tool, *any_free_);
+    return;
+  }
   const Configuration middle = seed_;
   for (const double value : values_) {
     if (form_) {

@@ -19,14 +19,18 @@ class PoseSolver {
   PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by = {});
 
   /// Finds the free solutions within limits. They are complete for an arm without a redundant
-  /// joint. For an arm with a redundant joint they are the solutions at each of its values; if
-  /// solutions exist only between these values, one is found.
+  /// joint; of infinitely many at a pose, the one of each branch that is nearest to the middle of
+  /// the limits and, if these are blocked, one of others. For an arm with a redundant joint they
+  /// are the solutions at each of its values; if solutions exist only between these values, one is
+  /// found.
   void solve(const Pose& world_T_tool);
 
   /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the
   /// limits. A reference that the next solve() invalidates.
   auto solutions() const { return found_.leftCols(count_); }
   int branches() const { return branches_; }  ///< see ReachCells
+  /// The reason of the last solution of the pose that is blocked; none if all are free.
+  const Reason& blocked() const { return blocked_; }
 
  private:
   /// Counts the solutions from column `first` on, found together, and keeps those that are free.
@@ -50,6 +54,7 @@ class PoseSolver {
   Eigen::MatrixXd found_;
   Eigen::Index count_ = 0;
   BlockedBy blocked_by_;
+  Reason blocked_ = {};
   bool has_solution_ = false;  ///< free or not
   int branches_ = 0;
 };

@@ -237,7 +237,7 @@ TEST(ArmShapes, AreASectionOfArmFiles) {
   EXPECT_REFUSED(read(R"([{"link": "joint2", "shapes": []}])"), "link");
   EXPECT_REFUSED(read(R"([{"shapes": []}, {"shapes": []}])"), "base");
   EXPECT_REFUSED(read(R"([{"shapes": [{"sphere": {"radius": -1}}]}])"), "shapes[0].shapes[0]");
-  EXPECT_TRUE(read_arm_shapes("panda").links.empty());
+  EXPECT_TRUE(read_arm_shapes("fr3").links.empty());
   EXPECT_TRUE(read_arm_shapes("RRR").links.empty());
   EXPECT_REFUSED(read_arm_shapes("pandda"), "panda");
   EXPECT_REFUSED(read_arm_shapes("panda", {}, {.hold = {{"finger", 0}}}), "URDF");
