@@ -260,35 +260,6 @@ TEST(ReachInScene, RefusesAzimuthsAndDirectionsWithoutRolls) {
   EXPECT_NO_THROW(compute({.resolution = 0.4, .rolls = 2.0}));
 }
 
-TEST(SceneDigest, DiffersWithWhatIsChecked) {
-  const Arm arm = built_in("ur5");
-  const auto links = spheres_of(arm);
-  const Scene scene = box_at(Vector3(0.5, 0, 0), 0.1);
-  const auto digest_of = [&](const std::vector<LinkShapes>& shapes, const Scene& around,
-                             const CollisionOptions& options) {
-    return digest(CollisionModel(arm, shapes, around, options));
-  };
-  const std::string same = digest_of(links, scene, {});
-  EXPECT_EQ(same.size(), 16U);
-  EXPECT_EQ(same, digest_of(links, scene, {.budget = {.max_work = 0}}));
-  EXPECT_EQ(same, digest(with_mount(CollisionModel(arm, links, scene), Pose::Identity())));
-  std::vector<LinkShapes> larger = links;
-  std::get<Sphere>(larger.back().shapes[0].body).radius *= 1.01;
-  Scene thick = scene;
-  thick.obstacles[0].shapes[0].padding = 0.01;
-  Scene own = scene;
-  own.obstacles[0].clearance = 0.02;
-  for (const std::string& other :
-       {digest_of(larger, scene, {}), digest_of(links, thick, {}), digest_of(links, own, {}),
-        digest_of(links, box_at(Vector3(0.5, 0, 1e-9), 0.1), {}),
-        digest_of(links, scene, {.clearance = 0.002}),
-        digest_of(links, scene, {.self_collision = false}),
-        digest_of(links, scene, {.allowed_pairs = {{"link2", "box"}}}),
-        digest_of(links, scene, {.allowed_pairs = {{"link2", "link5"}}})}) {
-    EXPECT_NE(same, other);
-  }
-}
-
 /// PlacementOptions::blocked_by of a model.
 std::function<BlockedAtMount(const Pose&)> at_mounts(const CollisionModel& model) {
   return [&model](const Pose& world_T_mount) {
