@@ -16,7 +16,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from scipy.spatial.transform import Rotation
 
 MOST = 0.015
-SPACING = 0.004
+SPACING = 0.006
 MOST_PLACES = int(20_000 * float(os.environ.get("BEELINE_CASES", "1")))  # of a link, at which the excess is measured
 HALF_TURN = np.diag([-1.0, -1, 1, 1])  # from the base of the maker's controller to the description's, as in catalog_test.py
 URDF = {  # path below example-robot-data/robots, base
@@ -149,8 +149,10 @@ def assert_contained(triangles, bodies, name):
     """Each part of a triangle lies in one body: its corners suffice, because bodies are convex."""
     for _ in range(24):
         corners = triangles.reshape(-1, 3)
-        inside = [(body.distance(corners, 0) <= 1e-9).reshape(-1, 3).all(1) for body in bodies]
-        triangles = triangles[~np.any(inside, axis=0)]
+        within = np.array([body.distance(corners, 0) <= 1e-9 for body in bodies])
+        outside = ~within.any(0)
+        assert not outside.any(), f"{name}: {outside.sum()} places of the mesh are in no body, one is {corners[outside][0]}"
+        triangles = triangles[~within.reshape(len(bodies), -1, 3).all(2).any(0)]
         if not len(triangles):
             return
         triangles = halved(triangles)
@@ -197,7 +199,7 @@ def assert_fits(name, meshes, base):
         assert_contained(triangles, bodies, link.name)
         excess = excess_of(triangles, bodies)
         print(f"{name} {link.name}: {len(bodies)} bodies, excess {1e3 * excess:.1f} mm")
-        assert excess <= MOST, link.name
+        assert excess <= MOST + 0.05 * SPACING, link.name  # which openings count as closed depends on the spacing
 
 
 @pytest.mark.parametrize("name", URDF)
@@ -218,5 +220,5 @@ def test_a_body_that_is_too_small_or_too_large_is_noticed():
     meshes = urdf_meshes("panda_description/urdf/panda.urdf")["panda_link0"]
     bodies = [Body(shape) for shape in beeline.read_arm_shapes("panda").links[0].shapes]
     assert excess_of(meshes * 0.8, bodies) > MOST
-    with pytest.raises(pytest.fail.Exception):
+    with pytest.raises(AssertionError, match="in no body"):
         assert_contained(meshes * 1.2, bodies, "panda_link0")

@@ -75,7 +75,7 @@ void CarriedParts::detach(std::size_t attachment, const ConfigurationRef& q) {
   changed_.push_back(attachment);
 }
 
-Pose CarriedParts::tool_T_part(std::size_t attachment) const {
+Pose CarriedParts::pose_in_tool(std::size_t attachment) const {
   const Obstacle& part = scene_.obstacles[obstacles_[attachment]];
   return model_.arm().tool().inverse() * part.shapes.front().pose;
 }

@@ -21,7 +21,7 @@ class CarriedParts {
   const std::vector<std::size_t>& changed() const { return changed_; }
 
   /// The pose of an attached part's first shape in the tool.
-  Pose tool_T_part(std::size_t attachment) const;
+  Pose pose_in_tool(std::size_t attachment) const;
 
   /// The arm with the parts that it carries, among the other obstacles.
   CollisionModel model() const;

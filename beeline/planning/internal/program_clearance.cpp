@@ -83,7 +83,7 @@ class ProgramScenes {
           continue;
         }
         attached[i].attached = trajectory_.times[at];
-        attached[i].tool_T_part = parts.tool_T_part(i);
+        attached[i].tool_T_part = parts.pose_in_tool(i);
       }
     }
     return attached;
