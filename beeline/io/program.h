@@ -16,9 +16,8 @@ namespace beeline {
 ///   it. A pose relative to `next`, such as an approach, is in the tool frame of the next waypoint
 ///   that is not relative. Before the first waypoint, `previous` is `start`, the tool's pose where
 ///   the motion starts.
-/// - A row with the motion `attach` or `detach` is an attachment, or its end, at the waypoint of
-/// the
-///   row before it, or at the start.
+/// - A row with the motion `attach` or `detach` is an attachment, or its end. It is at the waypoint
+///   of the row before it, or at the start.
 /// - A row with the motion `via` is a position on the arc to the next row, which is an arc.
 /// - `configuration` returns the configuration that an item of the column q means.
 ///

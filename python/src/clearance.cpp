@@ -32,17 +32,21 @@ std::optional<FollowedProgram> followed_from(nb::handle program, nb::handle arri
   return followed;
 }
 
+/// Adds the arguments of a motion among obstacles, and of the program that it follows.
+Signature& takes_motion(Signature& signature) {
+  return signature.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
+      .takes("program", "Program | None", of_program, "None")
+      .takes("arrivals", "Sequence[int] | None", of_arrivals, "None");
+}
+
 void bind_clearance(nb::module_& m) {
   Signature proof(
       "prove_clearance", "ClearanceProof",
       "Proves or refutes that each pair of the model keeps its clearance at all times of "
       "the motion that the trajectory's columns mean, also between the samples. Warns if no pair "
       "counts, as nothing is checked then.");
-  proof.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("program", "Program | None", of_program, "None")
-      .takes("arrivals", "Sequence[int] | None", of_arrivals, "None")
-      .options<ClearanceOptions>();
+  takes_motion(proof).options<ClearanceOptions>();
   define(
       m,
       [](const CollisionModel& model, const Trajectory& trajectory, nb::handle program,
@@ -63,11 +67,7 @@ void bind_clearance(nb::module_& m) {
       nb::arg("arrivals") = nb::none(), nb::arg("keywords"));
 
   Signature over_time("clearance_over_time", "ClearanceOverTime", comment("clearance_over_time"));
-  over_time.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("program", "Program | None", of_program, "None")
-      .takes("arrivals", "Sequence[int] | None", of_arrivals, "None")
-      .options<BudgetOptions>();
+  takes_motion(over_time).options<BudgetOptions>();
   define(
       m,
       [](const CollisionModel& model, const Trajectory& trajectory, nb::handle program,
