@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
-#include <memory>
 
-#include <beeline/certificate/clearance.h>
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/reach/place.h>
@@ -107,19 +105,6 @@ std::optional<CheckedScene> scene_of(const PlaceArguments& arguments, const Arm&
   return arguments.scene.read(arguments.shaped, arm);
 }
 
-/// PlacementOptions::blocked_by for a scene, which must outlive the search.
-std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CheckedScene& scene) {
-  return [&scene](const Pose& world_T_mount) -> BlockedAtMount {
-    const auto model =
-        std::make_shared<const CollisionModel>(with_mount(scene.model, world_T_mount));
-    return {.configuration = [model](const ConfigurationRef& q) { return blocked_by(*model, q); },
-            .motion =
-                [model](const Trajectory& motion, const Budget& budget) {
-                  return prove_clearance(*model, motion, {.budget = budget}).reason;
-                }};
-  };
-}
-
 Vector3 corner_of(const std::string& text, const char* option) {
   const WrittenPose written = parse_pose(text, {.triple = Triple::position});
   if (written.oriented || written.planar) throw Error(std::string(option) + ": a corner is x,y,z");
@@ -137,7 +122,7 @@ Answer place(PlaceArguments& arguments) {
   const std::optional<CheckedScene> scene = scene_of(arguments, map.arm());
   if (scene) {
     warn_if_unchecked(*scene);
-    options.blocked_by = blocked_at_mounts(*scene);
+    options.blocked_by = blocked_at_mounts(scene->model);
   }
   PlacementResult result;
   {

@@ -149,10 +149,10 @@ void add_self_pairs(CollisionBodies& bodies, const LinkPairs& allowed) {
   }
 }
 
-}  // namespace
-
-CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links,
-                               const Scene& scene, const CollisionOptions& options) {
+/// `known`, if given, has the first of the links and the same clearance.
+std::unique_ptr<CollisionBodies> bodies_of(const Arm& arm, const std::vector<LinkShapes>& links,
+                                           const Scene& scene, const CollisionOptions& options,
+                                           const CollisionBodies* known) {
   check_clearance(options.clearance);
   auto bodies = std::make_unique<CollisionBodies>(arm, links, scene, options);
   add_links(*bodies);
@@ -160,10 +160,16 @@ CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& li
   const auto allowed = set_allowed(*bodies, options.allowed_pairs);
   if (options.self_collision) add_self_pairs(*bodies, allowed);
   internal::BudgetMeter budget(options.budget);
-  internal::find_pairs_apart(*bodies, budget);
+  internal::find_pairs_apart(*bodies, budget, known);
   bodies->set_groups();
-  bodies_ = std::move(bodies);
+  return bodies;
 }
+
+}  // namespace
+
+CollisionModel::CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links,
+                               const Scene& scene, const CollisionOptions& options)
+    : CollisionModel(bodies_of(arm, links, scene, options, nullptr)) {}
 
 CollisionModel::CollisionModel(std::unique_ptr<const CollisionBodies> bodies)
     : bodies_(std::move(bodies)) {}
@@ -182,6 +188,15 @@ CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount
   bodies->apart_upper = from.apart_upper;
   bodies->set_groups();
   return CollisionModel(std::move(bodies));
+}
+
+CollisionModel internal::with_carried(const CollisionModel& model,
+                                      const std::vector<LinkShapes>& parts, const Scene& scene,
+                                      const CollisionOptions& options) {
+  const CollisionBodies& known = model.bodies();
+  std::vector<LinkShapes> links = known.links;
+  links.insert(links.end(), parts.begin(), parts.end());
+  return CollisionModel(bodies_of(known.arm, links, scene, options, &known));
 }
 
 CollisionModel::CollisionModel(CollisionModel&&) noexcept = default;

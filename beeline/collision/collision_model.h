@@ -12,9 +12,14 @@
 #include <beeline/reason.h>
 
 namespace beeline {
+class CollisionModel;
+struct CollisionOptions;
+
 namespace internal {
 struct CollisionBodies;
-}
+CollisionModel with_carried(const CollisionModel& model, const std::vector<LinkShapes>& parts,
+                            const Scene& scene, const CollisionOptions& options);
+}  // namespace internal
 
 struct CollisionOptions {
   double clearance = 1e-3;     ///< distance that is kept, m, above 0
@@ -75,6 +80,9 @@ class CollisionModel {
 
  private:
   friend CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount);
+  friend CollisionModel internal::with_carried(const CollisionModel& model,
+                                               const std::vector<LinkShapes>& parts,
+                                               const Scene& scene, const CollisionOptions& options);
   explicit CollisionModel(std::unique_ptr<const internal::CollisionBodies> bodies);
 
   std::unique_ptr<const internal::CollisionBodies> bodies_;

@@ -59,6 +59,31 @@ void add_pairs(Fingerprint& digest, const internal::CollisionBodies& bodies) {
   }
 }
 
+/// Adds an obstacle with the bodies of the arm that may touch it. Link 0 does not move.
+void add_obstacle(Fingerprint& digest, const internal::CollisionBodies& bodies, std::size_t i) {
+  const Obstacle& obstacle = bodies.scene.obstacles[i];
+  digest.add(obstacle.clearance.value_or(bodies.options.clearance));
+  add_shapes(digest, obstacle.shapes);
+  for (std::size_t k = 0; k < bodies.links.size(); ++k) {
+    if (bodies.links[k].link == 0) continue;
+    const bool allowed = bodies.obstacle_allowed[k * bodies.scene.obstacles.size() + i];
+    digest.add(std::uint64_t{allowed});
+  }
+}
+
+/// Adds the obstacles, in whatever order they stand.
+void add_obstacles(Fingerprint& digest, const internal::CollisionBodies& bodies) {
+  std::vector<std::string> obstacles;
+  for (std::size_t i = 0; i < bodies.scene.obstacles.size(); ++i) {
+    Fingerprint of_obstacle;
+    add_obstacle(of_obstacle, bodies, i);
+    obstacles.push_back(of_obstacle.text());
+  }
+  std::sort(obstacles.begin(), obstacles.end());
+  digest.add(std::uint64_t{obstacles.size()});
+  for (const std::string& obstacle : obstacles) digest.add(std::string_view(obstacle));
+}
+
 }  // namespace
 
 std::string digest(const CollisionModel& model) {
@@ -70,12 +95,7 @@ std::string digest(const CollisionModel& model) {
     digest.add(std::uint64_t{link.link});
     add_shapes(digest, link.shapes);
   }
-  digest.add(std::uint64_t{bodies.scene.obstacles.size()});
-  for (const Obstacle& obstacle : bodies.scene.obstacles) {
-    digest.add(obstacle.clearance.value_or(bodies.options.clearance));
-    add_shapes(digest, obstacle.shapes);
-  }
-  for (const bool allowed : bodies.obstacle_allowed) digest.add(std::uint64_t{allowed});
+  add_obstacles(digest, bodies);
   add_pairs(digest, bodies);
   return digest.text();
 }

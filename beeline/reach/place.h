@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <beeline/budget.h>
+#include <beeline/collision/collision_model.h>
 #include <beeline/error.h>
 #include <beeline/reach/reach_map.h>
 #include <beeline/trajectory/trajectory.h>
@@ -14,12 +15,16 @@
 namespace beeline {
 
 /// Why configurations and motions must not be given while the arm stands at one mount; empty
-/// functions have no reason. Usually blocked_by() and prove_clearance() of with_mount() of a
-/// CollisionModel.
+/// functions have no reason.
 struct BlockedAtMount {
   std::function<Reason(const ConfigurationRef&)> configuration = {};
   std::function<Reason(const Trajectory&, const Budget&)> motion = {};
 };
+
+/// Returns PlacementOptions::blocked_by for a model of the map's arm, whose obstacles stay while
+/// the arm moves: blocked_by() and prove_clearance() of its with_mount(). The model must outlive
+/// the function. Link 0 is not tested, as anywhere.
+std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionModel& model);
 
 /// The mounts that are searched: a grid of positions, each with rotations about the world's z axis.
 struct PlacementOptions {
@@ -36,8 +41,8 @@ struct PlacementOptions {
   /// Whether the tool must be able to move in straight lines through the poses, one after the
   /// other. The search ends after ten times `count` mounts, at least 100, without such lines.
   bool lines = false;
-  /// Returns what blocks the arm at a mount, world_T_mount, in the world of the poses (in Python
-  /// the CollisionModel of the map's arm, whose obstacles stay while the arm moves). Asked for each
+  /// Returns what blocks the arm at a mount, world_T_mount, in the world of the poses: usually
+  /// blocked_at_mounts() (in Python its model). Asked for each
   /// mount from which all poses are reached, from many threads: blocked solutions do not count, and
   /// blocked lines are none. Default: nothing.
   std::function<BlockedAtMount(const Pose&)> blocked_by = {};

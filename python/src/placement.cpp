@@ -1,4 +1,3 @@
-#include <beeline/certificate/clearance.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/reach/surface.h>
 
@@ -72,15 +71,9 @@ std::function<BlockedAtMount(const Pose&)> Value<std::function<BlockedAtMount(co
     nb::handle value, const char* name) {
   if (value.is_none()) return {};
   if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
-  const auto* const model = &nb::cast<const CollisionModel&>(value);
-  return [model, held = shared_object(nb::borrow(value))](const Pose& world_T_mount) {
-    const auto there = std::make_shared<const CollisionModel>(with_mount(*model, world_T_mount));
-    return BlockedAtMount{
-        .configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
-        .motion =
-            [there](const Trajectory& motion, const Budget& budget) {
-              return prove_clearance(*there, motion, {.budget = budget}).reason;
-            }};
+  return [blocked_at = blocked_at_mounts(nb::cast<const CollisionModel&>(value)),
+          held = shared_object(nb::borrow(value))](const Pose& world_T_mount) {
+    return blocked_at(world_T_mount);
   };
 }
 

@@ -46,5 +46,22 @@ TEST(Digest, DiffersWithWhatIsChecked) {
   }
 }
 
+TEST(Digest, DoesNotDependOnTheOrderOfObstaclesNorOnPairsOfTheFixedLink) {
+  const Arm arm = built_in("ur5");
+  const std::vector<LinkShapes> links{{.name = "base", .link = 0, .shapes = {{.body = Sphere{}}}},
+                                      {.name = "tool", .link = 6, .shapes = {{.body = Sphere{}}}}};
+  Scene scene = box_at(Vector3(0.5, 0, 0));
+  scene.obstacles.push_back({.name = "ball", .shapes = {{.body = Sphere{0.2}}}, .clearance = 0.02});
+  Scene reversed = scene;
+  std::swap(reversed.obstacles[0], reversed.obstacles[1]);
+  const auto digest_of = [&](const Scene& around, const std::vector<NamedPair>& allowed) {
+    return digest(CollisionModel(arm, links, around, {.allowed_pairs = allowed}));
+  };
+  EXPECT_EQ(digest_of(scene, {}), digest_of(reversed, {}));
+  EXPECT_EQ(digest_of(scene, {}), digest_of(scene, {{"base", "ball"}}));
+  EXPECT_EQ(digest_of(scene, {{"tool", "ball"}}), digest_of(reversed, {{"tool", "ball"}}));
+  EXPECT_NE(digest_of(scene, {{"tool", "ball"}}), digest_of(scene, {{"tool", "box"}}));
+}
+
 }  // namespace
 }  // namespace beeline

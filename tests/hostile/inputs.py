@@ -20,6 +20,10 @@ REACHABLE = b"x,y,z,roll,pitch,yaw\n0.25,0,0.1,1.5707963,0,0\n0.22,0,0.12,1.5707
 PLANAR = b"x,y,theta\n4,4,0\n5,3,0\n4,3,0.2\n"
 PROGRAM = b'motion,x,y,z,roll,pitch,yaw,speed,blend,dwell,relative\njoint,0.4,0.2,0.3,3.1,0,0,,,,\nline,0.4,-0.1,0.3,3.1,0,0,0.2,0.01,,\nline,0.4,-0.2,0.3,3.1,0,0,,,,\n' \
           b"via,0.35,-0.1,0.35,3.1,0,0,,,,\narc,0.4,0,0.4,3.1,0,0,,,0.5,\nline,0,0,-0.05,0,0,0,,,,previous\n"
+PICK = (ROOT / "tests/fuzz/corpus/poses/attach").read_bytes()
+PICK_CELL = b'{"obstacles": [{"name": "box", "shapes": [{"box": {"size": [0.6, 0.6, 0.6]}, "pose": {"xyz": [3, 2, 0]}}]},' \
+    b'{"name": "bench", "shapes": [{"box": {"size": [3, 0.4, 1]}, "pose": {"xyz": [3.7, 1.5, 0]}}]},' \
+    b'{"name": "fence", "shapes": [{"box": {"size": [0.1, 0.7, 1]}, "pose": {"xyz": [3.7, 2.05, 0]}}]}]}'
 PLANAR_MOTION = b"t,joint1,joint2,joint3\n0,0.1,0.5,-0.4\n0.5,0.2,0.6,-0.5\n1,0.3,0.7,-0.6\n1.5,0.3,0.7,-0.6\n"
 PANDA_MOTION = b"t," + b",".join(b"joint%d" % k for k in range(1, 8)) + b"," + b",".join(b"joint%d_vel" % k for k in range(1, 8)) + \
     b"\n" + b"\n".join(b"%g,0,%g,0,-1.5,0,1.5,0.7,0,0.1,0,0,0,0,0" % (0.1 * i, 0.01 * i) for i in range(30)) + b"\n"
@@ -52,6 +56,7 @@ CELL = b"""<robot name="cell"><link name="floor"/><link name="part"><collision><
 FILES = {
     "moved.scene": (ROOT / "tests/fuzz/corpus/scene/moveit").read_bytes(), "cell.yaml": (ROOT / "tests/fuzz/corpus/scene/planning").read_bytes(),
     "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
+    "pick.csv": PICK, "pick.json": PICK_CELL,
     "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
@@ -116,6 +121,8 @@ show robot.urdf --srdf arm.srdf --group arm
 ik shaped.json --pose 4.459,5.226,0 --degrees --all --scene cell.json --clearance 0.02 --allow hand,wall
 batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --no-self
 line shaped.json --through planar.csv --out out.csv --scene cell.json
+line shaped.json --from 110,-60,-140 --degrees --through pick.csv --out out.csv --scene pick.json
+check shaped.json pick_line.csv --degrees --through pick.csv --scene pick.json
 reach map shaped.json --resolution 2 --directions 1 --scene cell.json --clearance 0.02 --allow hand,wall --out out.h5
 check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end
 check shaped.urdf shaped.csv --scene moved.scene --scene cell.yaml --moving-start --moving-end
@@ -135,6 +142,7 @@ MADE = {
     "line.csv": "line rrr --through planar.csv",
     "panda_line.csv": "line panda --through poses.csv",
     "ur5_line.csv": "line ur5 --through poses.csv",
+    "pick_line.csv": "line shaped.json --from 110,-60,-140 --degrees --through pick.csv --scene pick.json",
     "map.h5": "reach map rrr --resolution 1.5 --directions 1",
     "other.h5": "reach map rrr --resolution 1.5 --directions 1 --mount 1,0,0",
     "azimuths.h5": "reach map puma560 --resolution 0.4 --azimuths 0.5",

@@ -123,4 +123,10 @@ struct CollisionBodies {
   }
 };
 
+/// Returns the model of the arm with further bodies, which its last link carries, in another scene.
+/// It is prepared quickly: what `model` knows of the pairs of its links is kept. The options must
+/// have the same clearance and allow none of these pairs.
+CollisionModel with_carried(const CollisionModel& model, const std::vector<LinkShapes>& parts,
+                            const Scene& scene, const CollisionOptions& options);
+
 }  // namespace beeline::internal

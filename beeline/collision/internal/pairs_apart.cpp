@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <beeline/collision/internal/pairs_apart.h>
 #include <beeline/model/internal/chain.h>
@@ -131,9 +133,34 @@ class PairSearch {
   Eigen::VectorXd rate_;  ///< bound of the bodies' relative motion for each unit of a coordinate, m
 };
 
+/// The pairs of a model with fewer links.
+class KnownPairs {
+ public:
+  explicit KnownPairs(const CollisionBodies* known) {
+    if (known == nullptr) return;
+    links_ = known->link_bodies.size();
+    for (const CollisionBodies::SelfPair& pair : known->apart_pairs) {
+      apart_.insert({pair.first, pair.second});
+    }
+  }
+
+  bool has(const CollisionBodies::SelfPair& pair) const {
+    return pair.first < links_ && pair.second < links_;
+  }
+
+  bool is_apart(const CollisionBodies::SelfPair& pair) const {
+    return apart_.contains({pair.first, pair.second});
+  }
+
+ private:
+  std::size_t links_ = 0;
+  std::set<std::array<std::uint32_t, 2>> apart_;
+};
+
 }  // namespace
 
-void find_pairs_apart(CollisionBodies& bodies, BudgetMeter& budget) {
+void find_pairs_apart(CollisionBodies& bodies, BudgetMeter& budget, const CollisionBodies* known) {
+  const KnownPairs known_pairs(known);
   const Ranges ranges = searched_ranges(bodies);
   // Pairs with few joints between them need the fewest boxes.
   std::vector<CollisionBodies::SelfPair> pairs = std::move(bodies.self_pairs);
@@ -146,7 +173,9 @@ void find_pairs_apart(CollisionBodies& bodies, BudgetMeter& budget) {
   });
   bodies.self_pairs.clear();
   for (const CollisionBodies::SelfPair& pair : pairs) {
-    const bool apart = budget.complete() && PairSearch(bodies, pair, ranges).proves(budget);
+    const bool apart = known_pairs.has(pair)
+                           ? known_pairs.is_apart(pair)
+                           : budget.complete() && PairSearch(bodies, pair, ranges).proves(budget);
     (apart ? bodies.apart_pairs : bodies.self_pairs).push_back(pair);
   }
 }

@@ -82,15 +82,17 @@ Pose CarriedParts::pose_in_tool(std::size_t attachment) const {
 
 CollisionModel CarriedParts::model() const {
   const CollisionBodies& bodies = model_.bodies();
-  std::vector<LinkShapes> links = bodies.links;
+  std::vector<LinkShapes> parts;
   Scene scene = scene_;
   scene.obstacles.clear();
   CollisionOptions options = bodies.options;
   // Without pairs of links, a part that is carried still meets them.
   options.self_collision = true;
+  const std::vector<LinkShapes>& links = bodies.links;
   for (std::size_t a = 0; a < links.size() && !bodies.options.self_collision; ++a) {
-    for (std::size_t b = 0; b < a; ++b)
+    for (std::size_t b = 0; b < a; ++b) {
       options.allowed_pairs.push_back({links[a].name, links[b].name});
+    }
   }
   for (std::size_t k = 0; k < scene_.obstacles.size(); ++k) {
     const Obstacle& obstacle = scene_.obstacles[k];
@@ -98,7 +100,7 @@ CollisionModel CarriedParts::model() const {
       scene.obstacles.push_back(obstacle);
       continue;
     }
-    links.push_back({.name = obstacle.name,
+    parts.push_back({.name = obstacle.name,
                      .link = bodies.arm.joints().size(),
                      .shapes = obstacle.shapes,
                      .at_proximal_joint = false,
@@ -107,7 +109,7 @@ CollisionModel CarriedParts::model() const {
       options.allowed_pairs.push_back({obstacle.name, name});
     }
   }
-  return CollisionModel(bodies.arm, links, scene, options);
+  return with_carried(model_, parts, scene, options);
 }
 
 }  // namespace beeline::internal

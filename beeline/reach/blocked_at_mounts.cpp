@@ -1,0 +1,19 @@
+#include <memory>
+
+#include <beeline/certificate/clearance.h>
+#include <beeline/reach/place.h>
+
+namespace beeline {
+
+std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionModel& model) {
+  return [&model](const Pose& world_T_mount) -> BlockedAtMount {
+    const auto there = std::make_shared<const CollisionModel>(with_mount(model, world_T_mount));
+    return {.configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
+            .motion =
+                [there](const Trajectory& motion, const Budget& budget) {
+                  return prove_clearance(*there, motion, {.budget = budget}).reason;
+                }};
+  };
+}
+
+}  // namespace beeline
