@@ -56,13 +56,18 @@ Answer write_slice(const SliceArguments& arguments) {
   }
   const auto reached = (!slice.values.array().isNaN()).count();
   const std::string plane = fmt::format("{}={}", "xyz"[slice.normal], shown(slice.at));
-  return {.text = fmt::format("slice         {} at {}, {} of {} positions reached\n", arguments.out,
-                              plane, reached, slice.values.size()),
-          .document = {{"status", "written"},
-                       {"out", arguments.out},
-                       {"at", slice.at},
-                       {"positions", slice.values.size()},
-                       {"reached", reached}}};
+  Answer answer{.text = fmt::format("slice         {} at {}, {} of {} positions reached\n",
+                                    arguments.out, plane, reached, slice.values.size()),
+                .document = {{"status", "written"},
+                             {"out", arguments.out},
+                             {"at", slice.at},
+                             {"positions", slice.values.size()},
+                             {"reached", reached},
+                             {"map_scene", scene_document(map)}}};
+  if (const auto& scene = map.header().scene) {
+    answer.text += "free in       " + scene_name(*scene) + "\n";
+  }
+  return answer;
 }
 
 }  // namespace

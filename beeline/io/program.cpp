@@ -25,10 +25,8 @@ auto at_row(const ProgramRows& program, std::size_t i, const Compute& compute) {
 
 bool passes(const ProgramRow& row) { return row.motion == "via"; }
 
-bool is_of_part(const ProgramRow& row) { return row.motion == "attach" || row.motion == "detach"; }
-
 /// Whether the tool stops or turns at a waypoint of the row.
-bool has_waypoint(const ProgramRow& row) { return !passes(row) && !is_of_part(row); }
+bool has_waypoint(const ProgramRow& row) { return !passes(row) && !row.is_of_part(); }
 
 /// The frame of a relative row, world_T_waypoint, among the poses of the rows.
 const Pose& frame_of(const std::vector<ProgramRow>& rows, std::size_t i,
@@ -136,7 +134,7 @@ Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& con
         throw FileError(rows.path, rows.rows[i].line, "a via row must be followed by an arc");
       continue;
     }
-    if (is_of_part(rows.rows[i])) {
+    if (rows.rows[i].is_of_part()) {
       at_row(rows, i, [&] { add_part(rows, i, program); });
       continue;
     }

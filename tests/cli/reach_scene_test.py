@@ -22,6 +22,8 @@ def test_a_map_of_a_scene_counts_free_solutions(beeline, written, tmp_path):
     assert free.json["map_scene"]["files"] == [str(post)] and whole.json["map_scene"] is None
     text = beeline("reach", "query", tmp_path / "free.h5").out
     assert f"free in       {post}, 0.05 m are required" in text
+    sliced = beeline("reach", "slice", tmp_path / "free.h5", "--at", "z=0", "--out", tmp_path / "slice.csv")
+    assert f"free in       {post}, 0.05 m are required" in sliced.out
     compared = beeline("reach", "compare", tmp_path / "all.h5", tmp_path / "free.h5")
     assert "free.h5: free in " in compared.out and "all.h5: free" not in compared.out
     merged = beeline("reach", "merge", tmp_path / "far.h5", tmp_path / "free.h5", "--out", tmp_path / "m.h5")

@@ -187,6 +187,9 @@ struct ProgramRow {
   std::string part = {};            ///< name of the obstacle that is attached or detached
   std::vector<std::string> touch = {};  ///< names of the bodies that an attached part may touch
   int line = 0;                         ///< line of the file
+
+  /// Whether the row attaches or detaches a part, and moves nothing.
+  bool is_of_part() const { return motion == "attach" || motion == "detach"; }
 };
 
 struct ProgramRows {

@@ -170,11 +170,9 @@ std::vector<std::string> names_in(const std::string& text) {
   return names;
 }
 
-bool is_of_part(const ProgramRow& row) { return row.motion == "attach" || row.motion == "detach"; }
-
 /// Checks the items of a row that attaches or detaches a part, or that they are of no other row.
 void check_part(const ProgramRow& row) {
-  if (!is_of_part(row)) {
+  if (!row.is_of_part()) {
     if (row.part.empty() && row.touch.empty()) return;
     throw Error("part and touch are for rows with the motion attach or detach");
   }
@@ -197,7 +195,7 @@ void check_row(const ProgramRow& row) {
     throw unknown_name("relative", row.relative, frames());
   }
   check_part(row);
-  if (is_of_part(row)) return;
+  if (row.is_of_part()) return;
   if (!row.pose && row.q.empty()) {
     throw Error("this row has neither a pose nor, in a column q, joint values");
   }
