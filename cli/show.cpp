@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
 
@@ -71,18 +72,13 @@ void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
 }
 
 /// Adds what a built-in arm is and where its numbers come from. It may be named in any case.
-void add_source(const std::string& name, const std::string& out, Answer& answer) {
+void add_source(const std::string& name, Answer& answer) {
   const auto same = [](unsigned char a, unsigned char b) {
     return std::tolower(a) == std::tolower(b);
   };
   for (const BuiltInArm& about : built_in_arms()) {
     if (!std::equal(about.name.begin(), about.name.end(), name.begin(), name.end(), same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
-    if (!about.shapes_source.empty() && !out.empty()) {
-      warn(out +
-           ": the shapes of the links are not written; commands that take them by the arm's "
-           "name find none in this file");
-    }
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
     answer.text += fmt::format("shapes of its links: {}\n",
                                about.shapes_source.empty() ? "none" : about.shapes_source);
@@ -101,11 +97,13 @@ Answer show(const ShowArguments& arguments) {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
     refuse_overwriting(arguments.out, arguments.arm.inputs());
-    write_file(arguments.out, arm_to_json(arm));
+    const bool has_meshes = is_urdf_path(arguments.arm.text);
+    const ArmShapes shapes = has_meshes ? ArmShapes{} : arguments.arm.shapes({});
+    write_file(arguments.out, arm_to_json(arm, shapes.links));
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
-  add_source(arguments.arm.text, arguments.out, answer);
+  add_source(arguments.arm.text, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
 }
@@ -128,7 +126,10 @@ Verb show_verb() {
       .arguments = {arguments->arm.argument()},
       .options =
           joined({arguments->unit.options(),
-                  {Option("--out FILE", "Also write the arm to this .json file.", &arguments->out)},
+                  {Option("--out FILE",
+                          "Also write the arm to this .json file, with the shapes of its links "
+                          "unless they are in a URDF file.",
+                          &arguments->out)},
                   arguments->arm.options(),
                   arguments->limits.options()}),
       .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},

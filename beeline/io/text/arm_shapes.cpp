@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/built_in_shapes.h>
+#include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/shape_json.h>
@@ -43,6 +44,26 @@ LinkShapes body_from_json(const JsonDocument& document, const Json& json, const 
   }
   body.shapes = internal::shapes_from_json(document, json);
   return body;
+}
+
+std::string body_to_json(const Arm& arm, const LinkShapes& body) {
+  internal::check_name(body.name, "the name of a body");
+  if (body.at_proximal_joint != body.at_distal_joint) {
+    throw Error("the body " + internal::in_quotes(body.name) +
+                " is at one of the joints of its link alone; an arm file cannot say so");
+  }
+  std::string text = "{";
+  if (body.link > 0) {
+    const Joint& joint = arm.joints().at(body.link - 1);
+    text += "\"joint\": " + internal::json_string(joint.name) + ", ";
+  }
+  text += "\"name\": " + internal::json_string(body.name);
+  if (!body.at_proximal_joint) text += ", \"attached\": true";
+  text += ", \"shapes\": [";
+  for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+    text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(body.shapes[i]);
+  }
+  return text + "]}";
 }
 
 void refuse_hold(const ShapeOptions& options) {
@@ -93,6 +114,17 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   if (!built_in.empty()) return arm_shapes_from_text(built_in, name + ".json", ends, options);
   refuse_hold(options);
   return {};
+}
+
+std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
+  std::string text = arm_to_json(arm);
+  if (links.empty()) return text;
+  text.resize(text.rfind("\n}"));
+  text += ",\n  \"shapes\": [";
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    text += (i == 0 ? "\n    " : ",\n    ") + body_to_json(arm, links[i]);
+  }
+  return text + "\n  ]\n}\n";
 }
 
 LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {

@@ -132,6 +132,11 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends = {}, const ShapeOptions& options = {});
 
+/// Returns arm_to_json() with the shapes of the arm's links, which read_arm_shapes() reads back.
+/// Throws Error for a name that it refuses, and for a body at one of its two joints alone, which an
+/// arm file cannot describe.
+std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links);
+
 /// Reads the shapes of a tool, which link n of the arm carries:
 ///     {"name": "gripper", "shapes": [SHAPE, ...]}
 /// posed in the arm's tool frame. The default name is "tool". Throws FileError, also if there is no

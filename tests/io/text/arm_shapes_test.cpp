@@ -4,6 +4,7 @@
 #include <beeline/collision/collision_model.h>
 #include <beeline/io/text/scene.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>
@@ -299,6 +300,34 @@ TEST(ArmShapes, AttachedBodiesCountWithTheirNeighbours) {
   EXPECT_EQ(CollisionModel(arm, links, {}, all_pairs).pair_count(), 0);
   links.push_back({"camera", 2, {{Sphere{0.1}}}, false, false});
   EXPECT_EQ(CollisionModel(arm, links, {}, all_pairs).pair_count(), 1);
+}
+
+TEST(ArmShapes, AreWrittenInArmFiles) {
+  int shaped = 0;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    std::vector<LinkShapes> links = read_arm_shapes(name).links;
+    if (links.empty()) {
+      EXPECT_EQ(arm_to_json(arm, links), arm_to_json(arm));
+      continue;
+    }
+    ++shaped;
+    links.push_back({"camera", 2, {{Sphere{0.1}}}, false, false});
+    const std::string text = arm_to_json(arm, links);
+    const auto read = arm_shapes_from_text(text, "a.json").links;
+    ASSERT_EQ(read.size(), links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      EXPECT_EQ(read[i].name, links[i].name);
+      EXPECT_EQ(read[i].at_distal_joint, links[i].at_distal_joint);
+    }
+    const CollisionOptions all_pairs{.budget = {.max_work = 0}};
+    EXPECT_EQ(digest(CollisionModel(arm_from_json(text, "a.json"), read, {}, all_pairs)),
+              digest(CollisionModel(arm, links, {}, all_pairs)))
+        << name;
+  }
+  EXPECT_GE(shaped, 8);
+  const std::vector<LinkShapes> one_joint{{"finger", 1, {{Sphere{0.1}}}, true, false}};
+  EXPECT_REFUSED(arm_to_json(built_in("ur5"), one_joint), "finger");
 }
 
 }  // namespace
