@@ -11,15 +11,24 @@ from functools import lru_cache
 from pathlib import Path
 from urllib.parse import urlencode
 
-from ._core import Arm, Error, Trajectory
+from ._core import Arm, CollisionModel, Error, Trajectory, arm_to_json, scene_to_json
 
 _PART = re.compile(r' data-file="([^"]+)">(?=</script>)')
 """Where saved.html names the file of a part."""
 
 
-def document_of(arm: Arm, q: list[float] | None, trajectory: Trajectory | None, section: str | None = None) -> str:
-    """The page of an arm, which begins at `q` in a section and plays the trajectory."""
-    state = {"json": _deflated(arm.to_json().encode())}
+def document_of(
+    arm: Arm,
+    q: list[float] | None,
+    trajectory: Trajectory | None,
+    section: str | None = None,
+    model: CollisionModel | None = None,
+) -> str:
+    """The page of an arm, which begins at `q` in a section and plays the trajectory among the obstacles of the model."""
+    state = {"json": _deflated((arm_to_json(arm, model.links) if model else arm.to_json()).encode())}
+    if model:
+        state["scene"] = _deflated(scene_to_json(model.scene).encode())
+        state["clearance"] = repr(model.clearance)
     texts = {}
     if q is not None:
         state["q"] = ",".join(map(repr, q))

@@ -112,6 +112,20 @@ void bind_shape_files(nb::module_& m) {
       nb::arg("tip") = nb::none(), nb::arg("hold") = nb::dict(), nb::arg("package") = nb::dict(),
       nb::arg("srdf") = nb::none());
 
+  Signature written("arm_to_json", "str",
+                    "Returns an arm with the shapes of its links as JSON, which Arm.load() and "
+                    "read_arm_shapes() read from a file. A body at only one of its link's joints "
+                    "is written as attached: it must then keep its clearance from both neighbours.");
+  written.takes("arm", "Arm", "The arm.")
+      .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.");
+  define(
+      m,
+      [](const Arm& arm, nb::handle links) {
+        return Value<std::string>::to(
+            arm_to_json(arm, Value<std::vector<LinkShapes>>::from(links, "links")));
+      },
+      written, nb::arg("arm"), nb::arg("links"));
+
   Signature tool(
       "read_tool_shapes", "LinkShapes",
       "Reads the shapes of a tool from a JSON file, posed in the arm's tool frame. Raises "
@@ -174,6 +188,15 @@ void bind_model(nb::module_& m) {
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
   bind_copy(model, "CollisionModel", itself);
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
+      .def_prop_ro(
+          "links",
+          [](const CollisionModel& self) {
+            return Value<std::vector<LinkShapes>>::to(self.links());
+          },
+          getter("links", Value<std::vector<LinkShapes>>::type()),
+          "The bodies of the arm, as they were given.")
+      .def_prop_ro("scene", &CollisionModel::scene, getter("scene", "Scene"),
+                   "The obstacles with the pairs that may touch, as they were given.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
                    "Number of pairs that count: of a link's shape and an obstacle's, or of two "
                    "links' shapes.")

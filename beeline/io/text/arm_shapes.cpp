@@ -95,6 +95,29 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   return {};
 }
 
+std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
+  std::string text;
+  for (const LinkShapes& body : links) {
+    if (body.shapes.empty()) continue;
+    internal::check_name(body.name, "the name of a body");
+    text += (text.empty() ? "\n    {" : ",\n    {");
+    if (body.link > 0) {
+      text += "\"joint\": " + internal::json_string(arm.joints().at(body.link - 1).name) + ", ";
+    }
+    text += "\"name\": " + internal::json_string(body.name);
+    if (!body.at_proximal_joint || !body.at_distal_joint) text += ", \"attached\": true";
+    text += ", \"shapes\": [";
+    for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+      text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(body.shapes[i]);
+    }
+    text += "]}";
+  }
+  std::string document = arm_to_json(arm);
+  if (text.empty()) return document;
+  document.erase(document.rfind("\n}"));
+  return document + ",\n  \"shapes\": [" + text + "\n  ]\n}\n";
+}
+
 LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {
   const JsonDocument document(read_file(path), path);
   document.check_keys(document.root(), {"name", "shapes"});

@@ -292,6 +292,25 @@ TEST(ArmShapes, OfAToolAreInItsFrame) {
 }
 
 /// A body that is fixed to a link elsewhere than at its joints counts with the neighbouring links.
+TEST(ArmShapes, AreWrittenWithTheArm) {
+  const ArmShapes read = read_arm_shapes("panda");
+  std::vector<LinkShapes> links = read.links;
+  links[3].at_proximal_joint = links[3].at_distal_joint = false;
+  const Arm arm = read_arm("panda");
+  const std::string text = arm_to_json(arm, links);
+  const std::vector<LinkShapes> back = arm_shapes_from_text(text, "panda.json").links;
+  ASSERT_EQ(back.size(), links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    EXPECT_EQ(back[i].name, links[i].name);
+    EXPECT_EQ(back[i].link, links[i].link);
+    EXPECT_EQ(back[i].at_proximal_joint, i != 3);
+    EXPECT_EQ(back[i].at_distal_joint, i != 3);
+  }
+  EXPECT_EQ(digest(CollisionModel(arm, back)), digest(CollisionModel(arm, links)));
+  EXPECT_EQ(arm_to_json(arm_from_json(text, "panda.json")), arm_to_json(arm));
+  EXPECT_EQ(arm_to_json(arm, {}), arm_to_json(arm));
+}
+
 TEST(ArmShapes, AttachedBodiesCountWithTheirNeighbours) {
   const Arm arm = arm_from_joint_string("RR");
   std::vector<LinkShapes> links{{"upper", 1, {{Sphere{0.1}}}}, {"lower", 2, {{Sphere{0.1}}}}};
