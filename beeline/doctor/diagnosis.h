@@ -72,8 +72,8 @@ std::string name(ExemptionStatus status);
 
 /// A pair of bodies that a file exempts from collision checks.
 struct Exemption {
-  NamedPair names;
-  ExemptionStatus status = ExemptionStatus::not_checked;
+  NamedPair names;                                        ///< names of the two bodies
+  ExemptionStatus status = ExemptionStatus::not_checked;  ///< what is known of the pair
   Configuration q = {};  ///< the configuration with the deepest collision that was found (n,)
   double depth = 0;      ///< translation that would separate the bodies there, m
 };

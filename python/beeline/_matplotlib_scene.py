@@ -21,7 +21,7 @@ SAND, SAND_LINE = (0.82, 0.70, 0.50), (0.44, 0.35, 0.20)  # obstacles
 STEEL, STEEL_LINE = (0.66, 0.74, 0.82), (0.33, 0.43, 0.56)  # shapes of links
 CLEAR, CLOSE = (0.0, 0.55, 0.58), (0.83, 0.13, 0.15)  # pairs that keep their clearance, and others
 MAX_LABELS = 12
-OBSTACLES, LINKS, PAIR = 0.5, 0.8, 7  # zorder: below the arm, and above it
+OBSTACLES, LINKS, PAIR = 0.6, 0.8, 7  # zorder: between the grid and the arm, and above the arm
 TIMES = 201  # of a motion, at which the nearest pair is looked for, as `draw()` does
 
 
@@ -150,14 +150,28 @@ class DrawnScene:
             near = [self.region.clamped(part) for part in faces if len(part) and self.region.meets(part)]
             shown += near
             if near:
-                labels.append((np.concatenate(near).reshape(-1, 3).mean(axis=0), obstacle.name))
+                labels.append((self._place_of_label(np.concatenate(near).reshape(-1, 3)), obstacle.name))
         Bodies(self.ax, arm.planar, SAND, SAND_LINE, 0.5, OBSTACLES).show(shown)
         self._contain(shown)
         if len(labels) > MAX_LABELS:
             return
         for at, name in labels:
-            position = at[: 2 if arm.planar else 3]
-            self.ax.text(*position, name, color=SAND_LINE, fontsize="small", ha="center", va="center", zorder=PAIR)
+            self._write(at, name, SAND_LINE, ha="center", va="bottom")
+
+    def _place_of_label(self, points: Array) -> Array:
+        """Above the middle of a body; of one that is at the base, at the corner that is near the viewer."""
+        up = 1 if self.model.arm.planar else 2
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        if np.linalg.norm((middle - self.region.centre)[:up]) < 0.2 * self.region.half and not self.model.arm.planar:
+            return points[(points @ [1, -1, 0.1]).argmax()]
+        middle[up] = points[:, up].max()
+        return middle
+
+    def _write(self, at: Array, text: str, colour: Any, **style: Any) -> None:
+        effects = importlib.import_module("matplotlib.patheffects")
+        position = at[: 2 if self.model.arm.planar else 3]
+        written = self.ax.text(*position, text, color=colour, fontsize="small", zorder=PAIR, **style)
+        written.set_path_effects([effects.withStroke(linewidth=2, foreground="white")])
 
     def _contain(self, bodies: list[Array]) -> None:
         """The axes contain the bodies."""
@@ -186,8 +200,7 @@ class DrawnScene:
         line(arm, self.ax, ends, color=colour, linewidth=1.8, zorder=PAIR, label="_nearest")
         dots(arm, self.ax, ends, color=[colour], s=14, zorder=PAIR)
         text = f"{pair.upper:.3g} m" if pair.lower > 0 else f"{-pair.lower:.3g} m deep"
-        at = ends.mean(axis=0)[: 2 if arm.planar else 3]
-        self.ax.text(*at, f" {text}", color=colour, fontsize="small", zorder=PAIR)
+        self._write(ends.mean(axis=0), f"  {text}", colour, va="top")
         return pair
 
 

@@ -1,7 +1,7 @@
 """The collision shapes of the arms in example-robot-data are Pinocchio's: where they stand, their sizes, and their hulls.
 
 The poses in the world of all shapes at random configurations, also of links beside the chain, which are held. Then each mesh:
-its hull against that of Qhull. With BEELINE_CASES=10 or more: all files whose shapes are read, with each of their tips.
+its hull against the hull of Qhull. With BEELINE_CASES=10 or more: all files whose shapes are read, with each of their tips.
 """
 
 import os
@@ -102,7 +102,7 @@ def rng(seed, robot):
 
 
 def values_of_joints(tree, arm, held, q):
-    """The values of all joints: those of the chain, of its mimic joints, and the held ones."""
+    """The values of all joints: of the chain, of its mimic joints, and the held ones."""
     values = dict(held) | dict(zip(arm.joint_names, q))
     for name, joint in tree.joints.items():
         if joint.moves and name not in values and joint.mimic and joint.mimic[0] in tree.joints:
@@ -160,7 +160,7 @@ def meshes_of(shapes, theirs):
     return found
 
 
-def test_hulls_are_those_of_qhull(robot, rng):
+def test_hulls_equal_qhull(robot, rng):
     _, tips, theirs = robot
     for (mesh, scale), (shape, corners) in meshes_of(next(iter(tips.values())), theirs).items():
         hull = ConvexHull(corners)

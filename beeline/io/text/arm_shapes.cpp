@@ -105,7 +105,10 @@ std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
       text += "\"joint\": " + internal::json_string(arm.joints().at(body.link - 1).name) + ", ";
     }
     text += "\"name\": " + internal::json_string(body.name);
-    if (!body.at_proximal_joint || !body.at_distal_joint) text += ", \"attached\": true";
+    // The base has no joint in front of it, and the last link none behind it.
+    const bool at_proximal = body.link == 0 || body.at_proximal_joint;
+    const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
+    if (!at_proximal || !at_distal) text += ", \"attached\": true";
     text += ", \"shapes\": [";
     for (std::size_t i = 0; i < body.shapes.size(); ++i) {
       text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(body.shapes[i]);
