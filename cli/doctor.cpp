@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 #include <beeline/doctor/comparison.h>
 #include <beeline/doctor/diagnosis.h>
@@ -10,7 +11,9 @@
 
 #include "arm_argument.h"
 #include "command/streams.h"
+#include "exemption_report.h"
 #include "format.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -21,6 +24,7 @@ struct DoctorArguments {
   std::string other, other_base, other_tip;
   ComparisonOptions comparison;
   UnitArgument unit;
+  SceneArgument scene;
 };
 
 /// One line of a report: where, what, and what to do about it.
@@ -170,8 +174,9 @@ void print_faults(const std::string& path) {
 /// The findings in one model.
 Answer diagnose_one(const DoctorArguments& arguments) {
   const ArmArgument& arm = arguments.arm;
+  std::optional<Arm> read;
   try {
-    (void)arm.read(arguments.unit, false);  // warns of what was selected
+    read = arm.read(arguments.unit, false);  // warns of what was selected
   } catch (const FileError&) {
     print_faults(arm.text);
     throw;
@@ -179,7 +184,9 @@ Answer diagnose_one(const DoctorArguments& arguments) {
   ChainEnds ends{.base = arm.base, .tip = arm.tip};
   if (!arm.group.empty()) ends = group_ends(read_srdf(arm.srdf), arm.group, arm.text);
   const Diagnosis diagnosis = diagnose(arm.text, ends);
-  const std::string verdict = verdict_on(diagnosis);
+  const ExemptionReport exemptions =
+      report_on_exemptions(arm, *read, arguments.scene, arguments.unit);
+  const std::string verdict = exemptions.with_verdict(verdict_on(diagnosis), !diagnosis);
   std::string text = arm.text + ": " + verdict + "\n";
   Json list = Json::list();
   std::size_t width = 0;
@@ -198,9 +205,12 @@ Answer diagnose_one(const DoctorArguments& arguments) {
     json.add("remedy", finding.remedy);
     list.append(json);
   }
-  return {.text = text,
-          .document = {{"status", diagnosis ? "clear" : "suspicious"}, {"findings", list}},
-          .yes = static_cast<bool>(diagnosis),
+  const bool clear = diagnosis && exemptions.collisions == 0;
+  Json document{{"status", clear ? "clear" : "suspicious"}, {"findings", list}};
+  if (!exemptions.text.empty()) document.add("exemptions", exemptions.document);
+  return {.text = text + exemptions.text,
+          .document = document,
+          .yes = clear,
           .reason = arm.text + " has " + verdict};
 }
 
@@ -250,6 +260,11 @@ Verb doctor_verb() {
           "limits without a range; and for faults of a URDF file beside the chain, such as an "
           "unknown parent link, type or leader, an axis of zeros, reversed limits. If the chain "
           "has a fault (exit code 3), stderr lists all. What may be meant is not reported.\n\n"
+          "With --srdf or --scene, examines the pairs of bodies that the SRDF file, or the allowed "
+          "collision matrix of MoveIt's scene, exempts from collision checks: which of them "
+          "collide "
+          "within the position limits, with a configuration; which are proved never to touch; and "
+          "for which a search found no collision, which proves nothing.\n\n"
           "With two, compares two descriptions of an arm: are they the same, and if not, what is "
           "different? The sequence of the joints' axes in space determines an arm up to its base, "
           "its tool, and the zeros and signs of its joints; so a difference is named as what it "
@@ -276,6 +291,7 @@ Verb doctor_verb() {
             Option("--other-base LINK", "--base of B; the other options of arms apply to A.",
                    &arguments->other_base),
             Option("--other-tip LINK", "--tip of B.", &arguments->other_tip)},
+           arguments->scene.body_options(),
            arguments->arm.options()}),
       .examples = {{"Is anything suspicious in a model? (exit code 0: nothing)",
                     "beeline doctor panda"},

@@ -10,6 +10,7 @@
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/json.h>
+#include <beeline/io/text/scene.h>
 
 #include <arpa/inet.h>
 #include <httplib.h>
@@ -68,6 +69,8 @@ void give(httplib::Response& response, std::string content, const std::string& t
 }
 
 }  // namespace
+
+std::string PageSession::arm_document() const { return arm_to_json(arm, link_shapes); }
 
 PageServer::PageServer(PageSession session, const std::string& folder, std::string host)
     : session_(std::move(session)),
@@ -172,9 +175,11 @@ void PageServer::file(const httplib::Request& request, httplib::Response& respon
 }
 
 void PageServer::session(httplib::Response& response) const {
-  Json answer{{"version", BEELINE_VERSION}, {"arm", arm_to_json(session_.arm)}};
+  Json answer{{"version", BEELINE_VERSION}, {"arm", session_.arm_document()}};
   answer.add("trajectory", session_.trajectory.empty() ? Json() : Json(session_.trajectory));
   answer.add("section", session_.section.empty() ? Json() : Json(session_.section));
+  answer.add("scene", session_.scene.empty() ? Json() : Json(session_.scene));
+  answer.add("clearance", session_.clearance ? Json(*session_.clearance) : Json());
   give(response, answer.text(), "application/json");
 }
 

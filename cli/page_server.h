@@ -6,8 +6,11 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include <beeline/collision/scene.h>
 #include <beeline/model/arm.h>
 
 namespace httplib {
@@ -23,10 +26,18 @@ struct PageSession {
   Arm arm;
   std::string trajectory = {};  ///< the text of a .csv file that it plays; empty: none
   std::string section = {};     ///< the section that it begins with; empty: its first one
+  std::vector<LinkShapes> link_shapes = {};  ///< of the arm, if it is shown among obstacles
+  std::string scene = {};  ///< the obstacles and the pairs that may touch, as JSON; empty: none
+  std::optional<double> clearance = {};  ///< that the arm must keep, m; default: the page's
+
+  /// The arm as JSON, with the shapes of its links.
+  std::string arm_document() const;
 };
 
 /// Serves the page, and passes joint values from one program to all pages that are open.
-///   GET  /api/session     {"version", "arm", "trajectory", "section"}
+///   GET  /api/session     {"version", "arm", "trajectory", "section", "scene", "clearance"}: texts
+///                         of files, of which the arm's may have shapes, and the clearance in
+///                         metres; null: none
 ///   GET  /api/events      server-sent events: joints {"q", "time", "sequence"}; the latest at once
 ///   POST /api/joints      {"q": [...], "time": t}, in radians, metres, seconds; time is optional
 /// Every other GET is a file of the folder. A request whose Host or Origin is another site's is

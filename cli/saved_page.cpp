@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include <beeline/error.h>
-#include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/numbers.h>
 
 #include <zlib.h>
 
@@ -78,8 +78,11 @@ std::string saved_page(const std::string& folder, const PageSession& session) {
     from = quote + 2;
   }
   document += text.substr(from);
-  const std::string section = session.section.empty() ? "" : "&section=" + session.section;
-  fill(document, "state", "json=" + base64(deflated(arm_to_json(session.arm))) + section);
+  std::string state = "json=" + base64(deflated(session.arm_document()));
+  if (!session.section.empty()) state += "&section=" + session.section;
+  if (!session.scene.empty()) state += "&scene=" + base64(deflated(session.scene));
+  if (session.clearance) state += "&clearance=" + exact(*session.clearance);
+  fill(document, "state", state);
   if (!session.trajectory.empty()) {
     fill(document, "trajectory", base64(deflated(session.trajectory)));
   }

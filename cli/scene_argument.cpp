@@ -239,30 +239,18 @@ std::vector<Option> SceneArgument::options() {
                &resolution, {.range = {1e-6, 1}})}});
 }
 
-std::vector<Option> SceneArgument::distance_options() {
+Option SceneArgument::scene_option() {
+  return Option(
+      "--scene FILE",
+      "Obstacles that the arm must keep the clearance from: JSON, see docs/scene.schema.json; "
+      "the URDF file of a cell, whose links with <collision> "
+      "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
+      "times for several files.",
+      &scenes);
+}
+
+std::vector<Option> SceneArgument::shape_options() {
   return {
-      Option(
-          "--scene FILE",
-          "Obstacles that the arm must keep the clearance from: JSON, see docs/scene.schema.json; "
-          "the URDF file of a cell, whose links with <collision> "
-          "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
-          "times for several files.",
-          &scenes),
-      Option("--self",
-             "The links must keep the clearance from each other, also without --scene. Links that "
-             "share a joint may touch.",
-             &self, {.excludes = "--no-self"}),
-      Option("--no-self", "The links need not keep it from each other.", &no_self,
-             {.needs = "--scene"}),
-      Option("--clearance METRES",
-             "The distance to be kept, except from obstacles with their own. Default: " +
-                 number(CollisionOptions().clearance) + ".",
-             &clearance,
-             {.range = {.lowest = 0, .highest = max_shape_size, .excludes_lowest = true}}),
-      Option("--allow A,B",
-             "Two links or obstacles that may touch, in addition to \"allowed_pairs\" of the "
-             "scenes. Several times for several pairs.",
-             &allow),
       Option("--tool-shape FILE",
              "Shapes of the tool: JSON {\"name\": NAME, \"shapes\": [SHAPE, ...]} as in scenes, "
              "posed in the arm's own tool frame as --tcp.",
@@ -279,6 +267,31 @@ std::vector<Option> SceneArgument::distance_options() {
              "the file. Meshes, STL or OBJ, are taken as their convex hulls. Several times for "
              "several packages.",
              &package)};
+}
+
+std::vector<Option> SceneArgument::body_options() {
+  return joined({{scene_option()}, shape_options()});
+}
+
+std::vector<Option> SceneArgument::distance_options() {
+  std::vector<Option> options{
+      scene_option(),
+      Option("--self",
+             "The links must keep the clearance from each other, also without --scene. Links that "
+             "share a joint may touch.",
+             &self, {.excludes = "--no-self"}),
+      Option("--no-self", "The links need not keep it from each other.", &no_self,
+             {.needs = "--scene"}),
+      Option("--clearance METRES",
+             "The distance to be kept, except from obstacles with their own. Default: " +
+                 number(CollisionOptions().clearance) + ".",
+             &clearance,
+             {.range = {.lowest = 0, .highest = max_shape_size, .excludes_lowest = true}}),
+      Option("--allow A,B",
+             "Two links or obstacles that may touch, in addition to \"allowed_pairs\" of the "
+             "scenes. Several times for several pairs.",
+             &allow)};
+  return joined({std::move(options), shape_options()});
 }
 
 std::vector<std::string> SceneArgument::inputs() const {

@@ -26,6 +26,8 @@ struct MeshHull {
 /// about it that reports list.
 struct CheckedScene {
   CollisionModel model;
+  std::vector<LinkShapes> link_shapes = {};             ///< of the model
+  Scene scene = {};                                     ///< all files of --scene together
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
   double clearance = 0;                                 ///< by --clearance, m
   bool self_collision = true;                           ///< false: --no-self
@@ -108,6 +110,8 @@ struct SceneArgument {
   std::vector<Option> options();
   /// The same without --resolution, for single configurations.
   std::vector<Option> distance_options();
+  /// --scene, --tool-shape, --hold and --package, which say what the bodies are.
+  std::vector<Option> body_options();
   bool given() const { return self || !scenes.empty(); }
   /// The files that are read, for refuse_overwriting().
   std::vector<std::string> inputs() const;
@@ -126,6 +130,8 @@ struct SceneArgument {
                         const FollowedProgram& followed, const Budget& budget) const;
 
  private:
+  Option scene_option();
+  std::vector<Option> shape_options();
   ClearanceOptions proof_options(const Budget& budget) const;
   /// Throws Error for an option that needs --scene or --self.
   void refuse_without_scene() const;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <future>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/io/trajectory_file.h>
 
 #include "arm_argument.h"
@@ -17,6 +19,7 @@
 #include "recording_argument.h"
 #include "result_files.h"
 #include "saved_page.h"
+#include "scene_argument.h"
 #include "verbs.h"
 
 #include <fcntl.h>
@@ -32,6 +35,7 @@ struct ViewArguments {
   UnitArgument unit;
   std::string file, save;
   RecordingArgument recording;
+  SceneArgument scene;
   std::string section, folder, host = loopback;
   int port = 8642;
   bool no_browser = false;
@@ -70,14 +74,60 @@ Answer save_page(const std::string& path, const PageSession& session, const std:
   return {.text = "page    " + path + "\n", .document = Json{{"page", path}}};
 }
 
+/// The bodies of the arm for an arm file, which cannot say that a body is at one of its link's
+/// joints alone. Such a body is attached to the link; `exempted` gets its pairs that do not count.
+std::vector<LinkShapes> bodies_of_file(const CollisionModel& model,
+                                       std::vector<NamedPair>& exempted) {
+  std::vector<LinkShapes> bodies = model.links();
+  std::set<std::string> attached;
+  for (LinkShapes& body : bodies) {
+    if (body.link == 0) body.at_proximal_joint = body.at_distal_joint;  // it has no other joint
+    if (body.link == model.arm().joints().size()) body.at_distal_joint = body.at_proximal_joint;
+    if (body.at_proximal_joint == body.at_distal_joint) continue;
+    body.at_proximal_joint = body.at_distal_joint = false;
+    attached.insert(body.name);
+  }
+  for (const NamedPair& pair : model.neighbour_pairs()) {
+    if (attached.contains(pair[0]) || attached.contains(pair[1])) exempted.push_back(pair);
+  }
+  return bodies;
+}
+
+/// The obstacles that the page shows, with all pairs that may touch. The page knows neither SRDF
+/// files nor --no-self.
+Scene shown_scene(const CheckedScene& checked) {
+  Scene shown = checked.model.scene();
+  shown.allowed_pairs = checked.allowed_pairs;
+  std::vector<NamedPair>& exempted = shown.exempted_pairs;
+  exempted.insert(exempted.end(), checked.srdf_pairs.begin(), checked.srdf_pairs.end());
+  if (checked.self_collision) return shown;
+  for (std::size_t i = 0; i < checked.links.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) exempted.push_back({checked.links[k], checked.links[i]});
+  }
+  return shown;
+}
+
+/// Adds the shapes of the links and the obstacles to what the page asks for.
+void add_scene(const ViewArguments& arguments, PageSession& session) {
+  const std::optional<CheckedScene> checked = arguments.scene.read(arguments.arm, session.arm);
+  if (!checked) return;
+  Scene shown = shown_scene(*checked);
+  session.link_shapes = bodies_of_file(checked->model, shown.exempted_pairs);
+  session.scene = scene_to_json(shown);
+  session.clearance = arguments.scene.clearance;
+}
+
 Answer view(const ViewArguments& arguments) {
   if (!arguments.save.empty()) {
     if (!arguments.save.ends_with(".html")) {
       throw Error("--save " + arguments.save + ": a page is written to a .html file");
     }
-    refuse_overwriting(arguments.save, {arguments.file});
+    std::vector<std::string> inputs = arguments.scene.inputs();
+    inputs.push_back(arguments.file);
+    refuse_overwriting(arguments.save, inputs);
   }
   PageSession session{.arm = arguments.arm.read(arguments.unit), .section = arguments.section};
+  add_scene(arguments, session);
   if (!arguments.file.empty()) {
     const Recording recording =
         arguments.recording.read_unwrapped(arguments.file, session.arm, arguments.unit);
@@ -121,7 +171,8 @@ Verb view_verb() {
               "Serves the page on this computer and opens it with the arm, and with a trajectory "
               "to play. Prints the address; Ctrl-C and SIGTERM end it with exit code 0. A program "
               "that is running posts joint values, in radians and metres, to api/joints; the page "
-              "follows. Requests of other sites are refused.",
+              "follows. Requests of other sites are refused.\n\n"
+              "With --scene or --self the page has the obstacles and the shapes of the links.",
           .arguments = {arguments->arm.argument(),
                         file_argument("FILE", "A trajectory to play, .csv, .json or .yaml.",
                                       &arguments->file, false)},
@@ -146,6 +197,7 @@ Verb view_verb() {
                               "with the command, or the one that make web built.",
                               &arguments->folder)},
                       arguments->recording.options(),
+                      arguments->scene.distance_options(),
                       arguments->unit.options(),
                       arguments->arm.options()}),
           .examples = {{"A UR5 in the browser", "beeline view ur5"},

@@ -218,6 +218,10 @@ std::size_t CollisionModel::apart_count() const { return bodies_->apart_pairs.si
 
 const Arm& CollisionModel::arm() const { return bodies_->arm; }
 
+const std::vector<LinkShapes>& CollisionModel::links() const { return bodies_->links; }
+
+const Scene& CollisionModel::scene() const { return bodies_->scene; }
+
 double CollisionModel::clearance() const { return bodies_->options.clearance; }
 
 std::size_t CollisionModel::pair_count() const { return bodies_->pair_count; }

@@ -66,6 +66,10 @@ class CollisionModel {
   ~CollisionModel();
 
   const Arm& arm() const;
+  /// Returns the bodies of the arm, as they were given.
+  const std::vector<LinkShapes>& links() const;
+  /// Returns the obstacles with the pairs that may touch, as they were given.
+  const Scene& scene() const;
   /// Returns the distance that is kept, m, except from obstacles with their own.
   double clearance() const;
   /// Returns the number of pairs that count: pairs of a link's shape and an obstacle's, or of two

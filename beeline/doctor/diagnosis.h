@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/collision/scene.h>
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/model/arm.h>
@@ -58,5 +59,35 @@ Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 /// read_arm() refuses for its first fault. Files of other formats have no faults. Throws FileError
 /// for a file that cannot be read or is not URDF.
 std::vector<Finding> file_faults(const std::string& path);
+
+/// What is known of a pair of bodies that may touch.
+enum class ExemptionStatus {
+  never_close,      ///< it is proved that they never touch within the position limits
+  collides,         ///< they collide at some configurations: motions into them would be accepted
+  always_collides,  ///< they collide at all configurations that were tried
+  no_collision,     ///< the search found no collision, which proves nothing
+  not_checked       ///< they share a joint or never move relative to each other
+};
+std::string name(ExemptionStatus status);
+
+/// A pair of bodies that a file exempts from collision checks.
+struct Exemption {
+  NamedPair names;                                        ///< names of the two bodies
+  ExemptionStatus status = ExemptionStatus::not_checked;  ///< what is known of the pair
+  Configuration q = {};  ///< the configuration with the deepest collision that was found (n,)
+  double depth = 0;      ///< translation that would separate the bodies there, m
+};
+
+struct ExemptionOptions {
+  int configurations = 200;  ///< number of random configurations that are tried for each pair
+};
+
+/// Examines pairs of bodies that a file exempts: those that are proved never to touch are rightly
+/// exempted, those that collide hide collisions. Tries random configurations within the position
+/// limits, and from the nearest of them descends along the gradient of the distance. Names that are
+/// neither of a link nor of an obstacle are left out. Throws Error as CollisionModel does.
+std::vector<Exemption> examine_exemptions(const Arm& arm, const std::vector<LinkShapes>& links,
+                                          const Scene& scene, const std::vector<NamedPair>& pairs,
+                                          const ExemptionOptions& options = {});
 
 }  // namespace beeline

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Arm, Error, Trajectory, _arm_of
+from ._core import Arm, CollisionModel, Error, Trajectory, _arm_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -60,7 +60,9 @@ class Page:
         return f"<beeline.Page, {len(self.html)} characters of HTML>"
 
 
-def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None, section: str | None = None) -> Page:
+def view(
+    arm: Arm | CollisionModel, q: ArrayLike | None = None, trajectory: Any = None, section: str | None = None
+) -> Page:
     """Shows an arm in the page that `beeline view` serves: sliders, the tool dragged by hand, control, lines.
 
     In a notebook the page is displayed where the result is the value of the cell. Elsewhere the browser opens it,
@@ -68,8 +70,8 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None, section: 
 
     Parameters
     ----------
-    arm : Arm
-        The arm.
+    arm : Arm or CollisionModel
+        The arm, or the arm among obstacles: the page has them, and the shapes of the links.
     q : array_like, default None
         Configuration (n,) that the page begins with. Default: `display_configuration(arm)`. A motion in its place is
         the trajectory.
@@ -93,7 +95,8 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None, section: 
     """
     from ._page_document import document_of  # here, as few programs need what it imports
 
-    _arm_of(arm)
+    model = arm if isinstance(arm, CollisionModel) else None
+    arm = model.arm if model else _arm_of(arm)
     if section is not None and section not in SECTIONS:
         raise Error(f"section: expected one of {', '.join(SECTIONS)}, not {section!r}")
     if trajectory is None and isinstance(getattr(q, "trajectory", q), Trajectory):
@@ -102,7 +105,7 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None, section: 
     trajectory = getattr(trajectory, "trajectory", trajectory)
     if trajectory is not None and not isinstance(trajectory, Trajectory):
         raise TypeError(f"trajectory: expected a Trajectory or a result that has one, not {type(trajectory).__name__}")
-    page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm), section))
+    page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm), section, model))
     if not _in_notebook():
         _open_browser(page)
     return page

@@ -2,7 +2,8 @@
 
 Every function draws into `ax` where it is given, else into a new figure, and returns the axes: `plot.arm(arm, q)`,
 then `ax.figure.savefig("arm.png")`. Planar arms are drawn from above, others in 3D. x is red, y green, z blue;
-joint 1 red, joint 2 green, joint 3 blue, as in pictures of `beeline.draw()`.
+joint 1 red, joint 2 green, joint 3 blue, as in pictures of `beeline.draw()`. In the place of an arm `arm()`, `motion()` and
+`animation()` take a CollisionModel: the arm among its obstacles.
 """
 
 from __future__ import annotations
@@ -13,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Arm, ReachSlice, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
+from ._core import Arm, CollisionModel, ReachSlice, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
 from ._core import jacobian as _jacobian
 from ._matplotlib import AMBER, GREY, LINK, arrow, axes_of, dots, draw_arm, draw_ghost, extent, fit, line, pyplot
 from ._matplotlib import skeleton
+from ._matplotlib_scene import DrawnScene, closest_configuration
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -27,7 +29,7 @@ __all__ = ["animation", "arm", "joints", "motion", "reach", "trail"]
 
 
 def arm(
-    arm: Arm,
+    arm: Arm | CollisionModel,
     q: ArrayLike | None = None,
     ax: Any = None,
     *,
@@ -35,13 +37,14 @@ def arm(
     jacobian: bool = False,
     alpha: float = 1.0,
     label: str | None = None,
+    shapes: bool = True,
 ) -> Any:
-    """Draws an arm.
+    """Draws an arm; of a model also its obstacles and the line between the two bodies that are nearest to their clearance.
 
     Parameters
     ----------
-    arm : Arm
-        The arm.
+    arm : Arm or CollisionModel
+        The arm, or the arm among obstacles.
     q : array_like, default None
         Configuration (n,). Default: `display_configuration(arm)`.
     ax : matplotlib axes, default None
@@ -54,13 +57,20 @@ def arm(
         Opacity.
     label : str, default None
         In the legend.
+    shapes : bool, default True
+        Draw the shapes of the links of a model.
 
     Returns
     -------
     axes
     """
+    arm, model = _arm_and_model(arm)
     values = display_configuration(arm) if q is None else np.asarray(q, dtype=float)
     ax = axes_of(arm, ax)
+    if model is not None:
+        scene = DrawnScene(model, ax, shapes)
+        scene.contain_links(values)
+        scene.draw_pair(values)
     points = draw_arm(arm, values, ax, frames=frames, alpha=alpha, label=label)
     if jacobian:
         columns = _jacobian(arm, values)[:3].T
@@ -115,14 +125,33 @@ def trail(
 
 
 def motion(
-    arm: Arm, motion: Any, ax: Any = None, *, ghosts: int = 3, waypoints: ArrayLike | None = None, frames: bool = False
+    arm: Arm | CollisionModel,
+    motion: Any,
+    ax: Any = None,
+    *,
+    ghosts: int = 3,
+    waypoints: ArrayLike | None = None,
+    frames: bool = False,
+    shapes: bool = True,
 ) -> Any:
     """Draws a motion: the trail of the tool, the arm at its end and, faded, at `ghosts` earlier times.
 
-    It takes the parameters of `arm()` and `trail()`. Returns the axes.
+    Of a model also the obstacles, the shapes of the links at the end, and at the closest of 201 times the arm, faded, with
+    the line between the two bodies that are nearest to their clearance. It takes the parameters of `arm()` and `trail()`.
+    Returns the axes.
     """
+    arm, model = _arm_and_model(arm)
     configurations = _configurations(arm, motion, 400, only_equal_times=True)
     ax = axes_of(arm, ax)
+    if model is not None:
+        scene = DrawnScene(model, ax, shapes)
+        scene.contain_links(configurations[-1])
+        if isinstance(getattr(motion, "trajectory", motion), Trajectory):
+            closest = closest_configuration(model, _trajectory(motion).matched_to(arm))
+        else:
+            closest = configurations[-1]
+        draw_ghost(arm, closest, ax)
+        scene.draw_pair(closest)
     for k in range(ghosts):
         draw_ghost(arm, configurations[k * (len(configurations) - 1) // ghosts], ax)
     draw_arm(arm, configurations[-1], ax, frames=frames)
@@ -181,14 +210,21 @@ def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 200
 
 
 def animation(
-    arm: Arm, motion: Any, ax: Any = None, *, waypoints: ArrayLike | None = None, speed: float = 1.0, fps: float = 25.0
+    arm: Arm | CollisionModel,
+    motion: Any,
+    ax: Any = None,
+    *,
+    waypoints: ArrayLike | None = None,
+    speed: float = 1.0,
+    fps: float = 25.0,
+    shapes: bool = True,
 ) -> Any:
     """Draws the arm in motion, leaving the trail of its tool.
 
     Parameters
     ----------
-    arm : Arm
-        The arm.
+    arm : Arm or CollisionModel
+        The arm, or the arm among obstacles, which stand still.
     motion : Trajectory, or a result that has a `trajectory`
         The motion.
     ax : matplotlib axes, default None
@@ -199,12 +235,15 @@ def animation(
         Relative to the motion's times.
     fps : float, default 25
         Frames per second.
+    shapes : bool, default True
+        Draw the shapes of the links of a model.
 
     Returns
     -------
     matplotlib.animation.FuncAnimation
         Keep it for as long as it plays. `save()` writes it, `to_jshtml()` shows it in a notebook.
     """
+    arm, model = _arm_and_model(arm)
     trajectory = _trajectory(motion).matched_to(arm)
     if not (speed > 0 and fps > 0):
         raise ValueError(f"speed and fps are positive numbers, not {speed} and {fps}")
@@ -215,6 +254,7 @@ def animation(
     configurations = trajectory.sample(times).position
     everywhere = np.array([skeleton(arm, q) for q in configurations])
     ax = axes_of(arm, ax)
+    scene = None if model is None else DrawnScene(model, ax, shapes)
     line(arm, ax, everywhere.reshape(-1, 3), alpha=0)  # the axes contain the whole motion
     trail(arm, trajectory, ax, waypoints=waypoints, color=(*GREY, 0.35))
     (links,) = line(arm, ax, everywhere[0], color=LINK, linewidth=5, solid_capstyle="round", zorder=2)
@@ -232,6 +272,8 @@ def animation(
                 shown.set_data(points[:, 0], points[:, 1])
             else:
                 shown.set_data_3d(*points.T)
+        if scene is not None:
+            scene.show(configurations[frame])
         return links, path, tool
 
     module = importlib.import_module("matplotlib.animation")
@@ -268,6 +310,10 @@ def reach(slice: ReachSlice, ax: Any = None, *, colorbar: bool = True, **options
     ax.set_aspect("equal")
     ax.set_title(f"{slice.title}, {slice.normal} = {slice.at:.6g} m")
     return ax
+
+
+def _arm_and_model(drawn: Arm | CollisionModel) -> tuple[Arm, CollisionModel | None]:
+    return (drawn.arm, drawn) if isinstance(drawn, CollisionModel) else (drawn, None)
 
 
 def _dashes(joint: int) -> Any:

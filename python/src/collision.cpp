@@ -111,6 +111,23 @@ void bind_shape_files(nb::module_& m) {
       shapes, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none(), nb::arg("hold") = nb::dict(), nb::arg("package") = nb::dict(),
       nb::arg("srdf") = nb::none());
+}
+
+void bind_other_shape_files(nb::module_& m) {
+  Signature written(
+      "arm_to_json", "str",
+      "Returns an arm with the shapes of its links as JSON, which Arm.load() and "
+      "read_arm_shapes() read from a file. A body at only one of its link's joints "
+      "is written as attached: it must then keep its clearance from both neighbours.");
+  written.takes("arm", "Arm", "The arm.")
+      .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.");
+  define(
+      m,
+      [](const Arm& arm, nb::handle links) {
+        return Value<std::string>::to(
+            arm_to_json(arm, Value<std::vector<LinkShapes>>::from(links, "links")));
+      },
+      written, nb::arg("arm"), nb::arg("links"));
 
   Signature tool(
       "read_tool_shapes", "LinkShapes",
@@ -147,6 +164,19 @@ bool same_links(const Arm& a, const Arm& b) {
                     b.couplings().end(), same_coupling);
 }
 
+void bind_bodies_of_model(nb::class_<CollisionModel>& model) {
+  model
+      .def_prop_ro(
+          "links",
+          [](const CollisionModel& self) {
+            return Value<std::vector<LinkShapes>>::to(self.links());
+          },
+          getter("links", Value<std::vector<LinkShapes>>::type()),
+          "The bodies of the arm, as they were given.")
+      .def_prop_ro("scene", &CollisionModel::scene, getter("scene", "Scene"),
+                   "The obstacles with the pairs that may touch, as they were given.");
+}
+
 void bind_model(nb::module_& m) {
   nb::class_<CollisionModel> model(
       m, "CollisionModel", docstring(header_text("CollisionModel", ""), "CollisionModel", ""));
@@ -173,6 +203,7 @@ void bind_model(nb::module_& m) {
       },
       made, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(), nb::arg("keywords"));
   bind_copy(model, "CollisionModel", itself);
+  bind_bodies_of_model(model);
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
                    "Number of pairs that count: of a link's shape and an obstacle's, or of two "
@@ -334,6 +365,7 @@ void bind_collisions(nb::module_& m) {
   bind_record<ClearanceOverTime>(m);
   bind_scene(m);
   bind_shape_files(m);
+  bind_other_shape_files(m);
   bind_model(m);
   bind_distances(m);
   bind_blocked_by(m);

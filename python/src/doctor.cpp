@@ -28,9 +28,39 @@ nb::object faults_of(nb::handle path) {
   return Value<std::vector<Finding>>::to(found);
 }
 
+void bind_exemptions(nb::module_& m) {
+  bind_record<Exemption>(m);
+  Signature signature("examine_exemptions", "list[Exemption]", comment("examine_exemptions"));
+  signature.takes("arm", "Arm", "The arm.")
+      .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.")
+      .takes("scene", "Scene | None", "The obstacles.", "None")
+      .takes("pairs", argument_type<std::vector<NamedPair>>() + " | None",
+             "The pairs. Default: `exempted_pairs` of the scene.", "None")
+      .options<ExemptionOptions>();
+  define(
+      m,
+      [](const Arm& arm, nb::handle links, nb::handle scene, nb::handle pairs,
+         const nb::kwargs& keywords) {
+        const auto asked = options<ExemptionOptions>(keywords);
+        const auto shapes = Value<std::vector<LinkShapes>>::from(links, "links");
+        const auto around = Value<std::optional<Scene>>::from(scene, "scene").value_or(Scene());
+        const auto given = Value<std::optional<std::vector<NamedPair>>>::from(pairs, "pairs");
+        std::vector<Exemption> found;
+        {
+          const LockRelease release;
+          found =
+              examine_exemptions(arm, shapes, around, given.value_or(around.exempted_pairs), asked);
+        }
+        return Value<std::vector<Exemption>>::to(found);
+      },
+      signature, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(),
+      nb::arg("pairs") = nb::none(), nb::arg("keywords"));
+}
+
 }  // namespace
 
 void bind_doctor(nb::module_& m) {
+  bind_exemptions(m);
   bind_record<Finding>(m);
   bind_record<Diagnosis>(m);
   bind_record<ModelDifference>(m);

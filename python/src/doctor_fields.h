@@ -3,6 +3,7 @@
 #include <beeline/doctor/comparison.h>
 #include <beeline/doctor/diagnosis.h>
 
+#include "collision_fields.h"
 #include "kinematics_fields.h"
 
 namespace beeline::python {
@@ -13,6 +14,15 @@ struct Fields<Finding> : Members<&Finding::kind, &Finding::joint, &Finding::plac
 
 template <>
 struct Fields<Diagnosis> : Members<&Diagnosis::findings> {};
+
+template <>
+struct Fields<Exemption>
+    : Members<&Exemption::names, &Exemption::status, &Exemption::q, &Exemption::depth> {};
+
+template <>
+inline constexpr bool reports<ExemptionOptions> = false;
+template <>
+struct Fields<ExemptionOptions> : Members<&ExemptionOptions::configurations> {};
 
 template <>
 struct Fields<ModelDifference>

@@ -212,10 +212,14 @@ void bind_pictures(nb::module_& m) {
         return nb::make_tuple(colour.red, colour.green, colour.blue);
       },
       colours, nb::arg("k"));
-  // Notebooks draw an arm, and the joints of a trajectory over time.
+  // Notebooks draw an arm, an arm among obstacles, and the joints of a trajectory over time.
   auto arm = nb::borrow<nb::class_<Arm>>(nb::type<Arm>());
   arm.def("_repr_svg_", [](const Arm& self) {
     return notebook_svg(compose(arm_figure(self, display_configuration(self))));
+  });
+  auto model = nb::borrow<nb::class_<CollisionModel>>(nb::type<CollisionModel>());
+  model.def("_repr_svg_", [](const CollisionModel& self) {
+    return notebook_svg(compose(arm_figure(self, display_configuration(self.arm()))));
   });
   auto trajectory = nb::borrow<nb::class_<Trajectory>>(nb::type<Trajectory>());
   trajectory.def(

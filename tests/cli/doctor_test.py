@@ -5,6 +5,7 @@ import math
 import re
 
 import pytest
+from shaped_arm import planar_arm
 
 UR5 = {"a": [0, -0.425, -0.39225, 0, 0, 0], "d": [0.089159, 0, 0, 0.10915, 0.09465, 0.0823],
        "alpha": [math.pi / 2, 0, 0, math.pi / 2, -math.pi / 2, 0]}
@@ -214,3 +215,30 @@ def test_no_number_is_minus_zero(beeline, written):
     for words in [("r.urdf",), ("panda", "iiwa14"), ("iiwa14", "panda"), ("panda", "ur5"), ("a.json", "b.json"), ("b.json", "a.json"), ("ur5", "a.json"), ("a.json", "ur5", "--degrees")]:
         text = beeline("doctor", *words).out
         assert not re.search(r"-0(?![.\d])", text), text
+
+
+def test_exempted_pairs_that_collide_are_named(beeline, written):
+    written("arm.json", planar_arm())
+    post = {"name": "post", "shapes": [{"sphere": {"radius": 0.2}, "pose": {"xyz": [5, 0, 0]}}]}
+    far = {"name": "far", "shapes": [{"sphere": {"radius": 0.2}, "pose": {"xyz": [20, 0, 0]}}]}
+    written("cell.json", json.dumps({"obstacles": [post, far], "exempted_pairs": [
+        ["post", "link3"], ["far", "link3"], ["link1", "link2"], ["post", "far"]]}))
+    answer = beeline("doctor", "arm.json", "--scene", "cell.json", "--json")
+    assert answer.code == 1 and answer.json["status"] == "suspicious" and answer.json["findings"] == []
+    found = {tuple(one["bodies"]): one for one in answer.json["exemptions"]}
+    statuses = [found[pair]["status"] for pair in (("post", "link3"), ("far", "link3"), ("link1", "link2"), ("post", "far"))]
+    assert statuses == ["collides", "no_collision", "not_checked", "not_checked"]
+    q = ",".join(map(str, found["post", "link3"]["q"]))
+    text = beeline("doctor", "arm.json", "--scene", "cell.json").out
+    assert "1 exempted pair that collides" in text and "post and link3" in text
+    # Without the exemption the same configuration is refused.
+    written("cell.json", json.dumps({"obstacles": [post]}))
+    written("there.csv", f"t,joint1,joint2,joint3\n0,{q}\n1,{q}\n")
+    refused = beeline("check", "arm.json", "there.csv", "--scene", "cell.json", "--json")
+    assert refused.code == 1 and refused.json["clearance"]["status"] == "collides"
+
+
+def test_exemptions_without_shapes_are_not_examined(beeline, written):
+    written("r.srdf", '<robot name="r"><disable_collisions link1="a" link2="b"/></robot>')
+    answer = beeline("doctor", "rrr", "--srdf", "r.srdf")
+    assert answer.code == 0 and "not examined" in answer.err

@@ -120,6 +120,26 @@ def test_it_serves_the_files_of_the_page_and_nothing_else(server):
         assert status in (400, 404) and "secret" not in text, (path, status, text)
 
 
+def test_the_session_has_the_scene_and_the_shapes(build, folder):
+    (folder / "cell.json").write_text(json.dumps({"obstacles": [{"name": "post", "shapes": [{"sphere": {"radius": 0.1}}]}],
+                                                  "allowed_pairs": [["post", "shoulder_link"]]}))
+    server = Server(build, folder, "--port", str(free_port()), "--scene", "cell.json", "--clearance", "0.02", "--allow",
+                    "post,forearm_link")
+    session = json.loads(server.ask("GET", "/api/session")[1])
+    assert server.stop() == 0
+    scene = json.loads(session["scene"])
+    assert [obstacle["name"] for obstacle in scene["obstacles"]] == ["post"]
+    assert scene["allowed_pairs"] == [["post", "shoulder_link"], ["post", "forearm_link"]]
+    assert session["clearance"] == 0.02
+    shapes = json.loads(session["arm"])["shapes"]
+    assert [body["name"] for body in shapes][:3] == ["base_link", "shoulder_link", "upper_arm_link"]
+
+
+def test_without_a_scene_the_session_has_none(server):
+    session = json.loads(server.ask("GET", "/api/session")[1])
+    assert session["scene"] is session["clearance"] is None and "shapes" not in json.loads(session["arm"])
+
+
 def test_nothing_is_compressed_which_would_take_seconds_for_the_page(server, folder):
     # Where cpp-httplib is built with Brotli it compresses texts at the highest level.
     (folder / "page" / "large.js").write_text("x" * 100_000)

@@ -112,6 +112,87 @@ def test_a_slice_of_a_reach_map(tmp_path):
     ax.figure.savefig(tmp_path / "slice.png")
 
 
+def among_obstacles(name):
+    arm = beeline.Arm.load(name)
+    size = arm.reach[1]
+    links = [beeline.LinkShapes(f"link{i}", i, [beeline.Shape(beeline.Sphere(0.03 * size))]) for i in range(1, len(arm.joints) + 1)]
+    bodies = [beeline.Sphere(0.1 * size), beeline.Capsule(0.05 * size, 0.2 * size), beeline.Box([0.1 * size, 0.2 * size, 0.3 * size]),
+              beeline.Cylinder(0.1 * size, 0.2 * size), beeline.ConvexHull(size / 5 * np.vstack([np.zeros(3), np.eye(3)]))]
+    obstacles = []
+    for i, body in enumerate(bodies):
+        pose = np.eye(4)
+        pose[:3, :3] = [[0, -1, 0], [0.6, 0, -0.8], [0.8, 0, 0.6]]
+        pose[:3, 3] = size * np.array([np.cos(i), np.sin(i), 0.2])
+        obstacles.append(beeline.Obstacle(f"body{i}", [beeline.Shape(body, pose, 0.01 * size)]))
+    obstacles.append(beeline.Obstacle("floor", [beeline.Shape(beeline.HalfSpace())]))
+    return beeline.CollisionModel(arm, links, beeline.Scene(obstacles))
+
+
+def faces_in(ax):
+    """The faces of the obstacles, and of the shapes of the links."""
+    bodies = [drawn for drawn in ax.collections if drawn.get_label() == "_bodies"]
+    return [drawn._faces if hasattr(drawn, "_faces") else [path.vertices for path in drawn.get_paths()] for drawn in bodies]
+
+
+@pytest.mark.parametrize("name", ["rrr", "panda"])
+def test_an_arm_among_obstacles(name, tmp_path):
+    model = among_obstacles(name)
+    arm, q = model.arm, beeline.display_configuration(model.arm)
+    ax = plot.arm(model, q)
+    obstacles, links = faces_in(ax)
+    assert len(links) >= len(arm.joints) and len(obstacles) >= 6
+    texts = [text.get_text() for text in ax.texts]
+    assert [text for text in texts if text.startswith("body")] == [f"body{i}" for i in range(5)] and "floor" in texts
+    pair = beeline.nearest_pair(model, q)
+    (line,) = [line for line in ax.lines if line.get_label() == "_nearest"]
+    dimensions = 2 if arm.planar else 3
+    assert np.allclose(points_of(line), np.array([pair.on_first, pair.on_second])[:, :dimensions])
+    assert any(text.strip().startswith(f"{pair.upper:.3g} m" if pair.lower > 0 else f"{-pair.lower:.3g} m") for text in texts)
+    shown = np.concatenate([np.reshape(face, (-1, dimensions)) for face in links])
+    for pose in beeline.link_poses(arm, q)[1:]:  # a sphere around each frame
+        distances = np.linalg.norm(shown - pose[:dimensions, 3], axis=1)
+        assert np.abs(distances - 0.03 * arm.reach[1]).min() < 1e-3 * arm.reach[1]
+    ax.figure.savefig(tmp_path / "scene.png")
+    assert len(faces_in(plot.arm(model, q, shapes=False))) == 1
+
+
+def test_faces_are_on_the_surface_of_their_shape():
+    from beeline._matplotlib_scene import Region, faces_of
+
+    model = among_obstacles("panda")
+    for obstacle in model.scene.obstacles[:5]:
+        (shape,) = obstacle.shapes
+        corners = faces_of(shape, Region(model)).reshape(-1, 3)
+        assert len(corners) >= 16, obstacle.name
+        for corner in np.unique(corners.round(9), axis=0)[::7]:
+            place = np.eye(4)
+            place[:3, 3] = corner
+            at = beeline.LinkShapes("point", 1, [beeline.Shape(beeline.Sphere(1e-9), np.linalg.inv(
+                beeline.link_poses(model.arm, np.zeros(7))[1]) @ place)])
+            distance = beeline.nearest_pair(beeline.CollisionModel(model.arm, [at], beeline.Scene([obstacle])), np.zeros(7))
+            assert abs(distance.upper) < 1e-6 and distance.lower < 1e-6, obstacle.name
+
+
+@pytest.mark.parametrize("name", ["rrr", "panda"])
+def test_a_motion_among_obstacles(name, tmp_path):
+    model = among_obstacles(name)
+    trajectory = motion(model.arm)
+    ax = plot.motion(model, trajectory)
+    times = np.linspace(trajectory.times[0], trajectory.times[-1], 201)
+    pairs = [beeline.nearest_pair(model, q) for q in trajectory.sample(times).position]
+    closest = min(pairs, key=lambda pair: (pair.upper if pair.lower > 0 else pair.lower) - pair.clearance)
+    (line,) = [line for line in ax.lines if line.get_label() == "_nearest"]
+    assert np.allclose(points_of(line)[0], closest.on_first[: 2 if model.arm.planar else 3], atol=1e-9)
+    moving = plot.animation(model, trajectory, fps=3)
+    moving.save(tmp_path / "moving.gif", writer="pillow")
+    moving._func(0)
+    first = faces_in(moving._fig.axes[0])[1]
+    moving._func(2)
+    second = faces_in(moving._fig.axes[0])[1]
+    assert not np.allclose(np.concatenate([np.reshape(f, (-1, 2)) for f in first[:1]]),
+                           np.concatenate([np.reshape(f, (-1, 2)) for f in second[:1]]))
+
+
 def test_refusals():
     rrr, panda = beeline.arms.rrr(), beeline.arms.panda()
     with pytest.raises(ValueError, match="3d"):

@@ -53,6 +53,22 @@ def test_the_document_holds_the_core_and_the_arm(opened):
     assert "section" not in state
 
 
+def test_the_document_holds_the_obstacles(monkeypatch, opened, tmp_path):
+    monkeypatch.setattr(_page_document, "_empty_document", lambda: '<script type="text/plain" id="saved-state"></script>')
+    links = beeline.read_arm_shapes("ur5").links
+    links.append(beeline.LinkShapes("cable", 3, [beeline.Shape(beeline.Sphere(0.1))], at_distal_joint=False))
+    post = beeline.Obstacle("post", [beeline.Shape(beeline.Cylinder(0.1, 1))], clearance=0.02)
+    model = beeline.CollisionModel(UR5, links, beeline.Scene([post], [("post", "wrist_1_link")]), clearance=0.003)
+    state = {key: value for key, [value] in parse_qs(part(beeline.view(model, Q), "state")).items()}
+    assert float(state["clearance"]) == 0.003
+    (tmp_path / "arm.json").write_bytes(inflated(state["json"]))
+    (tmp_path / "scene.json").write_bytes(inflated(state["scene"]))
+    shown = beeline.CollisionModel(beeline.Arm.load(tmp_path / "arm.json"), beeline.read_arm_shapes(tmp_path / "arm.json").links,
+                                   beeline.read_scene(tmp_path / "scene.json"), clearance=0.003)
+    assert shown.digest == model.digest
+    assert "scene" not in parse_qs(part(beeline.view(UR5, Q), "state"))
+
+
 @built
 def test_outside_of_a_notebook_the_browser_opens_it(opened):
     page = beeline.view(UR5)

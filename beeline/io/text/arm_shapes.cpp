@@ -48,17 +48,16 @@ LinkShapes body_from_json(const JsonDocument& document, const Json& json, const 
 
 std::string body_to_json(const Arm& arm, const LinkShapes& body) {
   internal::check_name(body.name, "the name of a body");
-  if (body.at_proximal_joint != body.at_distal_joint) {
-    throw Error("the body " + internal::in_quotes(body.name) +
-                " is at one of the joints of its link alone; an arm file cannot say so");
-  }
+  // The base has no joint in front of it, and the last link none behind it.
+  const bool at_proximal = body.link == 0 || body.at_proximal_joint;
+  const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
   std::string text = "{";
   if (body.link > 0) {
     const Joint& joint = arm.joints().at(body.link - 1);
     text += "\"joint\": " + internal::json_string(joint.name) + ", ";
   }
   text += "\"name\": " + internal::json_string(body.name);
-  if (!body.at_proximal_joint) text += ", \"attached\": true";
+  if (!at_proximal || !at_distal) text += ", \"attached\": true";
   text += ", \"shapes\": [";
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(body.shapes[i]);
@@ -117,14 +116,15 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
 }
 
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
-  std::string text = arm_to_json(arm);
-  if (links.empty()) return text;
-  text.resize(text.rfind("\n}"));
-  text += ",\n  \"shapes\": [";
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + body_to_json(arm, links[i]);
+  std::string bodies;
+  for (const LinkShapes& body : links) {
+    if (body.shapes.empty()) continue;
+    bodies += (bodies.empty() ? "\n    " : ",\n    ") + body_to_json(arm, body);
   }
-  return text + "\n  ]\n}\n";
+  std::string text = arm_to_json(arm);
+  if (bodies.empty()) return text;
+  text.resize(text.rfind("\n}"));
+  return text + ",\n  \"shapes\": [" + bodies + "\n  ]\n}\n";
 }
 
 LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {

@@ -132,9 +132,9 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends = {}, const ShapeOptions& options = {});
 
-/// Returns arm_to_json() with the shapes of the arm's links, which read_arm_shapes() reads back.
-/// Throws Error for a name that it refuses, and for a body at one of its two joints alone, which an
-/// arm file cannot describe.
+/// Returns the arm as JSON with the list `shapes` of its bodies; it reads back exactly, except that
+/// a body at only one of its link's joints is written as attached: it must then keep its clearance
+/// from both neighbours. Throws Error as arm_to_json(arm) does.
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links);
 
 /// Reads the shapes of a tool, which link n of the arm carries:

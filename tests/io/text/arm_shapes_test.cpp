@@ -326,8 +326,13 @@ TEST(ArmShapes, AreWrittenInArmFiles) {
         << name;
   }
   EXPECT_GE(shaped, 8);
-  const std::vector<LinkShapes> one_joint{{"finger", 1, {{Sphere{0.1}}}, true, false}};
-  EXPECT_REFUSED(arm_to_json(built_in("ur5"), one_joint), "finger");
+  const Arm ur5 = built_in("ur5");
+  const std::vector<LinkShapes> half{{"base", 0, {{Sphere{0.1}}}, false, true},
+                                     {"finger", 1, {{Sphere{0.1}}}, true, false},
+                                     {"hand", 6, {{Sphere{0.1}}}, true, false}};
+  const auto read = arm_shapes_from_text(arm_to_json(ur5, half), "a.json").links;
+  EXPECT_TRUE(read.at(0).at_distal_joint && read.at(2).at_proximal_joint);
+  EXPECT_FALSE(read.at(1).at_proximal_joint || read.at(1).at_distal_joint);
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+#include "exemption_report.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+#include <beeline/error.h>
+
+#include "command/streams.h"
+#include "format.h"
+
+namespace beeline::command {
+namespace {
+
+std::int64_t count_of(const std::vector<Exemption>& found, ExemptionStatus status) {
+  return std::count_if(found.begin(), found.end(),
+                       [status](const Exemption& pair) { return pair.status == status; });
+}
+
+std::string text_of(const std::vector<Exemption>& found, const UnitArgument& unit, const Arm& arm) {
+  std::string text = fmt::format("\n  exempted pairs      {}\n", found.size());
+  for (const Exemption& pair : found) {
+    if (pair.status != ExemptionStatus::collides) continue;
+    text += fmt::format("  collide             {} and {}, {} m deep at q {}\n", pair.names[0],
+                        pair.names[1], shown(pair.depth), shown(unit.shown(arm, pair.q)));
+  }
+  const std::pair<ExemptionStatus, const char*> counts[] = {
+      {ExemptionStatus::always_collides, "always collide     "},
+      {ExemptionStatus::never_close, "proved apart       "},
+      {ExemptionStatus::no_collision, "no collision found "},
+      {ExemptionStatus::not_checked, "not checked        "}};
+  for (const auto& [status, label] : counts) {
+    const std::int64_t pairs = count_of(found, status);
+    if (pairs == 0) continue;
+    const bool unchecked = status == ExemptionStatus::not_checked;
+    text += fmt::format("  {} {}{}\n", label, counted(pairs, "pair"),
+                        unchecked ? ", which share a joint or do not move" : "");
+  }
+  return text;
+}
+
+Json document_of(const std::vector<Exemption>& found, const UnitArgument& unit, const Arm& arm) {
+  Json list = Json::list();
+  for (const Exemption& pair : found) {
+    Json bodies = Json::list();
+    for (const std::string& name : pair.names) bodies.append(name);
+    Json json{{"bodies", bodies}, {"status", name(pair.status)}};
+    if (pair.q.size() > 0) {
+      json.add("q", unit.shown(arm, pair.q));
+      json.add("depth", pair.depth);
+    }
+    list.append(json);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string ExemptionReport::with_verdict(const std::string& verdict, bool suspicious) const {
+  if (collisions == 0) return verdict;
+  return (suspicious ? verdict + ", " : "") + counted(collisions, "exempted pair") +
+         (collisions == 1 ? " that collides" : " that collide");
+}
+
+ExemptionReport report_on_exemptions(const ArmArgument& arm_argument, const Arm& arm,
+                                     SceneArgument scene, const UnitArgument& unit) {
+  if (arm_argument.srdf.empty() && scene.scenes.empty()) return {};
+  scene.self = true;
+  std::optional<CheckedScene> read;
+  try {
+    read = scene.read(arm_argument, arm);
+  } catch (const Error& error) {
+    warn(std::string("the exempted pairs are not examined: ") + error.what());
+    return {};
+  }
+  std::vector<NamedPair> pairs = read->srdf_pairs;
+  const std::vector<NamedPair>& of_scene = read->exempted_pairs;
+  pairs.insert(pairs.end(), of_scene.begin(), of_scene.end());
+  const std::vector<Exemption> found =
+      examine_exemptions(arm, read->model.links(), read->model.scene(), pairs);
+  return {.text = text_of(found, unit, arm),
+          .document = document_of(found, unit, arm),
+          .collisions = count_of(found, ExemptionStatus::collides)};
+}
+
+}  // namespace beeline::command
