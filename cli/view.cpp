@@ -30,6 +30,11 @@ namespace {
 
 constexpr const char* loopback = "127.0.0.1";
 
+/// The sections of the page.
+std::vector<std::string> page_sections() {
+  return {"pose", "control", "line", "obstacles", "workspace", "lessons"};
+}
+
 struct ViewArguments {
   ArmArgument arm;
   UnitArgument unit;
@@ -186,7 +191,7 @@ Verb view_verb() {
                               "The section of the page to begin with. Default: pose, or line with "
                               "a trajectory.",
                               &arguments->section,
-                              {.choices = {"pose", "control", "line", "workspace", "lessons"}}),
+                              {.choices = page_sections()}),
                        Option("--save FILE.html",
                               "Serve nothing: write page, arm and trajectory as one HTML file, "
                               "which opens from a disk without a network.",

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Page", "view"]
 
-SECTIONS = ("pose", "control", "line", "workspace", "lessons")
+SECTIONS = ("pose", "control", "line", "obstacles", "workspace", "lessons")
 
 
 class Page:
@@ -77,7 +77,7 @@ def view(
         the trajectory.
     trajectory : Trajectory, or a result that has a `trajectory`, default None
         A motion to play.
-    section : {"pose", "control", "line", "workspace", "lessons"}, default None
+    section : {"pose", "control", "line", "obstacles", "workspace", "lessons"}, default None
         The section of the page to begin with. Default: "pose", or "line" with a trajectory.
 
     Returns

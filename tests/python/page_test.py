@@ -108,7 +108,7 @@ def test_a_motion_is_inside_and_exact():
 @built
 def test_it_begins_in_a_section():
     move = beeline.control_joints(UR5, np.zeros(6), Q)
-    for section in ("pose", "control", "line", "workspace", "lessons"):
+    for section in ("pose", "control", "line", "obstacles", "workspace", "lessons"):
         page = beeline.view(UR5, trajectory=move, section=section)
         assert parse_qs(part(page, "state"))["section"] == [section]
     with pytest.raises(beeline.Error, match="section: expected one of pose, control, .* not 'hold'"):

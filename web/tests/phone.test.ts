@@ -12,7 +12,7 @@ async function phone(hash: string, size = { width: 390, height: 844 }): Promise<
   return page;
 }
 
-test.each(["pose", "control", "line", "workspace", "lessons"])(
+test.each(["pose", "control", "line", "obstacles", "workspace", "lessons"])(
   "on a phone the picture and the sliders of the section %s are on the screen together",
   async (section) => {
     const page = await phone(`#arm=rrr&section=${section}&lesson=rrr`);

@@ -38,6 +38,13 @@ async function sourceOf(words: URLSearchParams): Promise<ArmSource> {
   return { text: words.get("arm") ?? (initialState.arm as { text: string }).text };
 }
 
+/** The text of a scene; none where it cannot be read. */
+async function sceneIn(words: URLSearchParams): Promise<string> {
+  const scene = words.get("scene");
+  if (scene === null) return initialState.scene;
+  return new TextDecoder().decode(await decompressed(scene).catch(() => new Uint8Array()));
+}
+
 /** The part of an address behind #, which holds the state. Numbers are exact. */
 export async function addressOf(state: PageState): Promise<string> {
   const words = new URLSearchParams();
@@ -55,6 +62,9 @@ export async function addressOf(state: PageState): Promise<string> {
   if (state.goal) words.set("goal", list(state.goal));
   for (const gain of gains) if (state[gain] !== initialState[gain]) words.set(gain, String(state[gain]));
   if (state.waypoints.length > 0) words.set("waypoints", state.waypoints.map(list).join(";"));
+  if (state.scene !== "") words.set("scene", await compressed(new TextEncoder().encode(state.scene)));
+  if (state.clearance !== initialState.clearance) words.set("clearance", String(state.clearance));
+  if (!state.showShapes) words.set("shapes", "0");
   writeReach(words, state);
   if (state.lesson !== "") words.set("lesson", state.lesson);
   return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";").replaceAll("%3D", "=");
@@ -86,6 +96,9 @@ export async function stateOf(hash: string): Promise<PageState> {
     ki: gainOf("ki"),
     kd: gainOf("kd"),
     waypoints: poses(words.get("waypoints")),
+    scene: await sceneIn(words),
+    clearance: Math.max(0, Number(words.get("clearance")) || initialState.clearance),
+    showShapes: words.get("shapes") !== "0",
     ...reachOf(words),
     lesson: words.get("lesson") ?? "",
   };
@@ -109,6 +122,9 @@ const named: [string, keyof PageState][] = [
   ["ki", "ki"],
   ["kd", "kd"],
   ["waypoints", "waypoints"],
+  ["scene", "scene"],
+  ["clearance", "clearance"],
+  ["shapes", "showShapes"],
   ...reachWords,
   ["lesson", "lesson"],
 ];

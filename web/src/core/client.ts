@@ -1,6 +1,7 @@
 import type { Request, WorkerReply, WorkerStart } from "./protocol.js";
 import type { ReachAnswers, ReachTask } from "./reach.js";
-import { Cancelled, CoreError, type CommandResult, type Files } from "./types.js";
+import type { SceneAnswers, SceneTask } from "./scene.js";
+import { Cancelled, CoreError, type CommandResult, type InputFiles } from "./types.js";
 
 type Progress = (fraction: number) => void;
 
@@ -23,7 +24,7 @@ export class CoreWorker {
     private readonly compile: () => Promise<WebAssembly.Module>,
   ) {}
 
-  command(args: string[], files: Files = {}, progress?: Progress): Promise<CommandResult> {
+  command(args: string[], files: InputFiles = {}, progress?: Progress): Promise<CommandResult> {
     return this.ask({ id: this.next++, args, files }, progress);
   }
 
@@ -36,6 +37,11 @@ export class CoreWorker {
   /** Answers a question about a map of what an arm can do. */
   reach<T extends ReachTask>(task: T, progress?: Progress): Promise<ReachAnswers[T["ask"]]> {
     return this.ask({ id: this.next++, reach: task }, progress);
+  }
+
+  /** Answers a question about an arm among obstacles. */
+  scene<T extends SceneTask>(task: T): Promise<SceneAnswers[T["ask"]]> {
+    return this.ask({ id: this.next++, scene: task }, undefined);
   }
 
   /** Without a command under way the worker lives on. */

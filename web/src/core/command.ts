@@ -1,6 +1,6 @@
 import { instantiateCommand, type Factory } from "./load.js";
 import { readText, writeText, type CommandModule } from "./module.js";
-import { CoreError, type CommandResult, type Files } from "./types.js";
+import { CoreError, type CommandResult, type Files, type InputFiles } from "./types.js";
 
 /** Collects a stream's bytes. */
 class Collected {
@@ -17,19 +17,19 @@ class Collected {
 
 const folder = "/work";
 
-function prepare(module: CommandModule, files: Files): void {
+function prepare(module: CommandModule, files: InputFiles): void {
   module.FS.mkdir(folder);
   module.FS.chdir(folder);
-  for (const [name, text] of Object.entries(files)) {
+  for (const [name, content] of Object.entries(files)) {
     if (!/^[^/\0]+$/.test(name) || name.startsWith(".")) throw new CoreError(`"${name}" is not the name of a file`);
-    module.FS.writeFile(name, text);
+    module.FS.writeFile(name, content);
   }
 }
 
-function written(module: CommandModule, given: Files): Files {
+function written(module: CommandModule, given: InputFiles): Files {
   const files: Files = {};
   for (const name of module.FS.readdir(folder)) {
-    if (name === "." || name === "..") continue;
+    if (name === "." || name === ".." || given[name] instanceof Uint8Array) continue; // a mesh was only read
     const text = module.FS.readFile(name, { encoding: "utf8" });
     if (given[name] !== text) files[name] = text;
   }
@@ -49,7 +49,7 @@ export async function command(
   factory: Factory<CommandModule>,
   wasm: WebAssembly.Module,
   args: string[],
-  files: Files = {},
+  files: InputFiles = {},
   progress: (fraction: number) => void = () => undefined,
 ): Promise<CommandResult> {
   const stdout = new Collected();

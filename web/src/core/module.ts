@@ -13,7 +13,7 @@ export interface Module {
   _beeline_error(): number;
 }
 
-/** The command's module, web/core/command.h and reach.h. */
+/** The command's module, web/core/command.h, reach.h and scene.h. */
 export interface CommandModule extends Module {
   FS: FileSystem;
   /** Called by _beeline_command() and _beeline_reach_compute() with the fraction computed. */
@@ -29,6 +29,13 @@ export interface CommandModule extends Module {
   _beeline_reach_vertices(map: number): number;
   _beeline_reach_triangles(map: number): number;
   _beeline_reach_release(map: number): number;
+  _beeline_scene(arm: number, base: number, tip: number, clearance: number): number;
+  _beeline_scene_links(scene: number): number;
+  _beeline_scene_clearance(scene: number): number;
+  _beeline_scene_read(scene: number, path: number): number;
+  _beeline_scene_obstacles(scene: number, text: number): number;
+  _beeline_scene_nearest(scene: number, ofLinks: number, q: number, numbers: number): number;
+  _beeline_scene_release(scene: number): number;
 }
 
 /** The core's module: the functions of web/core/beeline.h, with an underscore in front. */
@@ -71,7 +78,8 @@ export interface FileSystem {
   mkdir(path: string): void;
   chdir(path: string): void;
   readdir(path: string): string[];
-  writeFile(path: string, text: string): void;
+  writeFile(path: string, content: string | Uint8Array): void;
+  unlink(path: string): void;
   readFile(path: string, options: { encoding: "utf8" }): string;
 }
 

@@ -1,11 +1,12 @@
 import type { ReachAnswers, ReachTask } from "./reach.js";
-import type { CommandResult, Files } from "./types.js";
+import type { SceneAnswers, SceneTask } from "./scene.js";
+import type { CommandResult, InputFiles } from "./types.js";
 
 /** What the page posts to a worker: one command, answered by one result after any number of progress messages. */
 export interface CommandRequest {
   id: number;
   args: string[];
-  files: Files;
+  files: InputFiles;
 }
 
 /** A question about a map of what an arm can do, answered as a command is. */
@@ -14,7 +15,13 @@ export interface ReachRequest {
   reach: ReachTask;
 }
 
-export type Request = CommandRequest | ReachRequest;
+/** A question about an arm among obstacles, answered as a command is. */
+export interface SceneRequest {
+  id: number;
+  scene: SceneTask;
+}
+
+export type Request = CommandRequest | ReachRequest | SceneRequest;
 
 /** The first message to a worker: the compiled module of the command. */
 export interface WorkerStart {
@@ -23,5 +30,5 @@ export interface WorkerStart {
 
 export type WorkerReply =
   | { id: number; progress: number }
-  | { id: number; result: CommandResult | ReachAnswers[keyof ReachAnswers] }
+  | { id: number; result: CommandResult | ReachAnswers[keyof ReachAnswers] | SceneAnswers[keyof SceneAnswers] }
   | { id: number; error: string };

@@ -32,6 +32,8 @@ export interface Gains {
 
 /** Files by name, such as {"arm.urdf": "<robot …"}. */
 export type Files = Record<string, string>;
+/** Files that a command reads; meshes are bytes. */
+export type InputFiles = Record<string, string | Uint8Array>;
 
 /** What a command of the command line left: `beeline VERB …`. */
 export interface CommandResult {

@@ -40,3 +40,9 @@ export function small(value: number | null | undefined, units: Size[], rounding:
   const tens = 10 ** digits;
   return `${shown(rounding === "up" ? Math.ceil(number * tens - 1e-9) / tens : number, digits)} ${name}`;
 }
+
+/** A distance between bodies, m, in millimetres, rounded down; a negative one as a depth. */
+export function distance(value: number): string {
+  const tenths = Math.floor(1e4 * value + 1e-6) / 10;
+  return value < 0 ? `${shown(-tenths, 1)}\u00a0mm deep` : `${shown(tenths, 1)}\u00a0mm`;
+}

@@ -1,17 +1,21 @@
 import type { Core } from "../core/core.js";
+import type { ArmWithShapes } from "../core/scene.js";
 import type { ArmChooser } from "../panels/arm_chooser.js";
 import { tooLarge } from "../core/limits.js";
 import type { MeshList } from "../panels/mesh_list.js";
 import { endsOf, TipChooser, type ChainEnd } from "../panels/tip_chooser.js";
-import { baseName, isMeshFile, visualMeshes, type PathFile } from "../scene/mesh_files.js";
+import { baseName, fileAt, isMeshFile, visualMeshes, type PathFile } from "../scene/mesh_files.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
+import { withCollisionMeshes } from "./scene_files.js";
 import type { Shown } from "./section.js";
 
 /** A URDF that was opened, with the meshes that came with it and after it. */
 interface OpenedUrdf {
   json: string;
   text: string;
+  /** The last link of the chain, if it was asked for; else empty. */
+  tip: string;
   files: PathFile[];
 }
 
@@ -27,12 +31,26 @@ export class ArmFiles {
   /** What is to be said of an arm once it is shown. */
   private remark = { json: "", text: "" };
 
+  /** `reread` is called when the arm that is shown has other meshes. */
   constructor(
     private readonly core: Core,
     private readonly store: Store<PageState>,
     private readonly chooser: ArmChooser,
     private readonly list: MeshList,
+    private readonly reread: () => void,
   ) {}
+
+  /** The arm that is shown, as commands read it with the shapes of its links. */
+  async withShapes(): Promise<ArmWithShapes> {
+    const { arm } = this.store.get();
+    if (this.urdf && this.urdf.json === this.shown?.arm.json) {
+      const { text: urdf, files: opened, tip } = this.urdf;
+      const { text, files } = await withCollisionMeshes(urdf, (path) => fileAt(path, opened));
+      return { argument: "arm.urdf", tip, files: { ...files, "arm.urdf": text } };
+    }
+    if ("text" in arm) return { argument: arm.text, tip: "", files: {} };
+    return { argument: "arm.json", tip: "", files: { "arm.json": arm.json } };
+  }
 
   /** Takes an arm's file, with the meshes of a URDF; or more meshes of the URDF that is shown. Says why a file cannot be
    * read. */
@@ -76,9 +94,9 @@ export class ArmFiles {
     if (tip === "") this.tips.ask([]);
     try {
       const json = this.jsonOf(name, text, tip);
-      this.urdf = isUrdf ? { json, text, files: meshes } : null;
+      this.urdf = isUrdf ? { json, text, tip, files: meshes } : null;
       this.remark = { json, text: remark };
-      this.store.set({ arm: { json }, q: null, goal: null, waypoints: [] });
+      this.store.set({ arm: { json: isUrdf ? json : sameShapes(json, text) }, q: null, goal: null, waypoints: [] });
     } catch (error) {
       const ends = isUrdf && tip === "" ? this.endsThatDo(name, text) : [];
       if (ends.length === 0) return this.chooser.refuse((error as Error).message);
@@ -122,6 +140,7 @@ export class ArmFiles {
     if (!this.urdf || this.urdf.json !== this.shown?.arm.json)
       return this.chooser.refuse("Meshes belong to a URDF file: drop it with them, or before them.");
     this.urdf.files.push(...meshes);
+    this.reread();
     await this.showMeshes();
   }
 
@@ -163,6 +182,12 @@ function armFiles(files: PathFile[], besideMeshes: boolean): PathFile[] {
 
 function names(files: PathFile[]): string {
   return files.map(({ path }) => baseName(path)).join(", ");
+}
+
+/** The JSON of an arm with the list of shapes that its file has: the core leaves it out. */
+function sameShapes(json: string, file: string): string {
+  const { shapes } = JSON.parse(file) as { shapes?: unknown };
+  return shapes === undefined ? json : JSON.stringify({ ...(JSON.parse(json) as object), shapes });
 }
 
 /** Which meshes are missing, a few by name. */

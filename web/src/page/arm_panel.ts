@@ -156,7 +156,7 @@ export class ArmPanel {
     if (asked !== this.asked || !this.shown) return;
     const pose = toolPose(this.shown.arm, q);
     const args = ["ik", "arm.json", `--pose=${sevenOf(pose).join(",")}`, `--seed=${q.join(",")}`, "--all", "--json"];
-    const found = this.services.command(args).then((result) => answer<InverseAnswer>(result));
+    const found = this.services.inScene(args).then((result) => answer<InverseAnswer>(result));
     this.answered = found.catch(() => undefined);
     try {
       const solutions = await found;

@@ -84,6 +84,10 @@ export class Holding implements Hand {
     this.section()?.tile?.(point);
   }
 
+  obstacle(index: number, pose: number[] | null): void {
+    this.section()?.obstacle?.(index, pose);
+  }
+
   pressed(): void {
     this.isPressed = true;
     this.section()?.interrupt?.();

@@ -2,7 +2,7 @@ import { answer } from "../core/command.js";
 import { poseOfQuaternion, sevenOf, toolPose } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { branchMap } from "../panels/branch_map.js";
-import { planReport, type LineAnswer } from "../panels/motion_report.js";
+import { branchesOf, planReport, type LineAnswer } from "../panels/motion_report.js";
 import { reasonInWords, type Wording } from "../panels/reasons/reasons.js";
 import { WaypointsPanel } from "../panels/waypoints.js";
 import type { Mark, Trail } from "../scene/picture.js";
@@ -88,7 +88,7 @@ export class LineSection implements PageSection {
     const { waypoints, degrees } = this.services.store.get();
     this.waypoints.show(waypoints, degrees);
     this.intro.hidden = waypoints.length > 1;
-    if (changed.has("waypoints")) this.changed();
+    if (changed.has("waypoints") || changed.has("scene") || changed.has("clearance")) this.changed();
     else if (changed.has("section")) this.draw();
   }
 
@@ -125,7 +125,7 @@ export class LineSection implements PageSection {
   /** Other waypoints: the preview follows, the plan once they are dropped. */
   private changed(): void {
     this.player.bar.className = this.waypoints.enough ? "awaits-player" : "";
-    if (this.waypoints.enough && !this.dragging && this.waypoints.asFile.text === this.plannedFor) return this.draw();
+    if (this.waypoints.enough && !this.dragging && this.planKey === this.plannedFor) return this.draw();
     this.clear();
     this.draw();
     if (!this.waypoints.enough) {
@@ -163,14 +163,14 @@ export class LineSection implements PageSection {
   private async plan(chosen: number[] | null, note = ""): Promise<void> {
     const poses = this.waypoints.asFile;
     this.clear();
-    this.plannedFor = poses.text;
+    this.plannedFor = this.planKey;
     const start = chosen ?? this.heldStart();
     const how = start ? [`--from=${start.join(",")}`] : [];
     const first = start ? 0 : 1; // with --from the path begins where the arm stands
     const args = ["line", "arm.json", `--through=${poses.name}`, `--rate=${rate}`, "--json"];
     const files = { [poses.name]: poses.text };
     await this.work.run(async (progress, current) => {
-      const result = await this.services.command([...args, ...how, "--out=motion.csv"], files, progress);
+      const result = await this.services.inScene([...args, ...how, "--out=motion.csv"], files, progress);
       if (!current()) return;
       const line = answer<LineAnswer>(result);
       this.say(() => [...(note === "" ? [] : [element("p", { class: "quiet" }, note)]), this.reportOf(line, first)]);
@@ -182,8 +182,7 @@ export class LineSection implements PageSection {
         this.planned = this.player.trail(line.status === "reached" ? "planned" : "refused");
       }
       this.draw();
-      const all =
-        answer<LineAnswer>(await this.services.command([...args, "--branches"], files, progress)).branches ?? [];
+      const all = branchesOf(answer<LineAnswer>(await this.services.inScene([...args, "--branches"], files, progress)));
       if (!current()) return;
       const best = all.find(({ status }) => status === "reached");
       if (line.status !== "reached" && chosen === null && best)
@@ -205,7 +204,7 @@ export class LineSection implements PageSection {
     const poses = this.waypoints.asFile;
     await this.work.run(async (progress, current) => {
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
-      const result = await this.services.command(args, { "motion.csv": text }, progress);
+      const result = await this.services.inScene(args, { "motion.csv": text }, progress);
       if (!current()) return;
       const retimed = answer<LineAnswer>(result);
       this.say(() => [this.reportOf(retimed)]);
@@ -214,13 +213,19 @@ export class LineSection implements PageSection {
       this.player.show("motion.csv", csv);
       const check = ["check", "arm.json", "motion.csv", `--through=${poses.name}`, "--json"];
       const files = { "motion.csv": csv, [poses.name]: poses.text };
-      const proof = answer<LineAnswer>(await this.services.command(check, files, progress));
+      const proof = answer<LineAnswer>(await this.services.inScene(check, files, progress));
       if (!current()) return;
       const isProved = proof.status === "passed";
       const report = isProved ? { ...proof, status: retimed.status } : retimed;
       const why = (): string => `Not proved with these times. ${reasonInWords(proof, this.wording)}`;
       this.say(() => [...(isProved ? [] : [element("p", { class: "over" }, why())]), this.reportOf(report)]);
     });
+  }
+
+  /** What a plan depends on: the poses, and the obstacles with their clearance. */
+  private get planKey(): string {
+    const { scene, clearance } = this.services.store.get();
+    return [this.waypoints.asFile.text, scene, clearance].join("\n");
   }
 
   private get wording(): Wording {

@@ -16,6 +16,7 @@ import { lessons } from "../lessons/lessons.js";
 import { follow, sessionOf, type Session } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
+import type { PathFile } from "../scene/mesh_files.js";
 import type { Picture, PictureParts } from "../scene/picture.js";
 import { PlanarPicture } from "../scene/planar/planar_picture.js";
 import { spatialPicture } from "../scene/spatial_later.js";
@@ -30,8 +31,11 @@ import { Control } from "./control.js";
 import { Holding } from "./holding.js";
 import { LessonsSection } from "./lessons.js";
 import { LineSection } from "./line.js";
+import { Obstacles } from "./obstacles.js";
 import { Opening } from "./opening.js";
 import { Overlays } from "./overlays.js";
+import { sceneAmong } from "./scene_files.js";
+import { SceneModel } from "./scene_model.js";
 import type { PageSection, Services, Shown } from "./section.js";
 import { helpDialog, settingsDialog } from "./settings.js";
 import { ShareDialog } from "./share_dialog.js";
@@ -46,6 +50,7 @@ const titles: Record<Section, string> = {
   pose: "Pose",
   control: "Control",
   line: "Line",
+  obstacles: "Obstacles",
   workspace: "Workspace",
   lessons: "Lessons",
 };
@@ -69,6 +74,8 @@ export class Page {
   private readonly armPanel: ArmPanel;
   private readonly toolbar: Toolbar;
   private readonly line: LineSection;
+  private readonly scene: SceneModel;
+  private readonly obstacles: Obstacles;
   private readonly lessons: LessonsSection;
   private readonly files: ArmFiles;
   private readonly chooser: ArmChooser;
@@ -89,13 +96,18 @@ export class Page {
     private readonly document: Document,
     private readonly core: Core,
     worker: CoreWorker,
+    scenes: CoreWorker,
     private readonly store: Store<PageState>,
   ) {
     this.services = {
       store,
       command: async (args, files = {}, progress = undefined) => {
         await this.free;
-        return worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress);
+        return worker.command(args, { [armFile]: this.shown?.arm.json ?? "", ...files }, progress);
+      },
+      inScene: async (args, files = {}, progress = undefined) => {
+        const asked = await this.scene.inScene(args, files);
+        return this.services.command(asked.args, asked.files, progress);
       },
       reach: (task, progress) => worker.reach(task, progress),
       cancel: () => worker.cancel(),
@@ -106,14 +118,16 @@ export class Page {
       listedArms,
       {
         text: (text) => store.set({ arm: { text }, q: null, goal: null, waypoints: [] }),
-        files: (files) => this.files.open(files),
+        files: (files) => void this.opened(files),
         table: (json) => this.files.openText("dh_table.json", json),
       },
       this.address.note,
       meshes.line,
       meshes.root,
     );
-    this.files = new ArmFiles(core, store, this.chooser, meshes);
+    this.files = new ArmFiles(core, store, this.chooser, meshes, () => this.reread());
+    this.scene = new SceneModel(scenes, store, () => this.files.withShapes());
+    this.obstacles = new Obstacles(this.services, this.scene);
     this.holding = new Holding(this.services, () => this.sections.get(store.get().section));
     this.undo = new Undo(store, this.holding);
     this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
@@ -124,6 +138,7 @@ export class Page {
     this.sections = new Map<Section, PageSection>([
       ["control", new Control(this.services)],
       ["line", this.line],
+      ["obstacles", this.obstacles],
       ["workspace", new Workspace(this.services)],
       ["lessons", this.lessons],
     ]);
@@ -143,14 +158,22 @@ export class Page {
       sessionOf(document),
     ]);
     const core = await Core.load(factory as unknown as Factory<CoreModule>, bytes as BufferSource);
-    const worker = new CoreWorker(startWorker, async () => compile((await bytesOf("command-module")) as BufferSource));
+    let module: Promise<WebAssembly.Module> | null = null; // one for both workers
+    const compiled = (): Promise<WebAssembly.Module> =>
+      (module ??= bytesOf("command-module")
+        .then((code) => compile(code as BufferSource))
+        .catch((error: unknown) => {
+          module = null; // the next command tries again
+          throw error;
+        }));
+    const [worker, scenes] = [0, 1].map(() => new CoreWorker(startWorker, compiled)) as [CoreWorker, CoreWorker];
     if (session && location.hash === "") {
       state.arm = sourceOfSession(core, session);
       const section = session.section ?? (session.trajectory === null ? null : "line");
       state.section = sections.find((name) => name === section) ?? state.section;
     }
     const fresh = location.hash === "" && !session && savedAddress() === "";
-    const page = new Page(document, core, worker, new Store(state));
+    const page = new Page(document, core, worker, scenes, new Store(state));
     page.chooser.acceptDrops(document.body);
     page.welcome.hidden = !fresh;
     page.address.read(page.store.get());
@@ -256,6 +279,7 @@ export class Page {
     for (const taker of [
       this.overlays,
       this.holding,
+      this.scene,
       this.toolbar,
       this.armPanel,
       ...this.sections.values(),
@@ -275,6 +299,7 @@ export class Page {
     if (!q || q.length !== this.shown?.arm.dof) return;
     this.valid = { arm, q, goal, waypoints };
     this.overlays.update(q, state);
+    this.scene.update(q, changed);
     this.armPanel.update(q, changed);
     this.sections.get(section)?.update(q, changed);
   }
@@ -295,6 +320,22 @@ export class Page {
       else link.removeAttribute("aria-current");
     }
     this.armPanel.arrange(section);
+  }
+
+  /** Takes files that were dropped or chosen: a scene, or an arm with its meshes. */
+  private async opened(files: PathFile[]): Promise<void> {
+    const scene = await sceneAmong(files);
+    if (!scene) return this.files.open(files);
+    this.chooser.dialog.close();
+    await this.obstacles.readFile(scene);
+  }
+
+  /** The arm that is shown has other meshes, and so other shapes of its links. */
+  private reread(): void {
+    const { q } = this.store.get();
+    if (!this.shown || !q) return;
+    this.scene.take(this.shown);
+    this.scene.update(q, new Set(["arm"]));
   }
 
   /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */

@@ -143,7 +143,7 @@ export class Recording {
         ? ["check", "arm.json", text.name, `--through=${poses.name}`]
         : ["replay", "arm.json", text.name];
       const files = { [text.name]: text.content, ...(poses && { [poses.name]: poses.text }) };
-      const result = await this.services.command([...verb, "--json"], files, progress);
+      const result = await this.services.inScene([...verb, "--json"], files, progress);
       if (current()) this.judge(answer<LineAnswer>(result));
     });
   }
@@ -178,7 +178,7 @@ export class Recording {
     this.player.pause();
     await this.work.run(async (progress, current) => {
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
-      const result = await this.services.command(args, { "motion.csv": text }, progress);
+      const result = await this.services.inScene(args, { "motion.csv": text }, progress);
       if (!current()) return;
       const csv = result.files["retimed.csv"];
       if (csv !== undefined) {

@@ -1,7 +1,7 @@
 import type { Arm } from "../core/arm.js";
 import type { ArmDescription } from "../core/description.js";
 import type { ReachAnswers, ReachTask } from "../core/reach.js";
-import type { CommandResult, Files } from "../core/types.js";
+import type { CommandResult, InputFiles } from "../core/types.js";
 import type { Marks, Picture } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
@@ -15,14 +15,28 @@ export interface Shown {
 
 /** The marks that a section draws. */
 export type SectionMarks = Partial<
-  Pick<Marks, "moving" | "ghosts" | "trails" | "waypoints" | "extent" | "tiles" | "surface" | "cell">
+  Pick<
+    Marks,
+    | "moving"
+    | "ghosts"
+    | "trails"
+    | "waypoints"
+    | "extent"
+    | "tiles"
+    | "surface"
+    | "cell"
+    | "obstaclesHeld"
+    | "selected"
+  >
 >;
 
 /** What a section may ask of the page. */
 export interface Services {
   store: Store<PageState>;
   /** Runs a command of the command line in the worker, where the arm is the file arm.json; cancel() ends it. */
-  command(args: string[], files?: Files, progress?: (fraction: number) => void): Promise<CommandResult>;
+  command(args: string[], files?: InputFiles, progress?: (fraction: number) => void): Promise<CommandResult>;
+  /** The same with --scene, if there are obstacles and the arm has shapes. */
+  inScene(args: string[], files?: InputFiles, progress?: (fraction: number) => void): Promise<CommandResult>;
   /** Answers a question about a map of what an arm can do, in the same worker. */
   reach<T extends ReachTask>(task: T, progress?: (fraction: number) => void): Promise<ReachAnswers[T["ask"]]>;
   cancel(): void;
@@ -43,6 +57,8 @@ export interface PageSection {
   waypoint?(index: number, pose: number[], released: boolean): void;
   /** A tile of the section was clicked at this point. */
   tile?(point: number[]): void;
+  /** An obstacle was taken hold of, `pose` null, or dragged to a pose. */
+  obstacle?(index: number, pose: number[] | null): void;
   /** A hand has taken hold of the arm: what moves it by itself stops. */
   interrupt?(): void;
 }

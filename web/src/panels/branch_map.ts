@@ -68,6 +68,8 @@ function row(
     { type: "button", disabled: !whole, "aria-pressed": String(pressed), onclick: () => chosen(branch.start) },
     `Branch ${index + 1}`,
   );
-  const text = whole ? margins : `ends after ${shown(percent, 0)} % of the path. ${reasonInWords(branch, wording)}`;
+  const reason = reasonInWords(branch, wording);
+  const isBlocked = branch.status === "collides" || branch.status === "blocked" || branch.status === "not_decided";
+  const text = whole ? margins : isBlocked ? reason : `ends after ${shown(percent, 0)} % of the path. ${reason}`;
   return element("li", {}, button, bar, element("span", { class: "quiet" }, text));
 }

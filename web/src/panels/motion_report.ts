@@ -1,7 +1,7 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
 import { element, shown, table } from "../elements/element.js";
-import { angles, lengths, small, unitOf } from "../elements/units.js";
+import { angles, distance, lengths, small, unitOf } from "../elements/units.js";
 import type { Branch } from "./branch_map.js";
 import { reasonInWords, type Reason, type Wording } from "./reasons/reasons.js";
 
@@ -19,6 +19,21 @@ export interface LineAnswer extends Reason {
   limit_margin?: number | null;
   inverse_condition?: number | null;
   branches?: Branch[];
+  /** The proof that the arm keeps its clearance from obstacles; of a motion in a scene. */
+  clearance?: ClearanceAnswer | null;
+  /** The branches that do not keep the clearance, with what they hit. */
+  blocked?: (Reason & { start: number[]; status: string })[];
+}
+
+/** What the page shows of the proof of a clearance. */
+interface ClearanceAnswer {
+  least_distance: number | null;
+  /** The pair that is nearest to its clearance, and when; null if none was found. */
+  pair: [string, string] | null;
+  lower: number | null;
+  time: number | null;
+  links_without_shapes: string[];
+  nothing_checked: boolean;
 }
 
 const rounding = 1e-9;
@@ -44,6 +59,8 @@ export function planReport(answer: LineAnswer, joints: JointDescription[], wordi
   ];
   const proof = proofInWords(answer);
   if (good && proof !== "") parts.unshift(element("p", { class: "proof" }, proof));
+  const about = good ? `${closestInWords(answer)} ${uncheckedInWords(answer)}`.trim() : "";
+  if (about !== "") parts.push(element("p", { class: "quiet" }, about));
   const tables: HTMLElement[] = [];
   if (answer.deviation_bound !== undefined && answer.deviation_bound !== null) {
     tables.push(
@@ -81,9 +98,37 @@ export function planReport(answer: LineAnswer, joints: JointDescription[], wordi
 }
 
 /** What is proved, in one sentence; none where nothing is. */
-function proofInWords({ deviation_bound: bound }: LineAnswer): string {
-  if (bound === undefined || bound === null) return "";
-  return `Proved: at every time the tool is within ${small(bound, lengths, "up")} of the line.`;
+function proofInWords({ deviation_bound: bound, clearance }: LineAnswer): string {
+  const least = clearance?.nothing_checked === false ? clearance.least_distance : null;
+  const parts = [
+    ...(bound == null ? [] : [`the tool is within ${small(bound, lengths, "up")} of the line`]),
+    ...(least == null ? [] : [`the arm keeps at least ${distance(least)} from the obstacles and between its links`]),
+  ];
+  return parts.length === 0 ? "" : `Proved: at every time ${parts.join(", and ")}.`;
+}
+
+/** Where the arm is nearest to the distance that is required. */
+function closestInWords({ clearance }: LineAnswer): string {
+  const { pair, lower, time } = clearance ?? {};
+  if (!pair || lower == null || time == null) return "";
+  return `Closest: ${pair.join(" and ")}, ${distance(lower)} at ${shown(time, 2)} s.`;
+}
+
+/** The branches, with those that are blocked as such. */
+export function branchesOf({ branches = [], blocked = [] }: LineAnswer): Branch[] {
+  const isSame = (a: number[], b: number[]): boolean => a.every((value, k) => value === b[k]);
+  return branches.map((branch) => {
+    const found = branch.status === "reached" && blocked.find(({ start }) => isSame(start, branch.start));
+    return found
+      ? { ...branch, status: found.status, reason: found.reason, code: found.code, fields: found.fields }
+      : branch;
+  });
+}
+
+/** Which links are not checked against the obstacles; none where all are. */
+function uncheckedInWords({ clearance }: LineAnswer): string {
+  const names = clearance?.links_without_shapes ?? [];
+  return names.length === 0 ? "" : `Not checked, as they have no shapes: ${names.join(", ")}.`;
 }
 
 /** Which limits are not published for the arm, and what is assumed instead. */

@@ -12,6 +12,8 @@ export interface InverseAnswer extends Reason {
   /** Dimension of the motions of the joints that keep the tool at rest. */
   self_motion_dimension: number;
   method: string;
+  /** Solutions that hit something or come too close, with what they hit; of a question in a scene. */
+  blocked?: (Reason & { q: number[] })[];
 }
 
 const same = 1e-6;
@@ -46,9 +48,21 @@ export class SolutionsPanel {
   /** `q`: the present joint values, which solve the pose. */
   show(answer: InverseAnswer, q: number[], joints: JointDescription[], wording: Wording): void {
     this.status.textContent = inWords(answer, wording);
-    const rows = answer.solutions.length === 0 ? [] : withPresent(answer.solutions, q);
+    const { solutions, blocked = [] } = answer;
+    const all = [...solutions, ...blocked.map((one) => one.q)];
+    const rows = all.length === 0 ? [] : withPresent(all, q);
     this.items = rows.map((row, index) => ({ q: row, button: this.button(row, index, joints, wording.degrees) }));
-    this.list.replaceChildren(...this.items.map(({ button }) => element("li", {}, button)));
+    this.list.replaceChildren(
+      ...this.items.map(({ button, q: row }) => {
+        const why = blocked.find((one) => isSame(one.q, row));
+        return element(
+          "li",
+          {},
+          button,
+          ...(why ? [element("p", { class: "over" }, reasonInWords(why, wording))] : []),
+        );
+      }),
+    );
     this.mark(q);
   }
 
@@ -101,11 +115,13 @@ export class SolutionsPanel {
 function inWords(answer: InverseAnswer, wording: Wording): string {
   const { solutions, complete, self_motion_dimension: free, method, singular } = answer;
   const count = solutions.length;
+  const { length: hits } = answer.blocked ?? [];
   const reason = reasonInWords(answer, wording);
   if (count === 0) return reason;
+  const blocked = hits === 0 ? "" : ` ${hits} more ${hits === 1 ? "is" : "are"} blocked.`;
   const many = count === 1 ? "1 solution" : `${count} solutions`;
   const all = count === 1 ? ", the only one" : ", all that exist";
   const found = free > 0 ? `Infinitely many solutions, a sample of ${count}` : `${many}${complete ? all : ""}`;
   const by = method === "numerical" ? "a numerical search" : method;
-  return `${found}, by ${by}. ${singular ? reason : ""}`.trim();
+  return `${found}, by ${by}.${blocked} ${singular ? reason : ""}`.trim();
 }

@@ -16,7 +16,7 @@ export interface Label {
   /** Of the middle of the text from the point, pixels; and the preferred angle, rad, y up. */
   away: number;
   angle: number;
-  kind: "frame" | "angle" | "pose" | "waypoint" | "column";
+  kind: "frame" | "angle" | "pose" | "waypoint" | "column" | "distance";
   /** A CSS colour. */
   colour?: string;
   /** What a hand takes hold of with it: an attribute data-grab. */

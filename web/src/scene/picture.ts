@@ -1,5 +1,6 @@
 import type { Arm } from "../core/arm.js";
 import type { ArmDescription } from "../core/description.js";
+import type { SceneBody } from "../core/scene.js";
 import type { ReachGrid, ReachSurface } from "../core/reach.js";
 import type { Skeleton } from "../core/types.js";
 import type { PathFile } from "./mesh_files.js";
@@ -45,6 +46,22 @@ export interface Tiles {
   most: number;
 }
 
+/** A body among the obstacles, posed in the world, or of the arm, posed in the frame of its link. */
+export interface DrawnBody extends SceneBody {
+  /** The index of the link. */
+  link?: number;
+  hidden?: boolean;
+}
+
+/** Two points of two bodies, m, with their distance in words. `bodies`: their names. */
+export interface Gap {
+  points: [number[], number[]];
+  text: string;
+  bodies: string[];
+  /** Whether they are closer than their clearance. */
+  close: boolean;
+}
+
 /** What is drawn beside the arm. */
 export interface Marks {
   /** The frame of each link; the frame of the tool is always drawn. */
@@ -73,6 +90,13 @@ export interface Marks {
   surface: { mesh: ReachSurface; colour: [number, number, number] } | null;
   /** The centre and the edge of a cell of a map, m. */
   cell: { centre: number[]; edge: number } | null;
+  /** The obstacles around a spatial arm, and the shapes of its links. */
+  obstacles: DrawnBody[];
+  linkShapes: DrawnBody[];
+  /** Whether a hand can take hold of obstacles, and the index of the one that has a handle. */
+  obstaclesHeld: boolean;
+  selected: number | null;
+  gaps: Gap[];
 }
 
 /** What a section draws, as it begins. */
@@ -85,6 +109,8 @@ export const noSectionMarks = {
   tiles: null,
   surface: null,
   cell: null,
+  obstaclesHeld: false,
+  selected: null,
 };
 
 export const noMarks: Marks = {
@@ -96,6 +122,9 @@ export const noMarks: Marks = {
   ghosts: [],
   columns: null,
   ellipsoid: null,
+  obstacles: [],
+  linkShapes: [],
+  gaps: [],
   ...noSectionMarks,
 };
 
@@ -111,6 +140,8 @@ export interface Hand {
   waypoint(index: number, pose: number[], released: boolean): void;
   /** A tile was clicked at this point. */
   tile(point: number[]): void;
+  /** An obstacle was taken hold of, `pose` null, or is to have a pose. */
+  obstacle(index: number, pose: number[] | null): void;
   pressed(): void;
   released(): void;
 }

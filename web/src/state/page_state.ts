@@ -1,7 +1,7 @@
 import type { Measure } from "../core/reach.js";
 
 /** The parts of the page, each with a panel of its own. */
-export const sections = ["pose", "control", "line", "workspace", "lessons"] as const;
+export const sections = ["pose", "control", "line", "obstacles", "workspace", "lessons"] as const;
 export type Section = (typeof sections)[number];
 /** What sections were called in older links. */
 export const formerSections: Record<string, Section> = { hold: "pose", motion: "line", reach: "workspace" };
@@ -35,6 +35,12 @@ export interface PageState {
   kd: number;
   /** Poses of a line: x y z qw qx qy qz. */
   waypoints: number[][];
+  /** The obstacles around a spatial arm, as JSON (docs/scene.schema.json); empty: none. */
+  scene: string;
+  /** The distance that the arm must keep, m; 0: the default of the commands. */
+  clearance: number;
+  /** The shapes of the links, where obstacles are shown. */
+  showShapes: boolean;
   /** What the next map covers: cells along the diameter of the reach, and the angle between tool directions, degrees; 0:
    * the tool's orientation as it is. */
   reachCells: number;
@@ -66,6 +72,9 @@ export const initialState: PageState = {
   ki: 0,
   kd: 0,
   waypoints: [],
+  scene: "",
+  clearance: 0,
+  showShapes: true,
   reachCells: 16,
   reachDirections: 45,
   measure: "directions",
@@ -78,7 +87,7 @@ export const initialState: PageState = {
 };
 
 /** What Undo takes back; the others are how it is looked at. */
-export const work = ["arm", "q", "goal", "gain", "ki", "kd", "waypoints"] as const;
+export const work = ["arm", "q", "goal", "gain", "ki", "kd", "waypoints", "scene", "clearance"] as const;
 
 /** Whether two sources are the same text. */
 export function sameArm(a: ArmSource, b: ArmSource): boolean {

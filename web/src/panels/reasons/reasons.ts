@@ -1,3 +1,4 @@
+import { ofBodies } from "./collision.js";
 import { inControl } from "./control.js";
 import { Fields, type Reason, type Wording } from "./fields.js";
 import { ofInverse } from "./inverse.js";
@@ -22,7 +23,7 @@ export function clauseOf(reason: Reason, wording: Wording): string {
 /** In the words of the page; null where it has none for the code. */
 export function inPageWords(reason: Reason, wording: Wording): string | null {
   const fields = new Fields(reason, wording);
-  return ofInverse(fields) ?? onPath(fields) ?? inMotion(fields) ?? inControl(fields);
+  return ofInverse(fields) ?? onPath(fields) ?? inMotion(fields) ?? ofBodies(fields) ?? inControl(fields);
 }
 
 /** What the numbers probably are, and what the controller shows. */

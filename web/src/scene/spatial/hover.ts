@@ -3,11 +3,12 @@ import type { ArmFigure } from "./arm_figure.js";
 import type { Overlay } from "./overlay.js";
 import type { RobotMeshes } from "./robot_meshes.js";
 
-/** What the mouse points at, and could take hold of: an arrow or ring of the handle, the tool, a waypoint, a link. */
+/** What the mouse points at, and could take hold of: an arrow or ring of the handle, the tool, a waypoint, an obstacle, a link. */
 export type Pointed =
   | { what: "handle"; does: string }
   | { what: "tool"; at: Pixel }
   | { what: "waypoint"; index: number; at: Pixel }
+  | { what: "obstacle"; index: number; name: string }
   | { what: "link"; joint: number };
 
 /** Shows what the mouse points at: a hand, a word beside it, the link in the colour of its joint, a ring around others. */
@@ -37,6 +38,8 @@ export class Hover {
         return pointed.does;
       case "link":
         return this.names[pointed.joint] ?? "";
+      case "obstacle":
+        return pointed.name;
       case "tool":
         return "tool";
       default:

@@ -74,7 +74,7 @@ export class Arrows extends Group {
 }
 
 /** A white disc, which makes points round. */
-function disc(): CanvasTexture {
+export function disc(): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 32;
   const context = canvas.getContext("2d");

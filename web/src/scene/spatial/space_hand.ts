@@ -17,6 +17,9 @@ export interface Held {
   handleTaken(): boolean;
   handlePointed(): string;
   canHold(): boolean;
+  /** The obstacle on a ray that can be taken hold of, and where it stands. */
+  obstacleAt(ray: Raycaster): { index: number; name: string; distance: number } | null;
+  obstaclePose(index: number): number[];
   pose(): ArrayLike<number>;
   poses(): ArrayLike<number>[];
   skeleton(): Skeleton;
@@ -73,7 +76,7 @@ export class SpaceHand {
     const pointed = this.under(event);
     this.drag = pointed && this.begin(event, pointed);
     if (!this.drag) return;
-    if (pointed?.what !== "link") this.held.pointed(null, [0, 0]); // a ring would stay behind
+    if (pointed?.what !== "link" && pointed?.what !== "obstacle") this.held.pointed(null, [0, 0]); // a ring would stay behind
     this.held.stage.controls.enabled = false;
     this.held.stage.canvas.setPointerCapture(event.pointerId);
     this.held.stage.canvas.dataset["grabbed"] = "";
@@ -94,8 +97,10 @@ export class SpaceHand {
     if (index >= 0) return { what: "waypoint", index, at: places[index] ?? [mx, my] };
     const at = pixel(held.pose());
     if (isNear(at)) return { what: "tool", at };
-    const joint = this.hit(event)?.joint;
-    return joint === undefined ? null : { what: "link", joint };
+    const link = this.hit(event);
+    const body = held.obstacleAt(this.ray(event));
+    if (body && !(link && link.distance < body.distance)) return { what: "obstacle", ...body };
+    return link && { what: "link", joint: link.joint };
   }
 
   private begin(event: PointerEvent, pointed: Pointed): Drag | null {
@@ -111,6 +116,12 @@ export class SpaceHand {
           event,
           (to, released) => void (released || this.hand.tool(to)),
         );
+      case "obstacle": {
+        const { index } = pointed;
+        this.hand.obstacle(index, null);
+        const pose = this.held.obstaclePose(index);
+        return this.dragPose(pose, event, (to, released) => void (released || this.hand.obstacle(index, to)));
+      }
       case "link":
         return this.dragLink(event);
       default:
@@ -160,12 +171,15 @@ export class SpaceHand {
   }
 
   /** The nearest link below the mouse, by its joint. */
-  private hit(event: PointerEvent): { joint: number; point: Vector3 } | null {
+  private hit(event: PointerEvent): { joint: number; point: Vector3; distance: number } | null {
     const { figure } = this.held;
     const meshes = this.held.meshes();
-    for (const { object, point } of this.ray(event).intersectObjects(meshes ? [figure, meshes] : [figure], true)) {
+    for (const { object, point, distance } of this.ray(event).intersectObjects(
+      meshes ? [figure, meshes] : [figure],
+      true,
+    )) {
       const joint = meshes?.jointOf(object) ?? figure.jointOf(object);
-      if (joint !== null) return { joint, point };
+      if (joint !== null) return { joint, point, distance };
     }
     return null;
   }

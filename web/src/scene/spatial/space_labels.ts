@@ -1,7 +1,7 @@
 import type { Skeleton } from "../../core/types.js";
 import { shown } from "../../elements/element.js";
 import { along, columnLabels, thinned, wide, type Label, type Obstacle, type Pixel } from "../labels.js";
-import { centreLine, type Marks } from "../picture.js";
+import { centreLine, type Gap, type Marks } from "../picture.js";
 
 export const frameLength = { tool: 0.11, waypoint: 0.08 }; // of the reach
 const manyLinks = 40; // have no room for names of frames
@@ -43,8 +43,17 @@ export function obstaclesOf({ marks, poses, bones, size, ghosts, grips, thick, p
     ...grips,
     ...axes(poses.at(-1) ?? [], frameLength.tool * size),
     ...marks.waypoints.flatMap(({ pose }) => axes(pose, frameLength.waypoint * size)),
+    ...marks.gaps.flatMap(({ points }) => line(points)),
     ...marks.trails.flatMap(({ points }) => thinned(points.map((point) => pixel(point)))),
   ];
+}
+
+/** The distance of two bodies, beside the middle of their line. */
+function gapLabel(gap: Gap, index: number, pixel: SpatialDrawing["pixel"]): Label {
+  const [a, b] = gap.points;
+  const at = pixel(a.map((value, i) => (value + (b[i] ?? 0)) / 2));
+  const colour = gap.close ? "var(--alarm)" : "var(--text)";
+  return { key: `gap ${index}`, text: gap.text, at, away: 12, angle: 0.6, kind: "distance", colour };
 }
 
 /** The pose of the tool, waypoints, columns of the Jacobian, and the names of frames: one for those in one place. */
@@ -64,6 +73,7 @@ export function labelsOf({ marks, poses, size, pixel }: SpatialDrawing): Label[]
       kind: "waypoint",
     })),
     ...columnLabels(marks.columns, tool, pixel, at),
+    ...marks.gaps.map((gap, i) => gapLabel(gap, i, pixel)),
   ];
   if (!marks.frames || poses.length > manyLinks) return labels;
   const places = new Map<string, number[]>();

@@ -1,4 +1,5 @@
 import { Box3, type Group, Matrix4, Quaternion, Vector3 } from "three";
+import { poseOfBody } from "../../core/scene.js";
 import type { Skeleton } from "../../core/types.js";
 import { Callout } from "../callout.js";
 import { onTheme } from "../colours.js";
@@ -26,8 +27,10 @@ import type { RobotMeshes } from "./robot_meshes.js";
 import { SpaceHand } from "./space_hand.js";
 import { frameLength, labelsOf, obstaclesOf, type SpatialDrawing } from "./space_labels.js";
 import { Stage } from "./stage.js";
+import { Surroundings } from "./surroundings.js";
 import { ToolHandle } from "./tool_handle.js";
 
+const farthestShown = 1.5; // of the reach: obstacles beyond it are not brought into the picture
 const maxGhosts = 16; // their numbers fit the order of drawing and the stencil
 
 /** The picture of a spatial arm, by WebGL. */
@@ -37,6 +40,7 @@ export class SpatialPicture implements Picture {
   private readonly figure: ArmFigure;
   private readonly frames: Group[];
   private readonly handle: ToolHandle;
+  private readonly surroundings: Surroundings;
   private readonly hand: SpaceHand | null;
   private readonly overlay: Overlay;
   private readonly callout: Callout;
@@ -84,6 +88,7 @@ export class SpatialPicture implements Picture {
       (pose) => hand.tool(pose),
       (held) => (held ? hand.pressed() : hand.released()),
     );
+    this.surroundings = new Surroundings(this.stage, size, hand);
     this.hand = this.stage.hasPicture ? new SpaceHand(holder, this.held(), hand, size) : null;
     const label = `${description.name}: arrow keys and Page Up and Down move the tool`;
     if (this.hand) this.stage.canvas.setAttribute("aria-label", label);
@@ -100,8 +105,10 @@ export class SpatialPicture implements Picture {
       stage: this.stage,
       figure: this.figure,
       meshes,
-      handleTaken: () => this.handle.taken,
-      handlePointed: () => this.handle.pointed,
+      handleTaken: () => this.handle.taken || this.surroundings.taken,
+      handlePointed: () => this.handle.pointed || this.surroundings.pointed,
+      obstacleAt: (ray) => this.surroundings.at(ray),
+      obstaclePose: (index) => this.surroundings.pose(index),
       canHold: () => this.marks.handle,
       pose: () => this.poses.at(-1) ?? [],
       poses: () => this.poses,
@@ -130,6 +137,7 @@ export class SpatialPicture implements Picture {
     this.frames.forEach((frame, i) => putAt(frame, poses[i] as Float64Array));
     this.handle.follow(poses.at(-1) ?? []);
     this.meshes?.place(poses);
+    this.surroundings.place(poses);
     this.moved();
     this.placeColumns();
     this.stage.armChanged();
@@ -138,12 +146,15 @@ export class SpatialPicture implements Picture {
   }
 
   mark(change: Partial<Marks>): void {
-    const appear = hasSolutions(change.ghosts) && !hasSolutions(this.marks.ghosts);
+    const appear =
+      (hasSolutions(change.ghosts) && !hasSolutions(this.marks.ghosts)) ||
+      (change.obstacles?.length ?? 0) > this.marks.obstacles.length;
     this.marks = { ...this.marks, ...change };
     if (appear) this.reveal();
     const { frames, handle, turning, tiles, surface, cell } = this.marks;
     this.frames.forEach((frame, i) => (frame.visible = frames || i === this.frames.length - 1));
-    this.handle.visible = handle;
+    this.handle.visible = handle && this.marks.selected === null; // two would cover each other
+    this.surroundings.mark(change, this.marks, this.poses);
     if ("turning" in change) this.handle.turning = turning;
     if ("ghosts" in change || "pointed" in change) this.placeGhosts();
     if ("trails" in change) this.placeTrails();
@@ -187,7 +198,8 @@ export class SpatialPicture implements Picture {
 
   /** Points of what is drawn beside the arm, m. */
   private beside(): number[][] {
-    const { ghosts, trails, waypoints, columns } = this.marks;
+    const { ghosts, trails, waypoints, columns, obstacles } = this.marks;
+    const stands = obstacles.map((body) => poseOfBody(body).slice(12, 15));
     const [x = 0, y = 0, z = 0] = this.bones.tool;
     const tip = ([dx = 0, dy = 0, dz = 0]: number[]): number[] => [
       x + shortening * dx,
@@ -199,6 +211,7 @@ export class SpatialPicture implements Picture {
       ...trails.flatMap(({ points }) => points),
       ...waypoints.map(({ pose }) => pose.slice(12, 15)),
       ...(columns ?? []).map(tip),
+      ...stands.filter((point) => Math.hypot(...point) < farthestShown * this.size),
     ];
   }
 
@@ -252,6 +265,7 @@ export class SpatialPicture implements Picture {
     this.endTheme();
     this.meshes?.dispose();
     this.handle.dispose();
+    this.surroundings.dispose();
     this.hand?.dispose();
     this.stage.dispose();
     this.overlay.root.remove();
@@ -263,6 +277,7 @@ export class SpatialPicture implements Picture {
     for (const figure of [this.figure, ...this.ghosts]) figure.paint();
     this.meshes?.paint();
     this.handle.paint();
+    this.surroundings.paint(this.marks.gaps);
     this.columns.dispose();
     this.columns = new Arrows(this.parts.arm.dof, this.size / 100);
     this.stage.scene.add(this.columns);
