@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
@@ -190,8 +191,7 @@ Verb view_verb() {
                        Option("--section SECTION",
                               "The section of the page to begin with. Default: pose, or line with "
                               "a trajectory.",
-                              &arguments->section,
-                              {.choices = page_sections()}),
+                              &arguments->section, {.choices = page_sections()}),
                        Option("--save FILE.html",
                               "Serve nothing: write page, arm and trajectory as one HTML file, "
                               "which opens from a disk without a network.",

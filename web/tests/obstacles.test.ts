@@ -8,6 +8,7 @@ import { movedBody, poseOfShape, roundedPose, type SceneBody, type SceneDocument
 import { SceneModule } from "../src/core/scene_module.js";
 import type { NearestPair } from "../src/core/scene.js";
 import { axe, drag, frames, pages } from "./browser.js";
+import { binaryStl } from "./meshes.js";
 import { commandParts, json, random, run } from "./native.js";
 
 const { opened } = pages();
@@ -255,4 +256,31 @@ test("files that are no scenes, planar arms and arms without shapes have their s
   expect(await planar.getByRole("button", { name: "Add box" }).isVisible()).toBe(false);
   const bare = await opened("#arm=puma560&section=obstacles");
   await bare.getByText("puma560 has no shapes of its links: nothing is checked").waitFor();
+});
+
+const urdf = `<robot name="two">
+  <link name="foot"><collision><geometry><box size="0.2 0.2 0.1"/></geometry></collision></link>
+  <joint name="turn" type="revolute"><parent link="foot"/><child link="post"/><origin xyz="0 0 0.1"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+  <link name="post"><collision><geometry><mesh filename="package://two/meshes/post.stl"/></geometry></collision></link>
+  <joint name="lift" type="revolute"><parent link="post"/><child link="beam"/><origin xyz="0 0 0.5"/>
+    <axis xyz="0 1 0"/><limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+  <link name="beam"><collision><origin xyz="0.3 0 0"/><geometry><box size="0.6 0.05 0.05"/></geometry></collision></link>
+</robot>`;
+
+test("the shapes of a URDF file are its collision elements, with the meshes that are dropped with it", async () => {
+  const page = await opened("#arm=panda&section=obstacles");
+  const robot = { name: "two.urdf", mimeType: "text/xml", buffer: Buffer.from(urdf) };
+  await page.locator("#arm").click();
+  await page.locator("#arm-file").setInputFiles([robot]);
+  await page.locator(".panel:not([hidden]) > .refusal").filter({ hasText: "post.stl" }).waitFor(); // it is missing
+  await page.locator("#arm").click();
+  await page.locator("#arm-file").setInputFiles([{ name: "post.stl", mimeType: "model/stl", buffer: binaryStl() }]);
+  await page.keyboard.press("Escape");
+  await nearest(page)
+    .filter({ hasText: /foot and beam|beam and foot/ })
+    .waitFor();
+  await page.getByRole("button", { name: "Add box" }).click();
+  await nearest(page).filter({ hasText: "and box" }).waitFor();
+  await expect.poll(() => page.locator(".panel:not([hidden]) > .refusal").textContent()).toBe("");
 });

@@ -148,7 +148,7 @@ test("a link of a spatial arm is dragged, and a limit is named beside the tool",
 
 test("toggles act in every section, and those that do not act on the arm are not there", async () => {
   const page = await opened("#arm=rrr&q=0.4,0.9,0.6");
-  for (const section of ["Pose", "Control", "Line", "Workspace", "Lessons"]) {
+  for (const section of ["Pose", "Control", "Line", "Obstacles", "Workspace", "Lessons"]) {
     await page.getByRole("link", { name: section, exact: true }).click();
     for (const [name, mark] of [
       ["Solutions", ".ghost.solution"],

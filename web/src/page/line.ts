@@ -233,7 +233,12 @@ export class LineSection implements PageSection {
   }
 
   private reportOf(line: LineAnswer, first = 1): HTMLElement {
-    return planReport(line, this.shown?.description.joints ?? [], { ...this.wording, first });
+    const report = planReport(line, this.shown?.description.joints ?? [], { ...this.wording, first });
+    const { scene } = this.services.store.get();
+    const isDone = ["reached", "passed"].includes(line.status);
+    if (isDone && scene !== "" && line.clearance === undefined && this.shown?.arm.planar === false)
+      report.append(element("p", { class: "quiet" }, "Not checked against the obstacles: no link has shapes."));
+    return report;
   }
 
   /** Shows a report, which is written again in other units. */

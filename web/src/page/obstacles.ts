@@ -47,6 +47,7 @@ export class Obstacles implements PageSection {
   private open = false;
   private selected: string | null = null;
   private reading = 0;
+  private fault = "";
 
   constructor(
     private readonly services: Services,
@@ -276,8 +277,14 @@ export class Obstacles implements PageSection {
       this.clearance.value = String(clearance === 0 ? (model.arm?.clearance ?? "") : clearance);
     this.shapes.checked = showShapes;
     this.save.disabled = this.clear.disabled = this.obstacles.length === 0;
-    if (model.fault !== "") this.message.textContent = model.fault;
+    this.writeFault(model.fault);
     this.writePairs();
+  }
+
+  /** Says why arm or obstacles are refused, until they are not. */
+  private writeFault(fault: string): void {
+    if (fault !== "" || this.message.textContent === this.fault) this.message.textContent = fault;
+    this.fault = fault;
   }
 
   private introduction(): string {

@@ -91,6 +91,7 @@ export class Page {
   private free: Promise<void> = Promise.resolve();
   private taking = 0;
   private reading = 0;
+  private opening = 0;
 
   private constructor(
     private readonly document: Document,
@@ -324,7 +325,9 @@ export class Page {
 
   /** Takes files that were dropped or chosen: a scene, or an arm with its meshes. */
   private async opened(files: PathFile[]): Promise<void> {
+    const turn = ++this.opening; // of several files the last ones are shown
     const scene = await sceneAmong(files);
+    if (turn !== this.opening) return;
     if (!scene) return this.files.open(files);
     this.chooser.dialog.close();
     await this.obstacles.readFile(scene);

@@ -1,3 +1,4 @@
+import { tooLarge } from "../core/limits.js";
 import { baseName, type PathFile } from "../scene/mesh_files.js";
 
 /** The file of obstacles among files that were dropped or chosen; null: there is none. A JSON file is one if it has a list of
@@ -5,7 +6,8 @@ import { baseName, type PathFile } from "../scene/mesh_files.js";
 export async function sceneAmong(files: PathFile[]): Promise<File | null> {
   for (const { path, file } of files) {
     if (/\.(scene|ya?ml)$/i.test(path)) return file;
-    if (/\.json$/i.test(path) && hasObstacles(await file.text().catch(() => ""))) return file;
+    const isRead = /\.json$/i.test(path) && tooLarge(file) === null;
+    if (isRead && hasObstacles(await file.text().catch(() => ""))) return file;
   }
   return null;
 }

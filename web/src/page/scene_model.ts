@@ -1,6 +1,6 @@
 import type { CoreWorker } from "../core/client.js";
 import { sceneOf, type ArmBodies, type ArmWithShapes, type NearestPair, type SceneDocument } from "../core/scene.js";
-import type { InputFiles } from "../core/types.js";
+import { CoreError, type InputFiles } from "../core/types.js";
 import { distance } from "../elements/units.js";
 import type { DrawnBody, Gap } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
@@ -100,6 +100,7 @@ export class SceneModel {
   /** Reads a file of obstacles as --scene does. Throws CoreError with the command's message. */
   async read(name: string, content: string): Promise<string> {
     await this.ready();
+    if (this.arm === null) throw new CoreError(this.fault);
     return this.worker.scene({ ask: "read", name, content });
   }
 
@@ -146,7 +147,7 @@ export class SceneModel {
         this.nearest = found.map((pair) => ({ ...pair, names: this.namesOf(pair) }));
       } catch (error) {
         if (arms !== this.arms) continue;
-        [this.fault, this.nearest] = [(error as Error).message, []];
+        [this.fault, this.nearest, this.known] = [(error as Error).message, [], ""]; // the worker may be another one
       }
       if (before[0] !== this.fault || before[1] !== this.arm) this.draw();
       else this.shown?.picture.mark({ gaps: this.gaps() });

@@ -75,6 +75,7 @@ export function settingsDialog(store: Store<PageState>): HTMLDialogElement {
 const keys = [
   ["Drag the tool", "the arm reaches by inverse kinematics"],
   ["Drag a link", "turns or slides its joint"],
+  ["Drag an obstacle", "moves it, in the section Obstacles"],
   ["Drag beside the arm", "moves or turns the view; the wheel or two fingers magnify"],
   ["Arrow keys in the picture", "move the tool, with Shift in small steps"],
   ["Q, E in the picture", "turn the tool of a planar arm"],

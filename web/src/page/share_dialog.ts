@@ -102,7 +102,7 @@ export class ShareDialog {
       ...(viewer ? [`--azimuth=${viewer.azimuth}`, `--elevation=${viewer.elevation}`] : []),
     ];
     const args = ["draw", "arm.json", `--q=${(q ?? []).join(",")}`, "--out=arm.svg", ...options];
-    const { refusal, files } = await this.services.command(args);
+    const { refusal, files } = await this.services.inScene(args);
     const drawing = files["arm.svg"];
     if (drawing === undefined) throw new Error(refusal);
     saveFile("arm.svg", new Blob([drawing], { type: "image/svg+xml" }));
