@@ -147,6 +147,7 @@ enum class ReasonField {
   unit,
   body,        ///< link or obstacle
   other_body,  ///< link or obstacle
+  point,       ///< index from 0 of a point of `other_body`, if that is a point cloud
   // How much.
   value,
   lower,

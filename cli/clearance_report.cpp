@@ -287,9 +287,9 @@ std::string ClearanceReport::text() const {
     text += fmt::format("clearance     kept at all times, proved; {}\n", guarantee());
   }
   if (proof && !proof.pair.names[0].empty()) {
-    text += fmt::format("closest       {}: {} m at {} s, {} m are required\n",
-                        pair_text(proof.pair.names), shown(proof.pair.upper), shown(proof.time),
-                        shown(proof.pair.clearance));
+    text +=
+        fmt::format("closest       {}: {} m at {} s, {} m are required\n", names_text(proof.pair),
+                    shown(proof.pair.upper), shown(proof.time), shown(proof.pair.clearance));
   }
   const std::string bodies = number_of_bodies(*scene);
   const std::size_t apart = scene->model.apart_count();
@@ -316,6 +316,7 @@ Json ClearanceReport::document() const {
       {"least_distance", proof ? Json(proof.least_distance) : Json()},
       {"pair", has_pair ? Json(std::vector<std::string>{proof.pair.names[0], proof.pair.names[1]})
                         : Json()},
+      {"point", has_pair && proof.pair.point ? Json(*proof.pair.point) : Json()},
       {"time", has_pair ? Json(proof.time) : Json()},
       {"lower", has_pair ? Json(proof.pair.lower) : Json()},
       {"upper", has_pair ? Json(proof.pair.upper) : Json()},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/io/text/numbers.h>
@@ -93,6 +94,7 @@ void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
 /// fixed, the planning frame alone.
 void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmShapes& shapes,
                        ShapeOptions options, bool fixed_mount) {
+  const std::optional<double> radius = std::exchange(options.radius, std::nullopt);
   options.hold.clear();
   const auto root = shapes.base_links.find("");
   for (const auto& [link, pose] : shapes.base_links) {
@@ -103,7 +105,12 @@ void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmS
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
   for (auto& [path, scene] : files) {
-    if (!is_urdf_path(path)) scene = read_scene(path, options);
+    if (is_urdf_path(path)) continue;
+    if (is_cloud_path(path)) {
+      scene = for_option("--radius", [&] { return read_scene(path, {.radius = radius}); });
+    } else {
+      scene = read_scene(path, options);
+    }
   }
 }
 
@@ -239,14 +246,18 @@ std::vector<Option> SceneArgument::options() {
                &resolution, {.range = {1e-6, 1}})}});
 }
 
-Option SceneArgument::scene_option() {
-  return Option(
-      "--scene FILE",
-      "Obstacles that the arm must keep the clearance from: JSON, see docs/scene.schema.json; "
-      "the URDF file of a cell, whose links with <collision> "
-      "are obstacles; or a scene of MoveIt: .scene, or PlanningScene as YAML or JSON. Several "
-      "times for several files.",
-      &scenes);
+std::vector<Option> SceneArgument::obstacle_options() {
+  return {
+      Option(
+          "--scene FILE",
+          "Obstacles that the arm must keep the clearance from: JSON, see docs/scene.schema.json; "
+          "the URDF file of a cell, whose links with <collision> "
+          "are obstacles; a scene of MoveIt: .scene, or PlanningScene as YAML or JSON; or a point "
+          "cloud, .ply or .npy, with --radius. Several times for several files.",
+          &scenes),
+      Option("--radius METRES",
+             "The radius of the spheres around the points of the point clouds among the scenes.",
+             &radius, {.range = {0, max_shape_size}})};
 }
 
 std::vector<Option> SceneArgument::shape_options() {
@@ -264,18 +275,17 @@ std::vector<Option> SceneArgument::shape_options() {
       Option("--package NAME=FOLDER",
              "The folder of a package of ROS, for meshes package://NAME/... of URDF files. Without "
              "it they are looked for in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the folders above "
-             "the file. Meshes, STL or OBJ, are taken as their convex hulls. Several times for "
+             "the file. Meshes are taken as their convex hulls. Several times for "
              "several packages.",
              &package)};
 }
 
 std::vector<Option> SceneArgument::body_options() {
-  return joined({{scene_option()}, shape_options()});
+  return joined({obstacle_options(), shape_options()});
 }
 
 std::vector<Option> SceneArgument::distance_options() {
   std::vector<Option> options{
-      scene_option(),
       Option("--self",
              "The links must keep the clearance from each other, also without --scene. Links that "
              "share a joint may touch.",
@@ -291,7 +301,7 @@ std::vector<Option> SceneArgument::distance_options() {
              "Two links or obstacles that may touch, in addition to \"allowed_pairs\" of the "
              "scenes. Several times for several pairs.",
              &allow)};
-  return joined({std::move(options), shape_options()});
+  return joined({obstacle_options(), std::move(options), shape_options()});
 }
 
 std::vector<std::string> SceneArgument::inputs() const {
@@ -312,6 +322,7 @@ ArmShapes SceneArgument::shapes_of(const ArmArgument& arm_argument, const Arm& a
 
 void SceneArgument::refuse_without_scene() const {
   const std::pair<const char*, bool> options[] = {{"--clearance", clearance.has_value()},
+                                                  {"--radius", radius.has_value()},
                                                   {"--allow", !allow.empty()},
                                                   {"--hold", !hold.empty()},
                                                   {"--package", !package.empty()},
@@ -322,13 +333,20 @@ void SceneArgument::refuse_without_scene() const {
   }
 }
 
+ShapeOptions SceneArgument::reading_options() const {
+  if (radius && std::none_of(scenes.begin(), scenes.end(), is_cloud_path)) {
+    throw Error("--radius needs a point cloud, .ply or .npy, as --scene");
+  }
+  return {.hold = held_values(hold), .package = package_folders(package), .radius = radius};
+}
+
 std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
                                                 const Arm& arm) const {
   if (!given()) {
     refuse_without_scene();
     return std::nullopt;
   }
-  ShapeOptions reading{.hold = held_values(hold), .package = package_folders(package)};
+  ShapeOptions reading = reading_options();
   const std::map<std::string, double> hold_of_all = reading.hold;
   std::vector<SceneFile> files;
   for (const std::string& path : scenes) files.push_back({path, {}});

@@ -97,13 +97,13 @@ struct ClearanceReport {
   Json document() const;
 };
 
-/// --scene, --self, --no-self, --clearance, --allow, --hold, --package, --tool-shape and
+/// --scene, --radius, --self, --no-self, --clearance, --allow, --hold, --package, --tool-shape and
 /// --resolution: a motion is proved to keep its clearance.
 struct SceneArgument {
   std::vector<std::string> scenes = {}, allow = {}, hold = {}, package = {};
   std::string tool_shape = {};
   bool self = false, no_self = false;
-  std::optional<double> clearance, resolution;
+  std::optional<double> clearance, resolution, radius;
   /// False where mounts are searched: no obstacle is then given in a frame that moves with them.
   bool fixed_mount = true;
 
@@ -130,11 +130,12 @@ struct SceneArgument {
                         const FollowedProgram& followed, const Budget& budget) const;
 
  private:
-  Option scene_option();
+  std::vector<Option> obstacle_options();
   std::vector<Option> shape_options();
   ClearanceOptions proof_options(const Budget& budget) const;
   /// Throws Error for an option that needs --scene or --self.
   void refuse_without_scene() const;
+  ShapeOptions reading_options() const;
   ArmShapes shapes_of(const ArmArgument& arm_argument, const Arm& arm,
                       const ShapeOptions& options) const;
 };

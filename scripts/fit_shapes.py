@@ -28,24 +28,11 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
 from scipy.spatial.transform import Rotation
 
 from arm_meshes import meshes_of_links
+from triangles import subdivided
 
 GRID, EDGE, ROUNDING = 0.004, 0.008, 1e-4  # m
 MOST_POINTS, MOST_DIVISIONS = 60, 5
 ARMS = pathlib.Path(__file__).resolve().parents[1] / "beeline" / "model" / "arms"
-
-
-def subdivided(triangles, edge):
-    """Triangles whose edges are at most so long and cover the same surface."""
-    done = []
-    while len(triangles):
-        lengths = np.linalg.norm(triangles - np.roll(triangles, -1, axis=1), axis=2)
-        is_long = lengths.max(1) > edge
-        done.append(triangles[~is_long])
-        triangles, longest = triangles[is_long], lengths[is_long].argmax(1)
-        a, b, c = (triangles[np.arange(len(triangles)), (longest + k) % 3] for k in range(3))
-        middle = (a + b) / 2
-        triangles = np.concatenate([np.stack([a, middle, c], 1), np.stack([middle, b, c], 1)])
-    return np.concatenate(done)
 
 
 class Field:

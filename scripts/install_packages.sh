@@ -5,7 +5,8 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
-       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev libcpp-httplib-dev zlib1g-dev libhdf5-dev)
+       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev libcpp-httplib-dev zlib1g-dev libhdf5-dev
+       libassimp-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
@@ -98,6 +99,7 @@ for package in "${missing[@]}"; do
   case $package in
     libcairo2-dev) advice="build without it (cmake --preset release -DBEELINE_CAIRO=OFF), or $advice" ;;
     libhdf5-dev) advice="build without it (cmake --preset release -DBEELINE_HDF5=OFF), or $advice" ;;
+    libassimp-dev) advice="the build does without it, and reads meshes as STL and OBJ alone, or $advice" ;;
     libcpp-httplib-dev) advice="build without it (cmake --preset release -DBEELINE_VIEW=OFF), or $advice" ;;
     lib*) advice+=" and name its folder in CMAKE_PREFIX_PATH" ;;
   esac

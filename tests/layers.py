@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
+    "assimp": {"io/text"},
     "cairo": {"draw"},
     "hwy": {
         "simd",

@@ -48,8 +48,7 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
                                  " pairs that count keeps at least ")
       << number(rounded_down(proof.least_distance, 6)) << " m";
   if (proof.pair.names[0].empty()) return out;
-  return out << "; nearest " << proof.pair.names[0] << " and " << proof.pair.names[1] << " at "
-             << number(proof.time) << " s";
+  return out << "; nearest " << names_text(proof.pair) << " at " << number(proof.time) << " s";
 }
 
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,

@@ -69,6 +69,17 @@ void add_links(CollisionBodies& bodies) {
   }
 }
 
+/// Adds the spheres around the points of an obstacle's cloud.
+void add_cloud(CollisionBodies& bodies, std::size_t obstacle, double clearance) {
+  const PointCloud& cloud = *bodies.scene.obstacles[obstacle].cloud;
+  internal::ConvexBody sphere;
+  sphere.radius = sphere.bound = cloud.radius;
+  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
+    sphere.origin = sphere.centre = cloud.points[k] - bodies.motion.origin();
+    bodies.obstacle_bodies.push_back({sphere, obstacle, clearance, static_cast<std::uint32_t>(k)});
+  }
+}
+
 void add_obstacles(CollisionBodies& bodies) {
   std::vector<CollisionBodies::ObstacleBody> half_spaces;
   for (std::size_t i = 0; i < bodies.scene.obstacles.size(); ++i) {
@@ -76,8 +87,9 @@ void add_obstacles(CollisionBodies& bodies) {
     const double clearance = obstacle.clearance.value_or(bodies.options.clearance);
     try {
       check_clearance(clearance);
-      if (obstacle.shapes.empty()) throw Error("an obstacle has no shape");
+      if (obstacle.shapes.empty() && !obstacle.cloud) throw Error("an obstacle has no shape");
       for (const Shape& shape : obstacle.shapes) check_shape(shape);
+      if (obstacle.cloud) check_cloud(*obstacle.cloud);
     } catch (const Error& error) {
       throw in_body(obstacle.name, error);
     }
@@ -88,6 +100,7 @@ void add_obstacles(CollisionBodies& bodies) {
       const bool finite = std::isfinite(body.body.bound);
       (finite ? bodies.obstacle_bodies : half_spaces).push_back(body);
     }
+    if (obstacle.cloud) add_cloud(bodies, i, clearance);
   }
   bodies.finite_obstacles = bodies.obstacle_bodies.size();
   std::vector<internal::ConvexBody> finite;

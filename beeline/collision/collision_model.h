@@ -34,6 +34,8 @@ struct CollisionOptions {
 /// Two bodies of a model, of which the first belongs to the arm, at a distance between two bounds.
 struct BodyDistance {
   NamedPair names;  ///< names of the two bodies
+  /// Index from 0 of the nearest point, if the second body is an obstacle's point cloud.
+  std::optional<std::size_t> point = std::nullopt;
   /// At most the distance, m, rounded down. If negative, the bodies may touch, and a translation
   /// along `normal` by this distance would separate them.
   double lower = 0;
@@ -47,6 +49,10 @@ struct BodyDistance {
   Eigen::VectorXd gradient = {};
 };
 
+/// Returns the names of the two bodies, "hand and table"; the nearest point of a cloud has its
+/// index: "hand and scan[12]".
+std::string names_text(const BodyDistance& pair);
+
 /// An arm with the shapes of its links in a scene, prepared for questions about distances.
 /// Immutable.
 ///
@@ -56,8 +62,9 @@ struct BodyDistance {
 /// a configuration or a motion exceeds the limits.
 class CollisionModel {
  public:
-  /// Throws Error for a shape or a clearance that is not valid (check_shape(), check_clearance()),
-  /// a half-space that a link carries, an obstacle without shapes, a name that is empty or given
+  /// Throws Error for a shape, a cloud or a clearance that is not valid (check_shape(),
+  /// check_cloud(), check_clearance()), a half-space that a link carries, an obstacle without
+  /// shapes and cloud, a name that is empty or given
   /// twice, a link that the arm does not have, and an allowed pair with an unknown name.
   CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links, const Scene& scene = {},
                  const CollisionOptions& options = {});
@@ -72,8 +79,8 @@ class CollisionModel {
   const Scene& scene() const;
   /// Returns the distance that is kept, m, except from obstacles with their own.
   double clearance() const;
-  /// Returns the number of pairs that count: pairs of a link's shape and an obstacle's, or of two
-  /// links' shapes.
+  /// Returns the number of pairs that count: pairs of a link's shape and an obstacle's shape or
+  /// point, or of two links' shapes.
   std::size_t pair_count() const;
   /// Returns the number of pairs of two links' shapes that count only outside the position limits.
   std::size_t apart_count() const;

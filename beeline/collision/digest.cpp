@@ -44,6 +44,12 @@ void add_shapes(Fingerprint& digest, const std::vector<Shape>& shapes) {
   }
 }
 
+void add_points(Fingerprint& digest, const PointCloud& cloud) {
+  digest.add(std::uint64_t{cloud.points.size()});
+  digest.add(cloud.radius);
+  for (const Vector3& point : cloud.points) add_numbers(digest, point);
+}
+
 /// Adds the pairs of bodies of links that count, also those that are proved to keep the clearance:
 /// how many these are depends on the search.
 void add_pairs(Fingerprint& digest, const internal::CollisionBodies& bodies) {
@@ -64,6 +70,7 @@ void add_obstacle(Fingerprint& digest, const internal::CollisionBodies& bodies, 
   const Obstacle& obstacle = bodies.scene.obstacles[i];
   digest.add(obstacle.clearance.value_or(bodies.options.clearance));
   add_shapes(digest, obstacle.shapes);
+  if (obstacle.cloud) add_points(digest, *obstacle.cloud);
   for (std::size_t k = 0; k < bodies.links.size(); ++k) {
     if (bodies.links[k].link == 0) continue;
     const bool allowed = bodies.obstacle_allowed[k * bodies.scene.obstacles.size() + i];

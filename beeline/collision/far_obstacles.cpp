@@ -13,8 +13,14 @@ std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene) {
   };
   std::vector<std::string> names;
   for (const Obstacle& obstacle : scene.obstacles) {
-    const bool all = std::all_of(obstacle.shapes.begin(), obstacle.shapes.end(), is_far);
-    if (all && !obstacle.shapes.empty()) names.push_back(obstacle.name);
+    bool all = std::all_of(obstacle.shapes.begin(), obstacle.shapes.end(), is_far);
+    if (obstacle.cloud) {
+      const auto& [points, radius] = *obstacle.cloud;
+      all = all && std::all_of(points.begin(), points.end(), [&, size = radius](const Vector3& p) {
+              return far_from(reach, (p - reach.centre).norm() - size);
+            });
+    }
+    if (all && (obstacle.cloud || !obstacle.shapes.empty())) names.push_back(obstacle.name);
   }
   return names;
 }

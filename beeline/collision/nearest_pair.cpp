@@ -78,8 +78,9 @@ class Distances {
     std::size_t first;         // index of the link's body
     const ConvexBody* second;  // in the world's axes
     std::size_t frame;         // of the second
-    const std::string& name;
     double clearance, rounding;
+    const CollisionBodies::ObstacleBody* obstacle = nullptr;  // null: another link's body
+    const CollisionBodies::LinkBody* link = nullptr;
   };
 
   double rounding(const CollisionBodies::LinkBody& link) const {
@@ -95,15 +96,21 @@ class Distances {
     if (apart > pair.clearance + within) return;
     const internal::Separation parts = separation(first, *pair.second, between);
     const auto& link = bodies_.link_bodies[pair.first];
-    found({bodies_.distance(link, pair.name, parts, pair.clearance, pair.rounding),
+    found({pair.obstacle != nullptr ? bodies_.distance(link, *pair.obstacle, parts, pair.rounding)
+                                    : bodies_.distance(link, bodies_.name_of(*pair.link), parts,
+                                                       pair.clearance, pair.rounding),
            link.carried.frame, pair.frame});
   }
 
   void visit_links(const CollisionBodies::SelfPair& pair, double within, const Found& found) const {
     const auto& first = bodies_.link_bodies[pair.first];
     const auto& second = bodies_.link_bodies[pair.second];
-    visit_pair({pair.first, &placed_[pair.second], second.carried.frame, bodies_.name_of(second),
-                bodies_.options.clearance, rounding(first) + rounding(second)},
+    visit_pair({.first = pair.first,
+                .second = &placed_[pair.second],
+                .frame = second.carried.frame,
+                .clearance = bodies_.options.clearance,
+                .rounding = rounding(first) + rounding(second),
+                .link = &second},
                within, found);
   }
 
@@ -111,9 +118,13 @@ class Distances {
                       const Found& found) const {
     const auto& link = bodies_.link_bodies[i];
     if (bodies_.allowed(link, obstacle.obstacle)) return;
-    visit_pair(
-        {i, &obstacle.body, 0, bodies_.name_of(obstacle), obstacle.clearance, rounding(link)},
-        within, found);
+    visit_pair({.first = i,
+                .second = &obstacle.body,
+                .frame = 0,
+                .clearance = obstacle.clearance,
+                .rounding = rounding(link),
+                .obstacle = &obstacle},
+               within, found);
   }
 
   void visit_tree(std::size_t i, std::uint32_t index, const double& within,
@@ -139,6 +150,11 @@ class Distances {
 };
 
 }  // namespace
+
+std::string names_text(const BodyDistance& pair) {
+  const std::string index = pair.point ? "[" + std::to_string(*pair.point) + "]" : "";
+  return pair.names[0] + " and " + pair.names[1] + index;
+}
 
 BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q) {
   return internal::nearest_pair(model, q, internal::ApartPairs::outside_limits);

@@ -62,6 +62,23 @@ void check_shape(const Shape& shape) {
   }
 }
 
+void check_cloud(const PointCloud& cloud) {
+  check_length(cloud.radius, "a point cloud has a radius");
+  if (cloud.points.empty()) throw Error("a point cloud has no points");
+  if (cloud.points.size() > max_cloud_points) {
+    throw Error("a point cloud has " + std::to_string(cloud.points.size()) + " points; at most " +
+                std::to_string(max_cloud_points) + " are possible: reduce it");
+  }
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Vector3& point = cloud.points[i];
+    if (point.cwiseAbs().maxCoeff() <= max_shape_size && point.allFinite()) continue;
+    throw Error("point " + std::to_string(i) + " of a point cloud (indices begin at 0) has a " +
+                "coordinate that is " +
+                (point.allFinite() ? "beyond " + number(max_shape_size) + " m"
+                                   : "not a finite number; leave such points out"));
+  }
+}
+
 void check_clearance(double clearance) {
   if (clearance > 0 && clearance <= max_shape_size) return;
   throw Error::of("clearance", "a clearance of " + number(clearance) +

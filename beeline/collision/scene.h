@@ -68,6 +68,20 @@ constexpr double max_shape_size = 1e6;
 /// point.
 void check_shape(const Shape& shape);
 
+/// Points that grow to spheres of one radius, such as the points that a depth camera measures.
+struct PointCloud {
+  std::vector<Vector3> points;  ///< in the world, m
+  double radius = 0;            ///< radius of the spheres around the points, m
+};
+
+/// The largest number of points in a cloud.
+constexpr std::size_t max_cloud_points = 1'000'000;
+
+/// Throws Error for a cloud without points or with more than max_cloud_points, for a radius that is
+/// negative, above max_shape_size or not finite, and for a point that is beyond max_shape_size or
+/// not finite, with its index.
+void check_cloud(const PointCloud& cloud);
+
 /// Throws Error for a clearance that is not above 0 or is above max_shape_size, m.
 void check_clearance(double clearance);
 
@@ -77,9 +91,11 @@ using NamedPair = std::array<std::string, 2>;
 /// A body that stands still in the world.
 struct Obstacle {
   std::string name = {};           ///< unique in a scene
-  std::vector<Shape> shapes = {};  ///< shapes of the body, posed in the world; at least one
+  std::vector<Shape> shapes = {};  ///< shapes of the body, posed in the world
   /// Distance that the arm must keep from it, m, above 0; default: the one of all obstacles.
   std::optional<double> clearance = std::nullopt;
+  /// Points that belong to the body, too. A body without shapes needs them.
+  std::optional<PointCloud> cloud = std::nullopt;
 };
 
 /// The obstacles around an arm.

@@ -4,12 +4,12 @@
 #include <variant>
 
 #include <beeline/io/internal/csv_writer.h>
-#include <beeline/io/internal/npy.h>
 #include <beeline/io/number_rows.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/csv_items.h>
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/npy.h>
 
 namespace beeline {
 namespace internal {

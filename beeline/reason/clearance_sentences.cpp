@@ -13,11 +13,16 @@ std::string at_time(const ReasonText& reason) {
   return reason.has(time) && !reason.has(move_name) ? "at " + reason.number(time, " s ") : "";
 }
 
+/// The other body, with the index of its point: "scan[12]".
+std::string other_of(const ReasonText& reason) {
+  const std::string index = reason.has(point) ? "[" + reason.number(point) + "]" : "";
+  return reason.text(other_body) + index;
+}
+
 std::string not_decided(const ReasonText& reason) {
   const std::string bodies = reason.text(body) + " is about " + reason.number(distance, " m") +
-                             " from " + reason.text(other_body) +
-                             ", too near to the clearance of " + reason.number(clearance, " m") +
-                             " to decide";
+                             " from " + other_of(reason) + ", too near to the clearance of " +
+                             reason.number(clearance, " m") + " to decide";
   if (!reason.has(begin)) return bodies;
   return "between " + reason.number(begin, " s") + " and " + reason.number(end, " s ") + bodies +
          "; a smaller clearance or a finer resolution decides";
@@ -28,13 +33,13 @@ std::string not_decided(const ReasonText& reason) {
 std::string clearance_sentence(const ReasonText& reason) {
   switch (reason.code()) {
     case ReasonCode::bodies_collide:
-      return at_time(reason) + reason.text(body) + " and " + reason.text(other_body) +
-             " collide at " + place_of(reason) + ": a translation of " + reason.text(body) +
-             " by " + reason.number(depth, " m") + " along " + point_text(reason.point(normal)) +
+      return at_time(reason) + reason.text(body) + " and " + other_of(reason) + " collide at " +
+             place_of(reason) + ": a translation of " + reason.text(body) + " by " +
+             reason.number(depth, " m") + " along " + point_text(reason.point(normal)) +
              " would separate them";
     case ReasonCode::bodies_too_close:
       return at_time(reason) + reason.text(body) + " is " + reason.number(distance, " m") +
-             " from " + reason.text(other_body) + " at " + place_of(reason) +
+             " from " + other_of(reason) + " at " + place_of(reason) +
              ", closer than the clearance of " + reason.number(clearance, " m");
     case ReasonCode::clearance_not_decided:
       return not_decided(reason);

@@ -39,7 +39,8 @@ void bind_scene(nb::module_& m) {
       "Reads a scene from a JSON file, see docs/scene.schema.json, from the URDF file of a cell, "
       "in "
       "which each link with `<collision>` elements is an obstacle and the root link is the world, "
-      "or from a file of MoveIt: `.scene`, or a message PlanningScene as YAML or JSON. Raises "
+      "from a file of MoveIt: `.scene`, or a message PlanningScene as YAML or JSON, or from a "
+      "point cloud, `.ply` or `.npy`, which is one obstacle of the file's name. Raises "
       "FileError for an invalid file, whose line it names.");
   scene.takes("path", path_like, "The file.")
       .keywords()
@@ -51,12 +52,17 @@ void bind_scene(nb::module_& m) {
       .takes("frames", argument_type<std::map<std::string, Pose>>(),
              "Poses (4, 4) in the world of frames that a PlanningScene names, such as "
              "`ArmShapes.base_links`.",
-             "{}");
+             "{}")
+      .takes("radius", "float | None",
+             "Radius, m, of the spheres around the points of a point cloud, which needs it.",
+             "None");
   define(
       m,
-      [](nb::handle path, nb::handle hold, nb::handle package, nb::handle frames) {
+      [](nb::handle path, nb::handle hold, nb::handle package, nb::handle frames,
+         nb::handle radius) {
         const std::string file = path_from(path, "path");
         ShapeOptions options = shape_options(hold, package);
+        options.radius = Value<std::optional<double>>::from(radius, "radius");
         options.frames = Value<std::map<std::string, Pose>>::from(frames, "frames");
         Scene cell = read_scene(file, options);
         if (!cell.links_without_shapes.empty()) {
@@ -66,7 +72,8 @@ void bind_scene(nb::module_& m) {
         return cell;
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
-      nb::arg("package") = nb::dict(), nb::arg("frames") = nb::dict());
+      nb::arg("package") = nb::dict(), nb::arg("frames") = nb::dict(),
+      nb::arg("radius") = nb::none());
 
   Signature text("scene_to_json", "str", comment("scene_to_json"));
   text.takes("scene", "Scene", "The scene.");
@@ -80,7 +87,7 @@ void bind_shape_files(nb::module_& m) {
       "read_arm_shapes", "ArmShapes",
       "Reads the shapes of the links of the arm that `source` names: the `<collision>` "
       "elements of a URDF file, or the list `shapes` of an arm file. Joint strings have none; "
-      "built-in arms have them if BuiltInArm.shapes_source is not empty. Meshes, STL or OBJ, are "
+      "built-in arms have them if BuiltInArm.shapes_source is not empty. Meshes are "
       "taken as their convex hulls "
       "(Shape.hull_of). Raises FileError for a shape or a mesh that is not read, and for "
       "a link with shapes that cannot be placed on a link of the arm.");
@@ -206,8 +213,8 @@ void bind_model(nb::module_& m) {
   bind_bodies_of_model(model);
   model.def_prop_ro("arm", &CollisionModel::arm, getter("arm", "Arm"), "The arm.")
       .def_prop_ro("pair_count", &CollisionModel::pair_count, getter("pair_count", "int"),
-                   "Number of pairs that count: of a link's shape and an obstacle's, or of two "
-                   "links' shapes.")
+                   "Number of pairs that count: of a link's shape and an obstacle's shape or "
+                   "point, or of two links' shapes.")
       .def_prop_ro("apart_count", &CollisionModel::apart_count, getter("apart_count", "int"),
                    "Number of pairs of two links' shapes that count only outside the position "
                    "limits.")
@@ -356,6 +363,7 @@ void bind_collisions(nb::module_& m) {
   bind_half_space(m);
   bind_record<ConvexHull>(m);
   bind_record<Shape>(m);
+  bind_record<PointCloud>(m);
   bind_record<Obstacle>(m);
   bind_record<Scene>(m);
   bind_record<LinkShapes>(m);

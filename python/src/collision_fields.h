@@ -134,7 +134,15 @@ struct Fields<Shape> : Members<&Shape::body, &Shape::pose, &Shape::padding, &Sha
 };
 
 template <>
-struct Fields<Obstacle> : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle::clearance> {
+struct Fields<PointCloud> : Members<&PointCloud::points, &PointCloud::radius> {
+  static constexpr std::size_t required = 2;
+
+  static void check(const PointCloud& cloud) { check_cloud(cloud); }
+};
+
+template <>
+struct Fields<Obstacle>
+    : Members<&Obstacle::name, &Obstacle::shapes, &Obstacle::clearance, &Obstacle::cloud> {
   static constexpr std::size_t required = 2;
 };
 
@@ -161,7 +169,7 @@ template <>
 struct Fields<BodyDistance>
     : Members<&BodyDistance::names, &BodyDistance::lower, &BodyDistance::upper,
               &BodyDistance::clearance, &BodyDistance::on_first, &BodyDistance::on_second,
-              &BodyDistance::normal, &BodyDistance::gradient> {};
+              &BodyDistance::normal, &BodyDistance::gradient, &BodyDistance::point> {};
 
 template <>
 inline constexpr bool reports<CollisionOptions> = false;

@@ -1,4 +1,4 @@
-#include <beeline/io/internal/npy.h>
+#include <beeline/io/text/internal/npy.h>
 
 #include <tests/fuzz/target.h>
 

@@ -45,6 +45,8 @@ JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
 NPY = b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }".ljust(127) + b"\n" + b"\0" * 48
 
 PART = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf -1 -2 -3\n"
+SCAN = b"ply\nformat binary_big_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + \
+    struct.pack(">6f", 4, 5, 0, 0, 0, 1)
 PART_STL = b"part".ljust(80, b"\0") + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0)
 SHAPED = b"""<robot name="shaped"><link name="a"/><link name="b"><collision><origin xyz="0 0 2"/><geometry>
 <mesh filename="part.stl" scale="1 1 -2"/></geometry></collision></link>
@@ -56,7 +58,7 @@ CELL = b"""<robot name="cell"><link name="floor"/><link name="part"><collision><
 FILES = {
     "moved.scene": (ROOT / "tests/fuzz/corpus/scene/moveit").read_bytes(), "cell.yaml": (ROOT / "tests/fuzz/corpus/scene/planning").read_bytes(),
     "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
-    "pick.csv": PICK, "pick.json": PICK_CELL,
+    "scan.ply": SCAN, "pick.csv": PICK, "pick.json": PICK_CELL,
     "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
@@ -119,6 +121,7 @@ reach merge part1.h5 part2.h5 --out out.h5
 reach export azimuths.h5 --out out.vti
 show robot.urdf --srdf arm.srdf --group arm
 ik shaped.json --pose 4.459,5.226,0 --degrees --all --scene cell.json --clearance 0.02 --allow hand,wall
+ik shaped.json --pose 4.459,5.226,0 --degrees --scene scan.ply --radius 0.1
 batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --no-self
 line shaped.json --through planar.csv --out out.csv --scene cell.json
 line shaped.json --from 110,-60,-140 --degrees --through pick.csv --out out.csv --scene pick.json
@@ -134,7 +137,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance""".split()
+--joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance --radius""".split()
 
 
 # Files that the command makes, by the command lines before --out.

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/io/internal/npy.h>
 #include <beeline/io/number_rows.h>
+#include <beeline/io/text/internal/npy.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

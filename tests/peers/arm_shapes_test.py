@@ -7,6 +7,7 @@ installed; the shapes are read by Beeline from the arm's name. The bodies are na
 import importlib.util
 import os
 import pathlib
+import sys
 import xml.etree.ElementTree as xml
 
 import beeline
@@ -14,6 +15,9 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull, cKDTree
 from scipy.spatial.transform import Rotation
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from triangles import pieces_in_no_body, subdivided  # noqa: E402
 
 MOST = 0.015
 SPACING = 0.006
@@ -138,25 +142,9 @@ class Body:
         return np.linalg.norm(np.maximum(excess, 0), axis=1) + np.minimum(excess.max(1), 0) - padding
 
 
-def halved(triangles):
-    longest = np.linalg.norm(triangles - np.roll(triangles, -1, axis=1), axis=2).argmax(1)
-    a, b, c = (triangles[np.arange(len(triangles)), (longest + k) % 3] for k in range(3))
-    middle = (a + b) / 2
-    return np.concatenate([np.stack([a, middle, c], 1), np.stack([middle, b, c], 1)])
-
-
 def assert_contained(triangles, bodies, name):
-    """Each part of a triangle lies in one body: its corners suffice, because bodies are convex."""
-    for _ in range(24):
-        corners = triangles.reshape(-1, 3)
-        within = np.array([body.distance(corners, 0) <= 1e-9 for body in bodies])
-        outside = ~within.any(0)
-        assert not outside.any(), f"{name}: {outside.sum()} places of the mesh are in no body, one is {corners[outside][0]}"
-        triangles = triangles[~within.reshape(len(bodies), -1, 3).all(2).any(0)]
-        if not len(triangles):
-            return
-        triangles = halved(triangles)
-    pytest.fail(f"{name}: {len(triangles)} parts of triangles are in no body, one at {triangles[0, 0]}")
+    lost = pieces_in_no_body(triangles, lambda points: [body.distance(points, 0) <= 1e-9 for body in bodies])
+    assert not len(lost), f"{name}: {len(lost)} pieces of triangles are in no body, one at {lost[0, 0]}"
 
 
 def excess_of(triangles, bodies):
@@ -166,11 +154,7 @@ def excess_of(triangles, bodies):
     which the excess is no smaller than. Openings of shells count as closed: a point that has the mesh on five of its six sides
     along the axes belongs to the mesh.
     """
-    small, edge = triangles, np.inf
-    while edge > 0.5 * SPACING:
-        edges = np.linalg.norm(small - np.roll(small, -1, axis=1), axis=2).max(1)
-        edge = edges.max()
-        small = np.concatenate([small[edges <= 0.5 * SPACING], halved(small[edges > 0.5 * SPACING])])
+    small = subdivided(triangles, 0.5 * SPACING)
     points = small.mean(1)
     low, high = points.min(0) - 2 * MOST, points.max(0) + 2 * MOST
     axes = [np.arange(a, b, SPACING) for a, b in zip(low, high)]

@@ -247,3 +247,23 @@ def test_no_start_or_goal_of_motion_bench_maker_is_refused(tmp_path):
             configurations += 1
             refused += bool(beeline.pairs_too_close(model, q))
     assert (configurations, refused) == (840, 0)
+
+
+def test_a_point_cloud_is_its_spheres(tmp_path):
+    points = np.random.default_rng(7).uniform(-1, 1, (200, 3))
+    cloud = beeline.PointCloud(points, 0.05)
+    assert np.array_equal(cloud.points, points) and cloud.radius == 0.05
+    arm, links = beeline.Arm.load("panda"), beeline.read_arm_shapes("panda").links
+    spheres = [beeline.Shape(beeline.Sphere(0.05), pose=at(*p)) for p in points]
+    scenes = [beeline.Scene([beeline.Obstacle("scan", [], cloud=cloud)]), beeline.Scene([beeline.Obstacle("scan", spheres)])]
+    np.save(tmp_path / "scan.npy", points)
+    scenes.append(beeline.read_scene(tmp_path / "scan.npy", radius=0.05))
+    assert scenes[0] == scenes[2]
+    nearest = [beeline.nearest_pair(beeline.CollisionModel(arm, links, scene), np.zeros(7)) for scene in scenes]
+    assert nearest[0].lower == nearest[1].lower == nearest[2].lower and nearest[0].names == nearest[1].names
+    assert nearest[1].point is None
+    assert np.linalg.norm(points[nearest[0].point] - nearest[0].on_second) <= 0.05 + 1e-9
+    with pytest.raises(beeline.Error, match="needs a radius"):
+        beeline.read_scene(tmp_path / "scan.npy")
+    with pytest.raises(beeline.Error, match="point 1 of a point cloud"):
+        beeline.PointCloud([[0, 0, 0], [np.nan, 0, 0]], 0.1)

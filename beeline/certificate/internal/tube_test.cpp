@@ -300,8 +300,10 @@ BodyDistance TubeTest::distance(const OpenPair& pair) {
   const ConvexBody second = is_link ? in_world(motion_, bodies_.link_bodies[pair.other].carried)
                                     : bodies_.obstacle_bodies[pair.other].body;
   const Separation parts = separation(first, second, second.centre - first.centre);
-  const std::string& name = is_link ? bodies_.name_of(bodies_.link_bodies[pair.other])
-                                    : bodies_.name_of(bodies_.obstacle_bodies[pair.other]);
+  if (!is_link) {
+    return bodies_.distance(link, bodies_.obstacle_bodies[pair.other], parts, rounding(pair));
+  }
+  const std::string& name = bodies_.name_of(bodies_.link_bodies[pair.other]);
   return bodies_.distance(link, name, parts, clearance(pair), rounding(pair));
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <beeline/collision/collision_model.h>
 #include <beeline/collision/internal/bounding_capsule.h>
 #include <beeline/collision/internal/box_tree.h>
@@ -55,10 +57,12 @@ struct CollisionBodies {
   std::vector<BodyGroup> groups;
   std::vector<std::uint32_t> link_groups;  ///< the group of all bodies of each LinkShapes with any
 
+  static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
   struct ObstacleBody {
     ConvexBody body;  ///< in the world's axes, from the origin of link 0
     std::size_t obstacle = 0;
     double clearance = 0;
+    std::uint32_t point = no_point;  ///< index in the obstacle's cloud, if it is a point of it
   };
   /// The bodies of finite size first, in the order of the tree's bodies, then half-spaces.
   std::vector<ObstacleBody> obstacle_bodies;
@@ -107,6 +111,14 @@ struct CollisionBodies {
   const std::string& name_of(const LinkBody& body) const { return links[body.link_shapes].name; }
   const std::string& name_of(const ObstacleBody& body) const {
     return scene.obstacles[body.obstacle].name;
+  }
+
+  /// Returns the distance of a link's body from an obstacle's, see the function below.
+  BodyDistance distance(const LinkBody& first, const ObstacleBody& second,
+                        const Separation& separation, double rounding) const {
+    BodyDistance found = distance(first, name_of(second), separation, second.clearance, rounding);
+    if (second.point != no_point) found.point = second.point;
+    return found;
   }
 
   /// Returns the distance of a link's body from another one, from their separation in the world's

@@ -5,11 +5,13 @@ namespace {
 
 /// The reason with the fields that each reason of a pair has.
 Reason reason_of(ReasonCode code, const BodyDistance& pair) {
-  return {code,
-          {{ReasonField::body, pair.names[0]},
-           {ReasonField::other_body, pair.names[1]},
-           {ReasonField::clearance, pair.clearance},
-           {ReasonField::position, Vector3((pair.on_first + pair.on_second) / 2)}}};
+  Reason reason{code,
+                {{ReasonField::body, pair.names[0]},
+                 {ReasonField::other_body, pair.names[1]},
+                 {ReasonField::clearance, pair.clearance},
+                 {ReasonField::position, Vector3((pair.on_first + pair.on_second) / 2)}}};
+  if (pair.point) reason.set(ReasonField::point, *pair.point);
+  return reason;
 }
 
 }  // namespace

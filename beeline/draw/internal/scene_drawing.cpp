@@ -98,6 +98,18 @@ Solid solid_of(const Shape& shape, const Pose& frame, const Region& region) {
   return solid;
 }
 
+/// Returns the spheres of a point cloud: of a large one every second, third or further point.
+std::vector<Solid> solids_of(const std::optional<PointCloud>& cloud) {
+  constexpr std::size_t most = 2000;
+  std::vector<Solid> solids;
+  if (!cloud) return solids;
+  const std::size_t step = (cloud->points.size() + most - 1) / most;
+  for (std::size_t i = 0; i < cloud->points.size(); i += step) {
+    solids.push_back({.points = {cloud->points[i]}, .radius = cloud->radius});
+  }
+  return solids;
+}
+
 /// Returns corners of boxes that contain the solid.
 std::vector<Vector3> corners_around(const Solid& solid) {
   if (!(solid.radius > 0)) return solid.points;
@@ -154,8 +166,11 @@ void add_obstacles(Drawing& drawing, const CollisionModel& model) {
   std::vector<Label> labels;
   for (const Obstacle& obstacle : obstacles) {
     std::vector<Vector3> framed;
+    std::vector<Solid> solids = solids_of(obstacle.cloud);
     for (const Shape& shape : obstacle.shapes) {
-      Solid solid = solid_of(shape, Pose::Identity(), region);
+      solids.push_back(solid_of(shape, Pose::Identity(), region));
+    }
+    for (Solid& solid : solids) {
       solid.fill = with_opacity(sand, obstacle_opacity);
       solid.line = obstacle_line;
       solid.framed = framed_points(solid, region);
@@ -197,7 +212,7 @@ void add_nearest_pair(Drawing& drawing, const BodyDistance& pair, bool label) {
 }
 
 std::string nearest_text(const BodyDistance& pair) {
-  const std::string names = pair.names[0] + " and " + pair.names[1];
+  const std::string names = names_text(pair);
   if (pair.lower <= 0) return names + " overlap by " + distance_text(-pair.lower);
   const std::string text = "nearest: " + names + ", " + distance_text(pair.upper) + " apart";
   if (keeps_clearance(pair)) return text;

@@ -77,6 +77,7 @@ class JsonDocument {
   JsonDocument(Json root, std::string path, std::string place = "");
 
   const Json& root() const { return root_; }
+  const std::string& path() const { return path_; }  ///< of the file
 
   // Each returns the value when it has this type, and refuses it otherwise.
   double number(const Json& json) const;

@@ -6,6 +6,7 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/planning_scene.h>
+#include <beeline/io/text/internal/point_cloud.h>
 #include <beeline/io/text/internal/shape_json.h>
 #include <beeline/io/text/internal/yaml.h>
 #include <beeline/io/text/numbers.h>
@@ -19,7 +20,7 @@ namespace {
 constexpr internal::YamlBounds message_bounds{.bytes = std::size_t{1} << 24, .values = 1'000'000};
 
 Obstacle obstacle_from_json(const JsonDocument& document, const Json& json) {
-  document.check_keys(json, {"name", "clearance", "shapes"});
+  document.check_keys(json, {"name", "clearance", "shapes", "point_cloud"});
   Obstacle obstacle;
   obstacle.name = internal::name_from_json(document, document.need(json, "name"));
   if (const Json* clearance = document.find(json, "clearance")) {
@@ -30,8 +31,13 @@ Obstacle obstacle_from_json(const JsonDocument& document, const Json& json) {
       document.refuse(*clearance, std::string("is ") + error.what());
     }
   }
+  if (const Json* cloud = document.find(json, "point_cloud")) {
+    obstacle.cloud = internal::cloud_from_json(document, *cloud);
+    if (document.find(json, "shapes") == nullptr) return obstacle;
+  }
   obstacle.shapes = internal::shapes_from_json(document, json);
-  if (obstacle.shapes.empty()) document.refuse(document.need(json, "shapes"), "has no shape");
+  if (obstacle.shapes.empty() && !obstacle.cloud)
+    document.refuse(document.need(json, "shapes"), "has no shape");
   return obstacle;
 }
 
@@ -93,6 +99,8 @@ Scene scene_from_json(std::string_view text, const std::string& path) {
 }
 
 Scene scene_from_text(std::string_view text, const std::string& path, const ShapeOptions& options) {
+  if (is_cloud_path(path)) return internal::cloud_scene(text, path, options.radius);
+  if (options.radius) throw internal::no_cloud(path);
   if (is_urdf_path(path)) return scene_from_urdf(text, path, options);
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
@@ -111,9 +119,10 @@ Scene scene_from_text(std::string_view text, const std::string& path, const Shap
                                     in_moveit);
   }
   if (ending != "json" && !ending.empty()) {
-    throw FileError(path, 0,
-                    "is not a known kind of scene; known are " +
-                        listed({".json", ".urdf", ".xml", ".scene", ".yaml", ".yml"}));
+    throw FileError(
+        path, 0,
+        "is not a known kind of scene; known are " +
+            listed({".json", ".urdf", ".xml", ".scene", ".yaml", ".yml", ".ply", ".npy"}));
   }
   const JsonDocument document(text, path);
   const bool is_message = document.find(document.root(), "world") != nullptr &&
@@ -123,6 +132,7 @@ Scene scene_from_text(std::string_view text, const std::string& path, const Shap
 }
 
 Scene read_scene(const std::string& path, const ShapeOptions& options) {
+  if (is_cloud_path(path)) return internal::read_cloud_scene(path, options.radius);
   return scene_from_text(read_file(path), path, options);
 }
 
@@ -131,13 +141,18 @@ std::string scene_to_json(const Scene& scene) {
   bool first = true;
   for (const Obstacle& obstacle : scene.obstacles) {
     internal::check_name(obstacle.name, "the name of an obstacle");
-    if (obstacle.shapes.empty()) {
+    if (obstacle.shapes.empty() && !obstacle.cloud) {
       throw Error("the obstacle " + internal::in_quotes(obstacle.name) + " has no shape");
     }
     text += first ? "\n    {\"name\": " : ",\n    {\"name\": ";
     first = false;
     text += internal::json_string(obstacle.name);
     if (obstacle.clearance) text += ", \"clearance\": " + exact(*obstacle.clearance);
+    if (obstacle.cloud) text += ", \"point_cloud\": " + internal::cloud_to_json(*obstacle.cloud);
+    if (obstacle.shapes.empty()) {
+      text += "}";
+      continue;
+    }
     text += ", \"shapes\": [";
     for (std::size_t i = 0; i < obstacle.shapes.size(); ++i) {
       text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(obstacle.shapes[i]);

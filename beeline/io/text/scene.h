@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +27,16 @@ struct ShapeOptions {
   /// Path of an SRDF file, whose exempted pairs of links may touch, and whose named states give
   /// the values of joints that `hold` does not; empty: none. Of arms only.
   std::string srdf = {};
+  /// Radius, m, of the spheres around the points of a scene that is a point cloud, `.ply` or
+  /// `.npy`. Such a scene needs it, another one has none.
+  std::optional<double> radius = std::nullopt;
 };
 
-/// Reads a scene: a JSON file, a URDF file of a cell, or a file of MoveIt, by the ending of `path`.
+/// Whether a path ends in .ply or .npy, the formats of point clouds.
+bool is_cloud_path(const std::string& path);
+
+/// Reads a scene: a JSON file, a URDF file of a cell, a file of MoveIt, or a point cloud, by the
+/// ending of `path`.
 ///
 /// A JSON file is in metres and radians:
 ///     {"obstacles": [{"name": "table",
@@ -41,7 +49,18 @@ struct ShapeOptions {
 /// A shape has one of
 ///     "sphere": {"radius"}, "capsule": {"radius", "length"}, "box": {"size": [x, y, z]},
 ///     "cylinder": {"radius", "length"}, "half_space": {}, "convex_hull": {"vertices": [[x, y, z]]}
-/// and a pose as in arm files. A hull may have "hull_of", the path of its mesh.
+/// and a pose as in arm files. A hull may have "hull_of", the path of its mesh. Instead of shapes,
+/// or beside them, an obstacle may have a cloud of at most 1,000,000 points, each grown to a
+/// sphere:
+///     "point_cloud": {"radius": 0.01, "file": "scan.ply",
+///                     "pose": {"xyz": [0, 0, 1]}}            optional, of the points in the world
+/// or "points": [[x, y, z], ...] instead of "file", which is relative to the folder of the scene.
+///
+/// A file of points, m, is `.ply` (ASCII or binary, of either byte order; the properties x, y and
+/// z, float or double, of its element vertex; all else is skipped) or `.npy` (N x 3, '<f4' or
+/// '<f8'). As a scene it is one obstacle, which has the name of the file without its ending. A
+/// coordinate that is not a finite number is refused: leave out points that a camera did not
+/// measure.
 ///
 /// In a URDF file of a cell each link with `<collision>` elements is an obstacle of this name, and
 /// its root link is the world. Joints are held at `options.hold` or, without a value, at 0 or the
@@ -111,10 +130,12 @@ struct ArmShapes {
 /// its limits, or else at 0 or the limit next to 0; mimic joints follow. Bodies are at a joint of
 /// the arm only if it connects them.
 ///
-/// A mesh, an STL (binary or ASCII) or OBJ file, is taken as its convex hull, Shape::hull_of, which
-/// contains it; `scale` is honoured. If the hull has many vertices, some are dropped, and the body
-/// is grown (Shape::padding) by the largest distance of a dropped one, proved, at most 0.1 mm or
-/// 0.1 % of its size unless that takes more than 2,000 vertices. The mesh is looked for
+/// A mesh is taken as its convex hull, Shape::hull_of, which contains it; `scale` is honoured. STL
+/// (binary or ASCII) and OBJ files are read and, by builds with BEELINE_ASSIMP, Collada (its
+/// `<unit>` applies, its `<up_axis>` is ignored) and glTF. If the hull has many vertices, some are
+/// dropped, and the body is grown (Shape::padding) by the largest distance of a dropped one,
+/// proved, at most 0.1 mm or 0.1 % of its size unless that takes more than 2,000 vertices. The mesh
+/// is looked for
 ///   - package://NAME/PATH: in the folder that `options.package` gives for NAME or, if it has none,
 ///     in folders of the environment variables ROS_PACKAGE_PATH that are called NAME or contain
 ///     NAME, in share/NAME of the folders of AMENT_PREFIX_PATH, and in the folders above the file

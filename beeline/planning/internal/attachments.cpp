@@ -61,6 +61,7 @@ void check_in_scene(const Attachment& attachment, const CollisionBodies& bodies)
   }
   if (obstacles.empty()) throw Error("the scene has no obstacle that could be attached");
   if (part == nullptr) throw unknown_name("obstacle", attachment.part, obstacles);
+  if (part->cloud) throw Error("a part with a point cloud cannot be carried");
   for (const Shape& shape : part->shapes) {
     if (std::holds_alternative<HalfSpace>(shape.body)) {
       throw Error("a part with a half_space cannot be carried");

@@ -41,11 +41,30 @@ BAD_SHAPES = [
     {"convex_hull": {"vertices": [[0, 0, 0]]}, "hull_of": ""},
     {"convex_hull": {"vertices": [[0, 0, 0]]}, "hull_of": 1},
 ]
+GOOD_CLOUDS = [
+    {"radius": 0.1, "points": [[0, 0, 0], [1, 0, 0]]},
+    {"radius": 0, "points": [[0, 0, 0]], "pose": POSE},
+]
+BAD_CLOUDS = [
+    [],
+    {"radius": 0.1},
+    {"points": [[0, 0, 0]]},
+    {"radius": -1, "points": [[0, 0, 0]]},
+    {"radius": 0.1, "points": []},
+    {"radius": 0.1, "points": [[0, 0]]},
+    {"radius": 0.1, "points": [[0, 0, 2e6]]},
+    {"radius": 0.1, "points": [[0, 0, 0]], "file": "a.ply"},
+    {"radius": 0.1, "points": [[0, 0, 0]], "colour": "red"},
+    {"radius": 0.1, "file": ""},
+]
 GOOD_SCENES = [
     {"obstacles": []},
     {"obstacles": [{"name": "a", "shapes": [BALL]}], "allowed_pairs": [["a", "joint1"]]},
     {"obstacles": [{"name": "a", "shapes": [{"half_space": {}}], "clearance": 0.1}]},
     *({"obstacles": [{"name": "a", "shapes": [shape]}]} for shape in GOOD_SHAPES),
+    *({"obstacles": [{"name": "a", "point_cloud": cloud}]} for cloud in GOOD_CLOUDS),
+    {"obstacles": [{"name": "a", "point_cloud": GOOD_CLOUDS[0], "shapes": [BALL]}]},
+    {"obstacles": [{"name": "a", "point_cloud": GOOD_CLOUDS[0], "shapes": []}]},
 ]
 BAD_SCENES = [
     [],
@@ -61,6 +80,7 @@ BAD_SCENES = [
     {"obstacles": [], "allowed_pairs": [["a"]]},
     {"obstacles": [], "walls": []},
     *({"obstacles": [{"name": "a", "shapes": [shape]}]} for shape in BAD_SHAPES),
+    *({"obstacles": [{"name": "a", "point_cloud": cloud}]} for cloud in BAD_CLOUDS),
 ]
 
 

@@ -18,15 +18,33 @@ std::vector<Vector3> read_in_format(ByteBlocks& bytes) {
   const std::string ending = extension(bytes.path());
   if (ending == "stl") return mesh_from_stl(bytes);
   if (ending == "obj") return mesh_from_obj(bytes);
+#ifdef BEELINE_ASSIMP
+  if (is_scene_mesh(bytes.path())) return mesh_from_scene_file(bytes);
+#endif
   throw FileError(bytes.path(), 0,
-                  "is not a mesh of a known format; known endings: " + listed(mesh_endings()));
+                  "is not a mesh of a known format; known endings: " + listed(mesh_endings()) +
+                      (is_scene_mesh(bytes.path()) ? scene_mesh_advice() : ""));
 }
 
 }  // namespace
 
 const std::vector<std::string>& mesh_endings() {
+#ifdef BEELINE_ASSIMP
+  static const std::vector<std::string> endings{"stl", "obj", "dae", "gltf", "glb"};
+#else
   static const std::vector<std::string> endings{"stl", "obj"};
+#endif
   return endings;
+}
+
+bool is_scene_mesh(const std::string& path) {
+  const std::string ending = extension(path);
+  return ending == "dae" || ending == "gltf" || ending == "glb";
+}
+
+std::string scene_mesh_advice() {
+  return "; Collada and glTF are read by a build with -DBEELINE_ASSIMP=ON, which needs assimp "
+         "(Debian: libassimp-dev)";
 }
 
 std::vector<Vector3> read_mesh(const std::string& path) {

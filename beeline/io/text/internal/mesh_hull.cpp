@@ -40,8 +40,8 @@ std::string MeshHulls::find(const std::string& filename) const {
   const std::vector<std::string>& known = mesh_endings();
   if (std::find(known.begin(), known.end(), ending) == known.end()) {
     throw Error(
-        "the mesh " + quoted(filename) +
-        " is not of a format that is read; known endings: " + listed(known) +
+        "the mesh " + quoted(filename) + " is not of a format that is read; known endings: " +
+        listed(known) + (is_scene_mesh(filename) ? scene_mesh_advice() : "") +
         "; convert it, or give its hull as \"convex_hull\" in the \"shapes\" of an arm file "
         "or a scene");
   }

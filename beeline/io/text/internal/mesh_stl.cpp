@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/letter_case.h>
+#include <beeline/io/text/internal/mesh_corners.h>
 #include <beeline/io/text/internal/mesh_file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
@@ -14,41 +15,6 @@ namespace beeline::internal {
 namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
-
-/// The corners of triangles. Repeated ones are dropped now and then: each is in six triangles.
-class TriangleCorners {
- public:
-  explicit TriangleCorners(const ByteBlocks& bytes) : bytes_(bytes) {}
-
-  void add(const Vector3& corner) {
-    if (corners_.size() >= next_drop_) drop_repeated();
-    corners_.push_back(corner);
-  }
-
-  std::vector<Vector3> take() {
-    if (corners_.empty()) throw FileError(bytes_.path(), 0, "has no triangles");
-    return std::move(corners_);
-  }
-
- private:
-  void drop_repeated() {
-    std::sort(corners_.begin(), corners_.end(), [](const Vector3& a, const Vector3& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
-    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    if (corners_.size() > max_mesh_corners) {
-      throw FileError(bytes_.path(), 0,
-                      "has more than " + std::to_string(max_mesh_corners) +
-                          " different corners of triangles; reduce the mesh");
-    }
-    next_drop_ = std::min(2 * corners_.size() + first_drop, max_mesh_corners + first_drop);
-  }
-
-  static constexpr std::size_t first_drop = std::size_t{1} << 20;
-  const ByteBlocks& bytes_;
-  std::vector<Vector3> corners_;
-  std::size_t next_drop_ = first_drop;
-};
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -60,7 +26,7 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
 
 std::vector<Vector3> read_binary(ByteBlocks& bytes, std::uint64_t triangles) {
   bytes.skip(header_size);
-  TriangleCorners corners(bytes);
+  TriangleCorners corners(bytes.path());
   for (std::uint64_t triangle = 1; triangle <= triangles; ++triangle) {
     const std::string_view data = bytes.peek(triangle_size);
     if (data.size() < triangle_size) {
@@ -90,7 +56,7 @@ std::vector<Vector3> read_binary(ByteBlocks& bytes, std::uint64_t triangles) {
 ///     solid NAME { facet normal X Y Z outer loop { vertex X Y Z } x 3 endloop endfacet } endsolid
 class AsciiStl {
  public:
-  explicit AsciiStl(ByteBlocks& bytes) : bytes_(bytes), corners_(bytes) {}
+  explicit AsciiStl(ByteBlocks& bytes) : bytes_(bytes), corners_(bytes.path()) {}
 
   std::vector<Vector3> read() {
     std::string_view line;

@@ -1,7 +1,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-#include <beeline/io/internal/npy.h>
+#include <beeline/io/text/internal/npy.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/io/internal/npy.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/npy.h>
 #include <beeline/io/text/internal/text_encoding.h>
 
 namespace beeline::internal {
