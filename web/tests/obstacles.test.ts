@@ -242,6 +242,9 @@ test("files that are no scenes, planar arms and arms without shapes have their s
   }
   await give(JSON.stringify(crate), "good.json");
   await expect.poll(() => refused.textContent()).toBe("");
+  const exported = ["(noname)+", "* shelf", 1, "box", "0.2 0.2 0.05", "0.6 0 0.4", "0 0 0 1", "0 0 0 0", ".", ""];
+  await give(exported.join("\n"), "moveit.scene");
+  await page.getByRole("button", { name: "shelf", exact: true }).waitFor();
   // Dropped where arms are, a scene is a scene.
   await page.goto(page.url().replace("#", "?again#"));
   await page.locator("#arm").click();

@@ -168,7 +168,7 @@ test("a pose beyond all numbers is refused, and of two arms dropped the later is
     drop("first.json", " ".repeat(15_000_000) + "{}");
     drop("later.json", "[]");`);
   await page.getByText("later.json").first().waitFor();
-  await page.waitForFunction("window.read === 2");
+  await page.waitForFunction("window.read === 3"); // each to see whether it is a scene, the later one as an arm
   await frames(page);
   expect(await page.getByText("first.json").count()).toBe(0);
 });
