@@ -31,6 +31,12 @@ assert proof
 nearest = beeline.nearest_pair(model, start)
 print(f"at the start {nearest.names}: {nearest.lower:.4f} m, gradient {nearest.gradient}")
 
+# %%
+# The motion among its obstacles, with the two bodies that come closest. `beeline.plot.motion()` draws the same with matplotlib.
+beeline.draw(model, clear).save("13_obstacles.svg")
+
+# %%
+# A motion that is too close is refused, with the pair, the place and the time.
 collision = beeline.prove_clearance(model, beeline.move_joints(rrr, start, [2.1, 0, 0]).trajectory)
 print(f"{collision.status}: {collision.reason}")
 assert not collision and collision.pair.names[1] == "post"

@@ -13,7 +13,7 @@ from ._matplotlib import dots, line
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ._core import BodyDistance, LinkShapes, Obstacle, Shape
+    from ._core import BodyDistance, Obstacle, Shape
 
     Array = NDArray[np.float64]
 
@@ -144,7 +144,9 @@ class DrawnScene:
             self.links = Bodies(ax, model.arm.planar, STEEL, STEEL_LINE, 0.35, LINKS)
 
     def _draw_obstacles(self, obstacles: list[Obstacle]) -> None:
-        arm, shown, labels = self.model.arm, [], []
+        arm = self.model.arm
+        shown: list[Array] = []
+        labels: list[tuple[Array, str]] = []
         for obstacle in obstacles:
             faces = [faces_of(shape, self.region) for shape in obstacle.shapes]
             near = [self.region.clamped(part) for part in faces if len(part) and self.region.meets(part)]

@@ -49,7 +49,8 @@ def document_of(
 def _scene_of(model: CollisionModel) -> dict[str, str]:
     """The arm with the shapes of its links, and the obstacles. An arm file cannot say that a body is at one of its link's
     joints alone: it is attached to the link, and its pairs that do not count are exempted."""
-    links, attached = [], set()
+    links: list[LinkShapes] = []
+    attached: set[str] = set()
     for body in model.links:
         at_proximal = body.at_distal_joint if body.link == 0 else body.at_proximal_joint  # the base has no other joint
         at_distal = at_proximal if body.link == len(model.arm.joints) else body.at_distal_joint
