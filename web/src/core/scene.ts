@@ -24,6 +24,8 @@ export interface SceneShape {
 export interface SceneBody {
   name: string;
   shapes: SceneShape[];
+  /** Spheres of one radius, beside the shapes: they count, and are not drawn. */
+  point_cloud?: { radius: number; points?: number[][] };
   clearance?: number;
 }
 

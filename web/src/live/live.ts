@@ -6,6 +6,10 @@ export interface Session {
   trajectory: string | null;
   /** The section that the page begins with. */
   section?: string | null;
+  /** The obstacles around the arm, as JSON. */
+  scene?: string | null;
+  /** The clearance that the arm must keep, m; null: the page's. */
+  clearance?: number | null;
 }
 
 /** The session of the server that the page comes from; null where that is no `beeline view`, which marks the page. */

@@ -170,7 +170,10 @@ export class Page {
     const [worker, scenes] = [0, 1].map(() => new CoreWorker(startWorker, compiled)) as [CoreWorker, CoreWorker];
     if (session && location.hash === "") {
       state.arm = sourceOfSession(core, session);
-      const section = session.section ?? (session.trajectory === null ? null : "line");
+      state.scene = session.scene ?? "";
+      state.clearance = session.clearance ?? 0;
+      const begins = session.trajectory !== null ? "line" : state.scene === "" ? null : "obstacles";
+      const section = session.section ?? begins;
       state.section = sections.find((name) => name === section) ?? state.section;
     }
     const fresh = location.hash === "" && !session && savedAddress() === "";

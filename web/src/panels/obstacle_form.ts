@@ -125,8 +125,9 @@ function sizesOf({ shapes }: SceneBody): Entry[] {
   ];
 }
 
-function remarks({ shapes, clearance }: SceneBody): string {
+function remarks({ shapes, clearance, point_cloud: cloud }: SceneBody): string {
   const several = shapes.length > 1 ? `${shapes.length} shapes, which move together; the pose is the first one's.` : "";
   const own = clearance === undefined ? "" : `It has a clearance of its own, ${clearance} m.`;
-  return [several, own].join(" ").trim();
+  const points = cloud ? `Its ${cloud.points?.length ?? 0} points are checked, and not drawn.` : "";
+  return [several, own, points].filter((remark) => remark !== "").join(" ");
 }
