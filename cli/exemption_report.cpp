@@ -67,11 +67,18 @@ ExemptionReport report_on_exemptions(const ArmArgument& arm_argument, const Arm&
   if (arm_argument.srdf.empty() && scene.scenes.empty()) return {};
   scene.self = true;
   std::optional<CheckedScene> read;
-  try {
-    read = scene.read(arm_argument, arm);
-  } catch (const Error& error) {
+  const auto unexamined = [](const Error& error) -> ExemptionReport {
     warn(std::string("the exempted pairs are not examined: ") + error.what());
     return {};
+  };
+  try {
+    read = scene.read(arm_argument, arm);
+  } catch (const NoShapesError& error) {
+    return unexamined(error);
+  } catch (const FileError& error) {  // a mesh of the arm may be missing
+    const std::vector<std::string> scenes = scene.inputs();
+    if (std::find(scenes.begin(), scenes.end(), error.path()) != scenes.end()) throw;
+    return unexamined(error);
   }
   std::vector<NamedPair> pairs = read->srdf_pairs;
   const std::vector<NamedPair>& of_scene = read->exempted_pairs;

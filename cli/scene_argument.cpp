@@ -187,11 +187,11 @@ void add_mesh_hulls(const std::string& body, const std::vector<Shape>& shapes,
   }
 }
 
-Error no_shapes(const std::string& option, const std::string& arm) {
-  return Error(option + ": " + arm +
-               " has no shapes of its links, so no collision could be found; shapes are read from "
-               "the <collision> elements of a .urdf file, or from \"shapes\" in an arm file, which "
-               "`beeline show ARM --out FILE.json` writes without them");
+NoShapesError no_shapes(const std::string& option, const std::string& arm) {
+  return NoShapesError(option + ": " + arm +
+                       " has no shapes of its links, so no collision could be found; shapes are "
+                       "read from the <collision> elements of a .urdf file, or from \"shapes\" in "
+                       "an arm file; `beeline show ARM --out FILE.json` writes one to add them to");
 }
 
 /// The links of an arm without shapes: those that move, bodies without shapes in its file, and

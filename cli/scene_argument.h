@@ -26,8 +26,6 @@ struct MeshHull {
 /// about it that reports list.
 struct CheckedScene {
   CollisionModel model;
-  std::vector<LinkShapes> link_shapes = {};             ///< of the model
-  Scene scene = {};                                     ///< all files of --scene together
   std::vector<std::string> links = {}, obstacles = {};  ///< names of the bodies
   double clearance = 0;                                 ///< by --clearance, m
   bool self_collision = true;                           ///< false: --no-self
@@ -47,6 +45,11 @@ struct CheckedScene {
 
   /// Whether no pair of bodies counts.
   bool checks_nothing() const { return model.pair_count() + model.apart_count() == 0; }
+};
+
+/// The arm has no shapes of its links.
+struct NoShapesError : Error {
+  using Error::Error;
 };
 
 /// Warns if no pair of bodies counts, so that nothing is checked.

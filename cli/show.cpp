@@ -97,8 +97,8 @@ Answer show(const ShowArguments& arguments) {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
     refuse_overwriting(arguments.out, arguments.arm.inputs());
-    const bool has_meshes = is_urdf_path(arguments.arm.text);
-    const ArmShapes shapes = has_meshes ? ArmShapes{} : arguments.arm.shapes({});
+    const bool is_urdf = is_urdf_path(arguments.arm.text);
+    const ArmShapes shapes = is_urdf ? ArmShapes{} : arguments.arm.shapes({});
     write_file(arguments.out, arm_to_json(arm, shapes.links));
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),

@@ -101,7 +101,7 @@ class CollisionModel {
 
 /// Returns the model of the arm mounted in the world, see with_mount() of an arm; obstacles stay
 /// where they are. It is prepared quickly, because `model` knows the pairs of links that never
-/// come close.
+/// come close; only the obstacles, with the points of clouds, are copied and sorted again.
 CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount);
 
 /// Returns a fingerprint of what a model checks, 16 hexadecimal digits: the shapes of links and

@@ -242,3 +242,10 @@ def test_exemptions_without_shapes_are_not_examined(beeline, written):
     written("r.srdf", '<robot name="r"><disable_collisions link1="a" link2="b"/></robot>')
     answer = beeline("doctor", "rrr", "--srdf", "r.srdf")
     assert answer.code == 0 and "not examined" in answer.err
+
+
+def test_a_scene_that_cannot_be_read_is_refused(beeline, written):
+    answer = beeline("doctor", "ur5", "--scene", "none.json")
+    assert answer.code == 3 and "none.json" in answer.err
+    written("bad.json", '{"obstacles": [{}]}')
+    assert beeline("doctor", "ur5", "--scene", "bad.json").code == 3

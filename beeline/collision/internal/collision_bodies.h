@@ -136,8 +136,8 @@ struct CollisionBodies {
 };
 
 /// Returns the model of the arm with further bodies, which its last link carries, in another scene.
-/// It is prepared quickly: what `model` knows of the pairs of its links is kept. The options must
-/// have the same clearance and allow none of these pairs.
+/// What `model` knows of the pairs of its links is kept; the obstacles are prepared anew. The
+/// options must have the same clearance and allow none of these pairs.
 CollisionModel with_carried(const CollisionModel& model, const std::vector<LinkShapes>& parts,
                             const Scene& scene, const CollisionOptions& options);
 

@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/arm_to_json.h>
 #include <beeline/io/text/internal/joint_from_json.h>
 #include <beeline/io/text/internal/joint_to_json.h>
 #include <beeline/io/text/internal/json_write.h>
@@ -148,7 +149,7 @@ std::string frame_to_json(const std::string& key, const Pose& frame, bool assume
 
 }  // namespace
 
-std::string arm_to_json(const Arm& arm) {
+std::string internal::arm_to_json_with(const Arm& arm, const std::string& members) {
   check_names(arm);
   std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
   if (!arm.base().matrix().isIdentity(0))
@@ -164,8 +165,10 @@ std::string arm_to_json(const Arm& arm) {
   if (!arm.tool().matrix().isIdentity(0))
     text += ",\n  \"tool\": " + internal::pose_to_json(arm.tool());
   text += frame_to_json("flange", controller.flange, controller.flange_assumed, arm.tool());
-  return text + "\n}\n";
+  return text + members + "\n}\n";
 }
+
+std::string arm_to_json(const Arm& arm) { return internal::arm_to_json_with(arm, ""); }
 
 void write_arm_json(const std::string& path, const Arm& arm) { write_file(path, arm_to_json(arm)); }
 

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/arm_to_json.h>
 #include <beeline/io/text/internal/built_in_shapes.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/name.h>
@@ -48,12 +49,16 @@ LinkShapes body_from_json(const JsonDocument& document, const Json& json, const 
 
 std::string body_to_json(const Arm& arm, const LinkShapes& body) {
   internal::check_name(body.name, "the name of a body");
+  if (body.link > arm.joints().size()) {
+    throw Error(internal::in_quotes(body.name) + " is on link " + std::to_string(body.link) + "; " +
+                arm.name() + " has links 0 to " + std::to_string(arm.joints().size()));
+  }
   // The base has no joint in front of it, and the last link none behind it.
   const bool at_proximal = body.link == 0 || body.at_proximal_joint;
   const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
   std::string text = "{";
   if (body.link > 0) {
-    const Joint& joint = arm.joints().at(body.link - 1);
+    const Joint& joint = arm.joints()[body.link - 1];
     text += "\"joint\": " + internal::json_string(joint.name) + ", ";
   }
   text += "\"name\": " + internal::json_string(body.name);
@@ -117,14 +122,16 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
 
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
   std::string bodies;
+  std::unordered_set<std::string> names;
   for (const LinkShapes& body : links) {
     if (body.shapes.empty()) continue;
     bodies += (bodies.empty() ? "\n    " : ",\n    ") + body_to_json(arm, body);
+    if (!names.insert(body.name).second) {
+      throw Error("two bodies have the name " + internal::in_quotes(body.name));
+    }
   }
-  std::string text = arm_to_json(arm);
-  if (bodies.empty()) return text;
-  text.resize(text.rfind("\n}"));
-  return text + ",\n  \"shapes\": [" + bodies + "\n  ]\n}\n";
+  if (bodies.empty()) return arm_to_json(arm);
+  return internal::arm_to_json_with(arm, ",\n  \"shapes\": [" + bodies + "\n  ]");
 }
 
 LinkShapes read_tool_shapes(const std::string& path, const Arm& arm) {

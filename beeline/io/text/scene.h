@@ -155,7 +155,8 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
 
 /// Returns the arm as JSON with the list `shapes` of its bodies; it reads back exactly, except that
 /// a body at only one of its link's joints is written as attached: it must then keep its clearance
-/// from both neighbours. Throws Error as arm_to_json(arm) does.
+/// from both neighbours. Bodies without shapes are left out. Throws Error as arm_to_json(arm) does,
+/// for a link that the arm does not have, and for two bodies of one name.
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links);
 
 /// Reads the shapes of a tool, which link n of the arm carries:

@@ -83,8 +83,9 @@ Pose CarriedParts::pose_in_tool(std::size_t attachment) const {
 CollisionModel CarriedParts::model() const {
   const CollisionBodies& bodies = model_.bodies();
   std::vector<LinkShapes> parts;
-  Scene scene = scene_;
-  scene.obstacles.clear();
+  Scene scene{.obstacles = {},
+              .allowed_pairs = scene_.allowed_pairs,
+              .exempted_pairs = scene_.exempted_pairs};
   CollisionOptions options = bodies.options;
   // Without pairs of links, a part that is carried still meets them.
   options.self_collision = true;

@@ -333,6 +333,8 @@ TEST(ArmShapes, AreWrittenInArmFiles) {
   const auto read = arm_shapes_from_text(arm_to_json(ur5, half), "a.json").links;
   EXPECT_TRUE(read.at(0).at_distal_joint && read.at(2).at_proximal_joint);
   EXPECT_FALSE(read.at(1).at_proximal_joint || read.at(1).at_distal_joint);
+  EXPECT_REFUSED(arm_to_json(ur5, {{"hand", 7, {{Sphere{0.1}}}}}), "links 0 to 6");
+  EXPECT_REFUSED(arm_to_json(ur5, {half[0], half[0]}), "\"base\"");
 }
 
 }  // namespace
