@@ -216,6 +216,9 @@ Answer diagnose_one(const DoctorArguments& arguments) {
 
 Answer compare(const DoctorArguments& arguments) {
   if (arguments.other.empty()) return diagnose_one(arguments);
+  if (!arguments.scene.scenes.empty()) {
+    throw Error("--scene is for one arm, whose exempted pairs are examined");
+  }
   const UnitArgument& unit = arguments.unit;
   const Arm a = arguments.arm.read(unit);
   ArmArgument other;

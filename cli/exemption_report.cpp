@@ -64,7 +64,10 @@ std::string ExemptionReport::with_verdict(const std::string& verdict, bool suspi
 
 ExemptionReport report_on_exemptions(const ArmArgument& arm_argument, const Arm& arm,
                                      SceneArgument scene, const UnitArgument& unit) {
-  if (arm_argument.srdf.empty() && scene.scenes.empty()) return {};
+  if (arm_argument.srdf.empty() && scene.scenes.empty()) {
+    scene.read(arm_argument, arm);  // refuses options that need a scene
+    return {};
+  }
   scene.self = true;
   std::optional<CheckedScene> read;
   const auto unexamined = [](const Error& error) -> ExemptionReport {

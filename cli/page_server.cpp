@@ -70,7 +70,9 @@ void give(httplib::Response& response, std::string content, const std::string& t
 
 }  // namespace
 
-std::string PageSession::arm_document() const { return arm_to_json(arm, link_shapes); }
+std::string PageSession::arm_document() const {
+  return shaped_arm.empty() ? arm_to_json(arm) : shaped_arm;
+}
 
 PageServer::PageServer(PageSession session, const std::string& folder, std::string host)
     : session_(std::move(session)),

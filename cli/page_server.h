@@ -26,7 +26,8 @@ struct PageSession {
   Arm arm;
   std::string trajectory = {};  ///< the text of a .csv file that it plays; empty: none
   std::string section = {};     ///< the section that it begins with; empty: its first one
-  std::vector<LinkShapes> link_shapes = {};  ///< of the arm, if it is shown among obstacles
+  std::string shaped_arm =
+      {};                  ///< the arm with the shapes of its links, as JSON; empty: it has none
   std::string scene = {};  ///< the obstacles and the pairs that may touch, as JSON; empty: none
   std::optional<double> clearance = {};  ///< that the arm must keep, m; default: the page's
 

@@ -4,7 +4,6 @@
 #include <future>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -80,46 +79,14 @@ Answer save_page(const std::string& path, const PageSession& session, const std:
   return {.text = "page    " + path + "\n", .document = Json{{"page", path}}};
 }
 
-/// The bodies of the arm for an arm file, which cannot say that a body is at one of its link's
-/// joints alone. Such a body is attached to the link; `exempted` gets its pairs that do not count.
-std::vector<LinkShapes> bodies_of_file(const CollisionModel& model,
-                                       std::vector<NamedPair>& exempted) {
-  std::vector<LinkShapes> bodies = model.links();
-  std::set<std::string> attached;
-  for (LinkShapes& body : bodies) {
-    if (body.link == 0) body.at_proximal_joint = body.at_distal_joint;  // it has no other joint
-    if (body.link == model.arm().joints().size()) body.at_distal_joint = body.at_proximal_joint;
-    if (body.at_proximal_joint == body.at_distal_joint) continue;
-    body.at_proximal_joint = body.at_distal_joint = false;
-    attached.insert(body.name);
-  }
-  for (const NamedPair& pair : model.neighbour_pairs()) {
-    if (attached.contains(pair[0]) || attached.contains(pair[1])) exempted.push_back(pair);
-  }
-  return bodies;
-}
-
-/// The obstacles that the page shows, with all pairs that may touch. The page knows neither SRDF
+/// Adds the shapes of the links and the obstacles to what the page asks for. It knows neither SRDF
 /// files nor --no-self.
-Scene shown_scene(const CheckedScene& checked) {
-  Scene shown = checked.model.scene();
-  shown.allowed_pairs = checked.allowed_pairs;
-  std::vector<NamedPair>& exempted = shown.exempted_pairs;
-  exempted.insert(exempted.end(), checked.srdf_pairs.begin(), checked.srdf_pairs.end());
-  if (checked.self_collision) return shown;
-  for (std::size_t i = 0; i < checked.links.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) exempted.push_back({checked.links[k], checked.links[i]});
-  }
-  return shown;
-}
-
-/// Adds the shapes of the links and the obstacles to what the page asks for.
 void add_scene(const ViewArguments& arguments, PageSession& session) {
   const std::optional<CheckedScene> checked = arguments.scene.read(arguments.arm, session.arm);
   if (!checked) return;
-  Scene shown = shown_scene(*checked);
-  session.link_shapes = bodies_of_file(checked->model, shown.exempted_pairs);
-  session.scene = scene_to_json(shown);
+  CollisionFiles files = collision_files(checked->model);
+  session.shaped_arm = std::move(files.arm);
+  session.scene = std::move(files.scene);
   session.clearance = arguments.scene.clearance;
 }
 

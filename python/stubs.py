@@ -26,6 +26,7 @@ def main(extension: str, stub: str) -> None:
     private = f"from typing import Any\n\nfrom typing_extensions import TypeVar\n\n{real}\n\n__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"
     private += "\nfrom ._reason import Reason\n"
     private += "\ndef _matrix_of(value: object, /) -> Any: ...\n\ndef _arm_of(value: object, /) -> Arm: ...\n"
+    private += "\ndef _collision_files(model: CollisionModel, /) -> tuple[str, str]: ...\n"
     Path(stub).write_text(text + "\n" + private)
 
 

@@ -85,7 +85,8 @@ struct ExemptionOptions {
 /// Examines pairs of bodies that a file exempts: those that are proved never to touch are rightly
 /// exempted, those that collide hide collisions. Tries random configurations within the position
 /// limits, and from the nearest of them descends along the gradient of the distance. Names that are
-/// neither of a link nor of an obstacle are left out. Throws Error as CollisionModel does.
+/// neither of a link nor of an obstacle are left out; a pair that is given twice is examined once.
+/// Throws Error as CollisionModel does, and for less than one configuration.
 std::vector<Exemption> examine_exemptions(const Arm& arm, const std::vector<LinkShapes>& links,
                                           const Scene& scene, const std::vector<NamedPair>& pairs,
                                           const ExemptionOptions& options = {});

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <string>
 
 #include <beeline/collision/collision_model.h>
 #include <beeline/doctor/diagnosis.h>
@@ -96,8 +98,15 @@ std::string name(ExemptionStatus status) {
 std::vector<Exemption> examine_exemptions(const Arm& arm, const std::vector<LinkShapes>& links,
                                           const Scene& scene, const std::vector<NamedPair>& pairs,
                                           const ExemptionOptions& options) {
+  if (options.configurations < 1) {
+    throw Error("", "configurations",
+                " is " + std::to_string(options.configurations) + "; it must be 1 or more");
+  }
   std::vector<Exemption> exemptions;
+  std::set<NamedPair> examined;
   for (const NamedPair& names : pairs) {
+    const NamedPair in_order{std::min(names[0], names[1]), std::max(names[0], names[1])};
+    if (!examined.insert(in_order).second) continue;
     const std::vector<LinkShapes> bodies = named(links, names);
     const Scene obstacles{.obstacles = named(scene.obstacles, names)};
     if (bodies.size() + obstacles.obstacles.size() != 2) continue;

@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 from urllib.parse import urlencode
 
-from ._core import Arm, CollisionModel, Error, LinkShapes, Scene, Trajectory, arm_to_json, scene_to_json
+from ._core import Arm, CollisionModel, Error, Trajectory, _collision_files
 
 _PART = re.compile(r' data-file="([^"]+)">(?=</script>)')
 """Where saved.html names the file of a part."""
@@ -25,7 +25,9 @@ def document_of(
     model: CollisionModel | None = None,
 ) -> str:
     """The page of an arm, which begins at `q` in a section and plays the trajectory among the obstacles of the model."""
-    state = {"json": arm.to_json()} if model is None else _scene_of(model)
+    state = {"json": arm.to_json()}
+    if model is not None:
+        state["json"], state["scene"] = _collision_files(model)
     state = {key: _deflated(text.encode()) for key, text in state.items()}
     if model is not None:
         state["clearance"] = repr(model.clearance)
@@ -44,24 +46,6 @@ def document_of(
         begin = f'<script type="text/plain" id="saved-{name}">'
         document = document.replace(f"{begin}</script>", f"{begin}{text}</script>", 1)
     return document
-
-
-def _scene_of(model: CollisionModel) -> dict[str, str]:
-    """The arm with the shapes of its links, and the obstacles. An arm file cannot say that a body is at one of its link's
-    joints alone: it is attached to the link, and its pairs that do not count are exempted."""
-    links: list[LinkShapes] = []
-    attached: set[str] = set()
-    for body in model.links:
-        at_proximal = body.at_distal_joint if body.link == 0 else body.at_proximal_joint  # the base has no other joint
-        at_distal = at_proximal if body.link == len(model.arm.joints) else body.at_distal_joint
-        if at_proximal != at_distal:
-            at_proximal = at_distal = False
-            attached.add(body.name)
-        links.append(LinkShapes(body.name, body.link, body.shapes, at_proximal, at_distal))
-    scene = model.scene
-    exempted = [pair for pair in model.neighbour_pairs if attached & set(pair)]
-    shown = Scene(scene.obstacles, scene.allowed_pairs, exempted_pairs=[*scene.exempted_pairs, *exempted])
-    return {"json": arm_to_json(model.arm, links), "scene": scene_to_json(shown)}
 
 
 def _csv(trajectory: Trajectory) -> bytes:

@@ -375,6 +375,14 @@ void bind_collisions(nb::module_& m) {
   bind_shape_files(m);
   bind_other_shape_files(m);
   bind_model(m);
+  m.def(
+      "_collision_files",
+      [](const CollisionModel& model) {
+        const CollisionFiles files = collision_files(model);
+        return nb::make_tuple(nb::str(files.arm.data(), files.arm.size()),
+                              nb::str(files.scene.data(), files.scene.size()));
+      },
+      nb::arg());  // for the page
   bind_distances(m);
   bind_blocked_by(m);
 }

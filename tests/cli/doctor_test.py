@@ -249,3 +249,8 @@ def test_a_scene_that_cannot_be_read_is_refused(beeline, written):
     assert answer.code == 3 and "none.json" in answer.err
     written("bad.json", '{"obstacles": [{}]}')
     assert beeline("doctor", "ur5", "--scene", "bad.json").code == 3
+
+
+def test_options_of_scenes_need_one(beeline):
+    assert beeline("doctor", "ur5", "--hold", "x=1").code == 2
+    assert beeline("doctor", "ur5", "ur5", "--scene", "none.json").code == 2

@@ -5,6 +5,7 @@
 #include <beeline/io/text/arm.h>
 
 #include <tests/random.h>
+#include <tests/refusal.h>
 
 namespace beeline {
 namespace {
@@ -74,6 +75,14 @@ TEST(Exemptions, OfNeighboursAreNotCheckedAndUnknownNamesAreLeftOut) {
   const Row row(0.6);
   EXPECT_EQ(row.examined({"link1", "link2"}).status, ExemptionStatus::not_checked);
   EXPECT_TRUE(examine_exemptions(row.arm, row.links, {}, {{"link1", "camera"}}).empty());
+}
+
+TEST(Exemptions, AreExaminedOnceAndByAtLeastOneConfiguration) {
+  const Row row(0.6);
+  const std::vector<NamedPair> twice{{"link1", "link3"}, {"link3", "link1"}};
+  EXPECT_EQ(examine_exemptions(row.arm, row.links, {}, twice, {.configurations = 1}).size(), 1U);
+  EXPECT_REFUSED(examine_exemptions(row.arm, row.links, {}, twice, {.configurations = 0}),
+                 "configurations");
 }
 
 }  // namespace

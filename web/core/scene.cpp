@@ -66,8 +66,6 @@ void set_obstacles(ArmInScene& known, const Scene& scene) {
   for (const Obstacle& body : scene.obstacles) known.numbers[body.name] = number++;
 }
 
-bool has_pairs(const CollisionModel& model) { return model.pair_count() + model.apart_count() > 0; }
-
 }  // namespace
 
 int beeline_scene(const char* arm, const char* base, const char* tip, double clearance) {
@@ -120,8 +118,11 @@ int beeline_scene_nearest(int scene, int of_links, const double* q, double* numb
   return guarded([&] {
     const ArmInScene& known = scenes().at(scene);
     const CollisionModel& model = of_links != 0 ? *known.of_links : *known.of_obstacles;
-    if (!has_pairs(model)) return 0;
-    const auto found = nearest_pair(model, Eigen::Map<const Configuration>(q, known.arm.dof()));
+    const Eigen::Map<const Configuration> at(q, known.arm.dof());
+    constexpr double margin = 2e-6;  // within it, pairs that are proved apart do not count
+    if (model.pair_count() == 0 && outside_limits(known.arm, at, margin).empty()) return 0;
+    if (model.pair_count() + model.apart_count() == 0) return 0;
+    const auto found = nearest_pair(model, at);
     for (const std::string& name : found.names) *numbers++ = known.numbers.at(name);
     for (const double length : {found.lower, found.upper, found.clearance}) *numbers++ = length;
     for (const Vector3& point : {found.on_first, found.on_second}) {

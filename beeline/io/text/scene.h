@@ -14,6 +14,8 @@
 
 namespace beeline {
 
+class CollisionModel;
+
 /// Options of the functions that read shapes.
 struct ShapeOptions {
   /// Values, rad or m, of joints of a URDF file that do not belong to the arm, by name.
@@ -158,6 +160,17 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
 /// from both neighbours. Bodies without shapes are left out. Throws Error as arm_to_json(arm) does,
 /// for a link that the arm does not have, and for two bodies of one name.
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links);
+
+/// The texts of an arm file and of a scene file, of JSON.
+struct CollisionFiles {
+  std::string arm, scene;
+};
+
+/// Returns the files of which a model is made that checks the same pairs, with the clearance of
+/// `model`. Pairs that options of the model allow are pairs of the scene; an arm file cannot say
+/// that a body is at one joint of its link alone, whose pairs are exempted instead. Throws Error as
+/// arm_to_json().
+CollisionFiles collision_files(const CollisionModel& model);
 
 /// Reads the shapes of a tool, which link n of the arm carries:
 ///     {"name": "gripper", "shapes": [SHAPE, ...]}

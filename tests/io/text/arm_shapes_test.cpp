@@ -292,6 +292,29 @@ TEST(ArmShapes, OfAToolAreInItsFrame) {
   EXPECT_REFUSED(read_tool_shapes(path, arm), "has no shape");
 }
 
+/// The page makes the model again of its files.
+TEST(ArmShapes, FilesOfAModelHaveItsPairs) {
+  const Arm arm = built_in("ur5");
+  std::vector<LinkShapes> links = read_arm_shapes("ur5").links;
+  links.push_back({"finger", 3, {{Sphere{0.1}}}, true, false});
+  const Scene scene{.obstacles = {{.name = "ball",
+                                   .shapes = {{Sphere{0.1}, Pose(Eigen::Translation3d(1, 0, 0))}}},
+                                  {.name = "box", .shapes = {{Box{Vector3::Ones()}}}}},
+                    .allowed_pairs = {{"box", links[2].name}}};
+  const std::vector<NamedPair> allowed{{"ball", "finger"}, {links[1].name, links[4].name}};
+  for (const bool self : {true, false}) {
+    const CollisionOptions options{
+        .self_collision = self, .allowed_pairs = allowed, .budget = {.max_work = 0}};
+    const CollisionModel model(arm, links, scene, options);
+    const auto [arm_text, scene_text] = collision_files(model);
+    const CollisionModel again(arm_from_json(arm_text, "a.json"),
+                               arm_shapes_from_text(arm_text, "a.json").links,
+                               scene_from_json(scene_text, "s.json"), {.budget = {.max_work = 0}});
+    EXPECT_EQ(again.pair_count(), model.pair_count());
+    EXPECT_EQ(digest(again), digest(model));
+  }
+}
+
 /// A body that is fixed to a link elsewhere than at its joints counts with the neighbouring links.
 TEST(ArmShapes, AttachedBodiesCountWithTheirNeighbours) {
   const Arm arm = arm_from_joint_string("RR");
