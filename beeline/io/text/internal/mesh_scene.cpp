@@ -7,6 +7,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/child_process.h>
+#include <beeline/io/text/internal/mesh_assumptions.h>
 #include <beeline/io/text/internal/mesh_corners.h>
 #include <beeline/io/text/internal/mesh_file.h>
 #include <beeline/io/text/internal/name.h>
@@ -184,6 +185,7 @@ std::vector<Vector3> mesh_from_scene_file(ByteBlocks& bytes) {
     bytes.skip(block.size());
   }
   if (whole.starts_with("PK")) throw FileError(bytes.path(), 0, "is a ZIP archive; unpack it");
+  check_mesh_assumptions(whole, bytes.path());
   return read_isolated(whole, bytes.path());
 }
 

@@ -98,6 +98,57 @@ TEST(MeshScene, BuffersOutsideTheFolderAreNotRead) {
   EXPECT_REFUSED(read_mesh(folder.write("below/b.gltf", with("../a.bin"))), "b.gltf: ");
 }
 
+/// The text with one part replaced, which must be there.
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.replace(at, part.size(), other);
+}
+
+TEST(MeshScene, PositionsThatAssimpMisreadsAreRefused) {
+  SKIP_WITHOUT_ASSIMP();
+  const std::vector<Triangle> one{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+  const Eigen::Matrix4d none = Eigen::Matrix4d::Identity();
+  const std::string buffer = beeline::testing::gltf_buffer(one);
+  const std::string json = beeline::testing::gltf(one, "", none, none);
+  const auto read = [&](const std::string& text) {
+    return mesh_from_text(beeline::testing::glb(text, buffer), "a.glb");
+  };
+  const auto with_root = [&](const std::string& member) {
+    return read(with(json, R"("scene":0,)", R"("scene":0,)" + member + ","));
+  };
+  const std::string instances = R"("extensions":{"EXT_mesh_gpu_instancing":{}},)";
+  EXPECT_EQ(with_root(R"("extensionsUsed":["KHR_materials_unlit","VENDOR_a"],)"
+                      R"("extensionsRequired":["KHR_materials_unlit"])")
+                .size(),
+            3u);
+  EXPECT_REFUSED(with_root(R"("extensionsRequired":["VENDOR_moves_it"])"), "\"VENDOR_moves_it\"");
+  for (const char* name :
+       {"EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+    EXPECT_REFUSED(with_root(R"("extensionsUsed":[")" + std::string(name) + "\"]"), name);
+  }
+  EXPECT_REFUSED(read(with(json, R"("mesh":0,)", R"("mesh":0,)" + instances)), "gpu_instancing");
+  EXPECT_REFUSED(read(with(json, R"("mesh":0,)", R"("mesh":0,"skin":0,)")), "nodes[1].skin");
+  EXPECT_REFUSED(read(with(json, R"("mode":4)", R"("mode":4,"targets":[{"POSITION":0}])")),
+                 "primitives[0].targets");
+  EXPECT_REFUSED(read(with(json, "5126", "5122")), "accessors[0].componentType");
+  EXPECT_REFUSED(read(with(json, R"("type":"VEC3")", R"("type":"VEC3","sparse":{"count":1})")),
+                 "accessors[0].sparse");
+  EXPECT_REFUSED(read(with(json, R"({"bufferView":0,)", "{")), "bufferView");
+  EXPECT_REFUSED(read(with(json, R"("POSITION":0)", R"("POSITION":1)")), "no accessor");
+  EXPECT_REFUSED(read(with(json, R"("POSITION":0)", R"("POSITION":0,"POSITION_1":0)")),
+                 "POSITION_1");
+  EXPECT_REFUSED(mesh_from_text(beeline::testing::glb(json, buffer), "a.gltf"), "a.gltf:1: ");
+  EXPECT_REFUSED(mesh_from_text(json, "a.glb"), "does not begin with \"glTF\"");
+  const std::string dae = beeline::testing::collada(one, 1, none, none);
+  EXPECT_REFUSED(
+      mesh_from_text(with(dae, "<instance_geometry url", "<instance_controller url"), "a.dae"),
+      "a.dae:1: has an element <instance_controller>");
+  EXPECT_REFUSED(
+      mesh_from_text(with(dae, "<matrix>", "<skew>0 1 0 0 0 1 1</skew><matrix>"), "a.dae"),
+      "<skew>");
+}
+
 TEST(MeshScene, CirclesAndDamageAreRefused) {
   SKIP_WITHOUT_ASSIMP();
   Random random;
