@@ -184,7 +184,7 @@ TEST(PointCloudFile, RowsThatTheHeaderDoesNotDescribeAreRefused) {
   const std::string xyz = axes + "end_header\n";
   const std::string list =
       ply_front + "ascii 1.0\nelement face 1\nproperty list int double v\nelement vertex 1\n";
-  EXPECT_REFUSED(read_ply(list + xyz + "2.5 1 1 1\n2 2 2\n"), "a.ply:9: has a list of 2.5 items");
+  EXPECT_REFUSED(read_ply(list + xyz + "2.5 1 1 1\n2 2 2\n"), "a.ply:10: has a list of 2.5 items");
   EXPECT_REFUSED(read_ply(list + xyz + "-1\n2 2 2\n"), "has a list of -1 items");
   EXPECT_REFUSED(read_ply(list + xyz + "2 1 1 1\n2 2 2\n"), "face 0 has \"1\" behind");
   EXPECT_REFUSED(read_ply(front + "1\n" + xyz + "2 2 2 -0.3 0 0.4\n"),
