@@ -151,7 +151,10 @@ std::optional<std::string> in_child_process(const std::function<std::string()>& 
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) refuse_process(errno);
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
-  if (child == 0) run_child(ends[1], parent, work, limits);
+  if (child == 0) {
+    ::close(ends[0]);  // or a write would not fail when the parent has ended
+    run_child(ends[1], parent, work, limits);
+  }
   const int reason = errno;
   ::close(ends[1]);
   if (child < 0) {
