@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Divides a mesh into convex parts whose union contains it, verified.
+"""Divides a mesh into convex parts whose union contains it, verified to 1e-12 of its size.
 
     scripts/venv.sh ~/parts scripts/convex_parts_requirements.txt
     ~/parts/bin/python scripts/convex_parts.py hook.stl --out parts
@@ -10,8 +10,9 @@ Beeline takes a mesh as its convex hull, which closes its hollows. This writes, 
   hook.json         a scene with one obstacle, hook, whose shapes are the parts; its "shapes" also fit in an arm file
 CoACD (Wei et al., Approximate convex decomposition for 3D meshes with collision-aware concavity and tree search, 2022) divides
 the mesh. Its parts do not contain the mesh exactly: each piece of a triangle that lies in no part is added to the part that it
-exceeds least. The written files are read again, and every triangle is proved to lie in the parts, by bisection; the excess is
-the largest distance of their outer surface from the mesh that was measured. The surface counts: a hollow that the surface
+exceeds least. The written files are read again, and every triangle is verified to lie in the parts, to 1e-12 of the size of the
+mesh, by bisection; only then do they replace those in the folder. The excess is the largest distance of their outer surface from
+the mesh that was measured. The surface counts: a hollow that the surface
 encloses may be in no part.
 """
 
@@ -19,6 +20,7 @@ import argparse
 import json
 import pathlib
 import sys
+import tempfile
 
 import numpy as np
 import trimesh
@@ -26,6 +28,7 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from triangles import pieces_in_no_body, subdivided
 
+TOLERANCE = 1e-12  # of the size of the mesh: the planes of hulls have rounding errors
 ENDINGS = (".stl", ".obj", ".ply", ".off", ".glb")  # trimesh does not apply the unit of Collada files
 
 
@@ -121,7 +124,6 @@ def excess_of(parts, triangles, spacing):
 
 
 def write(parts, name, folder):
-    folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for k, part in enumerate(parts):
         lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in part.points.tolist()]
@@ -141,6 +143,21 @@ def written(path):
     return Part(np.array(rows, float))
 
 
+def write_verified(parts, name, out, triangles, size):
+    """Writes the parts into a temporary folder, reads them again, and moves them into `out` if the triangles lie in them."""
+    out.absolute().parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=f".{name}.", dir=out.absolute().parent) as temporary:
+        folder = pathlib.Path(temporary)
+        parts = [written(path) for path in write(parts, name, folder)]
+        lost = pieces_in_no_body(triangles, within_of(parts, TOLERANCE * size))
+        if len(lost):
+            fail(f"{len(lost)} pieces of triangles are in no part, one at {lost[0, 0]}")
+        out.mkdir(exist_ok=True)
+        for path in sorted(folder.iterdir()):
+            path.replace(out / path.name)
+    return parts
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh", type=pathlib.Path, help="STL, OBJ, PLY, OFF or GLB")
@@ -153,13 +170,10 @@ def main():
     size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     triangles = vertices[faces]
     parts = grown(divided(vertices, faces, args), triangles, size)
-    parts = [written(path) for path in write(parts, args.mesh.stem, args.out)]
-    lost = pieces_in_no_body(triangles, within_of(parts, 1e-12 * size))
-    if len(lost):
-        fail(f"{len(lost)} pieces of triangles are in no part, one at {lost[0, 0]}")
+    parts = write_verified(parts, args.mesh.stem, args.out, triangles, size)
     excess, count = excess_of(parts, triangles, 0.01 * size)
     whole, hull = sum(ConvexHull(part.points).volume for part in parts), ConvexHull(vertices)
-    print(f"{args.mesh.name}: {len(faces)} triangles lie in {len(parts)} parts, verified; excess {excess:.3g} m at {count} places; "
+    print(f"{args.mesh.name}: {len(faces)} triangles lie in {len(parts)} parts, verified to {TOLERANCE:g} of the size; excess {excess:.3g} m at {count} places; "
           f"volume of the parts {whole:.3g} m3, of the hull {hull.volume:.3g} m3")
     return 0
 

@@ -166,8 +166,8 @@ TEST(MeshShapes, AreFoundByPaths) {
   EXPECT_REFUSED(mesh_of(urdf, "filename=\"b.obj\""), folder.file("b.obj"));
   EXPECT_REFUSED(mesh_of(urdf, "filename=\"http://b.org/a.obj\""), "package://NAME/PATH");
   EXPECT_REFUSED(mesh_of(urdf, "filename=\"package://a.obj\""), "must be package://NAME/PATH");
-  EXPECT_REFUSED(mesh_of(urdf, "filename=\"a.dae\""), "known endings: stl, obj");
-  EXPECT_REFUSED(mesh_of(urdf, "filename=\"a.dae\""), "convex_hull");
+  EXPECT_REFUSED(mesh_of(urdf, "filename=\"a.wrl\""), "known endings: stl, obj");
+  EXPECT_REFUSED(mesh_of(urdf, "filename=\"a.wrl\""), "convex_hull");
   EXPECT_REFUSED(mesh_of(urdf, "filename=\"/dev/zero.stl\""), "is not found");
   EXPECT_REFUSED(mesh_of(urdf, "scale=\"1 1 1\""), "filename");
   folder.write("a.obj", "v 0 0 0\nf 1 2 3\n");

@@ -60,6 +60,10 @@ std::vector<Vector3> random_points(Random& random, int count) {
   return points;
 }
 
+const std::string ply_front = "ply\nformat ";
+
+Scene read_ply(const std::string& text) { return scene_from_text(text, "a.ply", {.radius = 0.1}); }
+
 const PointCloud& cloud_of(const Scene& scene) { return scene.obstacles.at(0).cloud.value(); }
 
 TEST(PointCloudFile, EveryFormatHasTheSamePoints) {
@@ -131,15 +135,12 @@ TEST(PointCloudFile, RadiusAndCloudBelongTogether) {
 
 TEST(PointCloudFile, DamagedFilesAreRefused) {
   Random random;
-  const auto read = [](const std::string& text) {
-    return scene_from_text(text, "a.ply", {.radius = 0.1});
-  };
   const std::vector<Vector3> points = random_points(random, 20);
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string text = ply(points, format, false);
     const std::size_t end = text.size() - (format[0] == 'a' ? 30 : 5);
     for (std::size_t size = 0; size < end; size += 7) {
-      EXPECT_REFUSED(read(text.substr(0, size)), "a.ply");
+      EXPECT_REFUSED(read_ply(text.substr(0, size)), "a.ply");
     }
     for (int i = 0; i < testing::cases(1000); ++i) {
       std::string damaged = text;
@@ -148,7 +149,7 @@ TEST(PointCloudFile, DamagedFilesAreRefused) {
         damaged[static_cast<std::size_t>(at)] = static_cast<char>(random.integer(0, 255));
       }
       try {
-        check_cloud(cloud_of(read(damaged)));
+        check_cloud(cloud_of(read_ply(damaged)));
       } catch (const FileError& error) {
         EXPECT_EQ(error.path(), "a.ply");
       }
@@ -156,25 +157,50 @@ TEST(PointCloudFile, DamagedFilesAreRefused) {
   }
   const std::string front = "ply\nformat ascii 1.0\nelement vertex ";
   const std::string xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
-  EXPECT_REFUSED(read(""), "does not begin with \"ply\"");
-  EXPECT_REFUSED(read("solid a"), "does not begin with \"ply\"");
-  EXPECT_REFUSED(read(front + "0\n" + xyz), "has no points");
-  EXPECT_REFUSED(read(front + "99999999\n" + xyz), "has 99999999 points; at most 1000000");
-  EXPECT_REFUSED(read(front + "-1\n" + xyz), "\"-1\"");
-  EXPECT_REFUSED(read(front + "2\n" + xyz + "1 2 3\n1 2\n"), "a.ply:9: vertex 1: a number");
-  EXPECT_REFUSED(read(front + "2\n" + xyz + "1 2 3\nnan 2 3\n"), "vertex 1: \"nan\"");
-  EXPECT_REFUSED(read(front + "2\n" + xyz + "1 2 3\n"), "is cut off at vertex 1 of 2");
-  EXPECT_REFUSED(read(front + "1\nproperty float x\nproperty float y\nend_header\n1 2\n"),
+  EXPECT_REFUSED(read_ply(""), "does not begin with \"ply\"");
+  EXPECT_REFUSED(read_ply("solid a"), "does not begin with \"ply\"");
+  EXPECT_REFUSED(read_ply(front + "0\n" + xyz), "has no points");
+  EXPECT_REFUSED(read_ply(front + "99999999\n" + xyz), "has 99999999 points; at most 1000000");
+  EXPECT_REFUSED(read_ply(front + "-1\n" + xyz), "\"-1\"");
+  EXPECT_REFUSED(read_ply(front + "2\n" + xyz + "1 2 3\n1 2\n"), "a.ply:9: vertex 1: a number");
+  EXPECT_REFUSED(read_ply(front + "2\n" + xyz + "1 2 3\nnan 2 3\n"), "vertex 1: \"nan\"");
+  EXPECT_REFUSED(read_ply(front + "2\n" + xyz + "1 2 3\n"), "is cut off at vertex 1 of 2");
+  EXPECT_REFUSED(read_ply(front + "1\nproperty float x\nproperty float y\nend_header\n1 2\n"),
                  "lacks a property z");
-  EXPECT_REFUSED(read(front + "1\nproperty int x\n" + xyz + "1 1 2 3\n"),
+  EXPECT_REFUSED(read_ply(front + "1\nproperty int x\n" + xyz + "1 1 2 3\n"),
                  "must have one property x, float or double");
-  EXPECT_REFUSED(read("ply\nelement vertex 1\n" + xyz + "1 2 3\n"), "has no format");
-  EXPECT_REFUSED(read("ply\nformat ascii 2.0\n"), "\"2.0\"");
-  EXPECT_REFUSED(read("ply\nformat ascii 1.0\nelement face 99999999999\nend_header\n"),
+  EXPECT_REFUSED(read_ply("ply\nelement vertex 1\n" + xyz + "1 2 3\n"), "has no format");
+  EXPECT_REFUSED(read_ply("ply\nformat ascii 2.0\n"), "\"2.0\"");
+  EXPECT_REFUSED(read_ply("ply\nformat ascii 1.0\nelement face 99999999999\nend_header\n"),
                  "no element vertex");
   std::string nan = ply(points, "binary_little_endian", false);
   nan.replace(nan.find("end_header\n") + 11 + 8 + 1, 4, "\xff\xff\xff\xff");
-  EXPECT_REFUSED(read(nan), "point 0 of a point cloud");
+  EXPECT_REFUSED(read_ply(nan), "point 0 of a point cloud");
+}
+
+TEST(PointCloudFile, RowsThatTheHeaderDoesNotDescribeAreRefused) {
+  const std::string front = ply_front + "ascii 1.0\nelement vertex ";
+  const std::string axes = "property float x\nproperty float y\nproperty float z\n";
+  const std::string xyz = axes + "end_header\n";
+  const std::string list =
+      ply_front + "ascii 1.0\nelement face 1\nproperty list int double v\nelement vertex 1\n";
+  EXPECT_REFUSED(read_ply(list + xyz + "2.5 1 1 1\n2 2 2\n"), "a.ply:10: has a list of 2.5 items");
+  EXPECT_REFUSED(read_ply(list + xyz + "-1\n2 2 2\n"), "has a list of -1 items");
+  EXPECT_REFUSED(read_ply(list + xyz + "2 1 1 1\n2 2 2\n"), "face 0 has \"1\" behind");
+  EXPECT_REFUSED(read_ply(front + "1\n" + xyz + "2 2 2 -0.3 0 0.4\n"),
+                 "a.ply:8: vertex 0 has \"-0.3\" behind its properties");
+  EXPECT_REFUSED(read_ply(front + "1\n" + axes + "element vertex 1\n" + xyz + "2 2 2\n1 1 1\n"),
+                 "a.ply:7: has the element \"vertex\" twice");
+  const std::string no_faces = axes + "element face 0\nproperty list uchar int i\nend_header\n";
+  for (const std::string& rest : {xyz, no_faces}) {
+    EXPECT_REFUSED(read_ply(front + "1\n" + rest + "2 2 2\n\n-0.3 0 0.4\n"),
+                   "continues after its 1 rows of vertex");
+    EXPECT_EQ(cloud_of(read_ply(front + "1\n" + rest + "2 2 2 \n\n  \n")).points.size(), 1u);
+    const std::string binary =
+        ply_front + "binary_little_endian 1.0\nelement vertex 1\n" + rest + std::string(12, '\0');
+    EXPECT_EQ(cloud_of(read_ply(binary)).points.size(), 1u);
+    EXPECT_REFUSED(read_ply(binary + '\0'), "a.ply: continues after its 1 rows of vertex");
+  }
 }
 
 TEST(PointCloudFile, ArraysOfOtherShapesAreRefused) {
@@ -183,7 +209,25 @@ TEST(PointCloudFile, ArraysOfOtherShapesAreRefused) {
   internal::NpyWriter writer(path, 4, false);
   writer.write(Eigen::MatrixXd::Zero(4, 2));
   writer.commit();
-  EXPECT_REFUSED(read_scene(path, {.radius = 1}), "has rows of 4 numbers");
+  EXPECT_REFUSED(read_scene(path, {.radius = 1}), "rows of 4 numbers; points are rows of three");
+  EXPECT_REFUSED(read_scene(path, {.radius = 1}), "write array[:, :3]");
+  const auto refusal_of_shape = [&](const std::string& shape, std::size_t count) {
+    std::string front = internal::npy_front({false, 1, 1});
+    const std::size_t at = front.find("(1, 1)");
+    front = front.substr(0, at) + shape + ", }";
+    front.resize(127, ' ');
+    return testing::refusal([&] {
+      read_scene(folder.write("s.npy", front + "\n" + std::string(8 * count, '\0')), {.radius = 1});
+    });
+  };
+  const std::string image = refusal_of_shape("(2, 4, 3)", 24);
+  EXPECT_NE(image.find("rows of 12 numbers; points are rows of three: write array.reshape(-1, 3)"),
+            std::string::npos)
+      << image;
+  for (const std::string& narrow : {refusal_of_shape("(6, 2)", 12), refusal_of_shape("(3,)", 3),
+                                    refusal_of_shape("(3, 2, 2)", 12)}) {
+    EXPECT_TRUE(narrow.ends_with("points are rows of three")) << narrow;
+  }
   EXPECT_REFUSED(read_scene(folder.write("b.npy", "x"), {.radius = 1}), "is not an .npy file");
   EXPECT_REFUSED(
       read_scene(folder.write("c.npy", internal::npy_front({false, 2'000'000, 3})), {.radius = 1}),

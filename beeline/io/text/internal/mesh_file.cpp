@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::uint64_t max_mesh_size = std::uint64_t{1} << 30;
 
-std::vector<Vector3> read_in_format(ByteBlocks& bytes) {
+std::vector<Vector3> read_in_format(ByteBlocks& bytes, [[maybe_unused]] double& rounding) {
   refuse_lfs_pointer(bytes.peek(lfs_pointer_size), bytes.path());
   if (bytes.size() > max_mesh_size) throw FileError(bytes.path(), 0, "is larger than 1 GiB");
   const std::string ending = extension(bytes.path());
   if (ending == "stl") return mesh_from_stl(bytes);
   if (ending == "obj") return mesh_from_obj(bytes);
 #ifdef BEELINE_ASSIMP
-  if (is_scene_mesh(bytes.path())) return mesh_from_scene_file(bytes);
+  if (is_scene_mesh(bytes.path())) return mesh_from_scene_file(bytes, rounding);
 #endif
   throw FileError(bytes.path(), 0,
                   "is not a mesh of a known format; known endings: " + listed(mesh_endings()) +
@@ -47,15 +47,19 @@ std::string scene_mesh_advice() {
          "(Debian: libassimp-dev)";
 }
 
-std::vector<Vector3> read_mesh(const std::string& path) {
+std::vector<Vector3> read_mesh(const std::string& path, double* rounding) {
   InputFile file(path);
   ByteBlocks bytes(file);
-  return read_in_format(bytes);
+  double bound = 0;
+  std::vector<Vector3> corners = read_in_format(bytes, bound);
+  if (rounding != nullptr) *rounding = bound;
+  return corners;
 }
 
 std::vector<Vector3> mesh_from_text(std::string_view text, const std::string& path) {
   ByteBlocks bytes(text, path);
-  return read_in_format(bytes);
+  double rounding = 0;
+  return read_in_format(bytes, rounding);
 }
 
 std::string_view take_word(std::string_view& line) {

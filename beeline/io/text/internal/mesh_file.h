@@ -26,14 +26,16 @@ std::string scene_mesh_advice();
 /// `<unit>` applies) and their `<up_axis>` is ignored. Throws FileError for another ending, a file
 /// larger than 1 GiB (Collada, glTF: 256 MiB) or with more than 5,000,000 different corners, one
 /// that is cut off, malformed or without triangles, and a coordinate that is not a finite number.
-std::vector<Vector3> read_mesh(const std::string& path);
+/// `rounding` gets a bound of the errors of the corners, in the unit of the file: 0, or more for
+/// Collada and glTF, which are read in single precision.
+std::vector<Vector3> read_mesh(const std::string& path, double* rounding = nullptr);
 /// The same from the bytes of a file.
 std::vector<Vector3> mesh_from_text(std::string_view bytes, const std::string& path);
 
 /// The readers of the formats.
 std::vector<Vector3> mesh_from_stl(ByteBlocks& bytes);
 std::vector<Vector3> mesh_from_obj(ByteBlocks& bytes);
-std::vector<Vector3> mesh_from_scene_file(ByteBlocks& bytes);  ///< Collada, glTF: BEELINE_ASSIMP
+std::vector<Vector3> mesh_from_scene_file(ByteBlocks& bytes, double& rounding);  ///< by assimp
 
 /// Reads the next number of a line, after blanks, and removes it from the line. Throws FileError.
 double take_number(std::string_view& line, const ByteBlocks& bytes);

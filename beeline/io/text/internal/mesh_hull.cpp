@@ -70,10 +70,12 @@ Shape MeshHulls::read(const std::string& filename, const Vector3& scale) {
   const std::vector<double> factors(scale.begin(), scale.end());
   const auto known = hulls_.find({path, factors});
   if (known != hulls_.end()) return known->second;
-  std::vector<Vector3> corners = read_mesh(path);
+  double rounding = 0;
+  std::vector<Vector3> corners = read_mesh(path, &rounding);
   for (Vector3& corner : corners) corner = corner.cwiseProduct(scale);
   try {
     Shape hull = hull_of_corners(std::move(corners), path);
+    hull.padding += rounding * scale.cwiseAbs().maxCoeff();
     return hulls_.emplace(std::pair(path, factors), std::move(hull)).first->second;
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());

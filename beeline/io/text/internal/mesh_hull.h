@@ -21,8 +21,9 @@ class MeshHulls {
       : path_(path), package_(package) {}
 
   /// Returns hull_of_corners() of the mesh that `filename` names (mesh_places()), its coordinates
-  /// multiplied by `scale`. Throws Error for a mesh that is not found or has another format, and a
-  /// scale of 0; FileError of the mesh's file for one that cannot be read.
+  /// multiplied by `scale`, with the bound of their rounding added to its padding. Throws Error for
+  /// a mesh that is not found or has another format, and a scale of 0; FileError of the mesh's file
+  /// for one that cannot be read.
   Shape read(const std::string& filename, const Vector3& scale);
 
  private:

@@ -115,6 +115,7 @@ void apply_shape(const std::vector<std::int64_t>& shape, bool by_columns, NpyHea
     throw Error("its header's shape is too large");
   }
   header.width = static_cast<Eigen::Index>(width);
+  if (shape.size() > 1) header.last = static_cast<Eigen::Index>(shape.back());
   // Both orders are the same when at most one dimension exceeds 1.
   const auto long_dimensions =
       std::count_if(shape.begin(), shape.end(), [](std::int64_t size) { return size > 1; });

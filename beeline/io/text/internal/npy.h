@@ -16,6 +16,7 @@ struct NpyHeader {
   bool single = false;     ///< '<f4', otherwise '<f8'
   std::int64_t rows = 0;   ///< the first number of the shape
   Eigen::Index width = 1;  ///< numbers per row: the product of the shape's other numbers
+  Eigen::Index last = 1;   ///< the last number of the shape if it has several; otherwise 1
 };
 
 /// Parses the dictionary at the front of a file. Throws Error for text that is not such a

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <optional>
 
@@ -91,6 +92,9 @@ class PlyHeader {
     if (digits.empty() || fault != std::errc() || end != digits.data() + digits.size()) {
       refuse("has an element with the number " + in_quotes(digits));
     }
+    for (const Element& other : elements_) {
+      if (other.name == element.name) refuse("has the element " + in_quotes(other.name) + " twice");
+    }
     elements_.push_back(std::move(element));
   }
 
@@ -140,11 +144,30 @@ class PlyRows {
         continue;
       }
       const double count = number(*property.count, element, row);
-      if (!(count >= 0)) {
-        throw FileError(bytes_.path(), 0, "has a list of " + beeline::number(count) + " items");
+      if (!(count >= 0 && count == std::floor(count))) {
+        throw FileError(bytes_.path(), line(),
+                        "has a list of " + beeline::number(count) + " items");
       }
       for (double k = 0; k < count; ++k) skip(*property.type, element, row);
     }
+    const std::string_view more = take_word(line_);
+    if (!more.empty()) {
+      throw FileError(bytes_.path(), line(),
+                      printable(element.name) + " " + std::to_string(row) + " has " +
+                          in_quotes(more) + " behind its properties");
+    }
+  }
+
+  /// Refuses what follows the rows of the last element, except blank lines of ASCII.
+  void check_end(const Element& last) {
+    bool more = encoding_ != Encoding::ascii && !bytes_.peek(1).empty();
+    while (encoding_ == Encoding::ascii && !more && bytes_.next_line(line_)) {
+      more = !take_word(line_).empty();
+    }
+    if (!more) return;
+    throw FileError(bytes_.path(), line(),
+                    "continues after its " + std::to_string(last.count) + " rows of " +
+                        printable(last.name) + "; does its header have an old number?");
   }
 
   void skip(const NumberType& type, const Element& element, std::uint64_t row) {
@@ -156,8 +179,10 @@ class PlyRows {
   }
 
  private:
+  int line() const { return encoding_ == Encoding::ascii ? bytes_.line() : 0; }
+
   [[noreturn]] void cut_off(const Element& element, std::uint64_t row) const {
-    throw FileError(bytes_.path(), encoding_ == Encoding::ascii ? bytes_.line() : 0,
+    throw FileError(bytes_.path(), line(),
                     "is cut off at " + printable(element.name) + " " + std::to_string(row) +
                         " of " + std::to_string(element.count));
   }
@@ -217,41 +242,49 @@ std::array<std::size_t, 3> coordinate_places(const Element& vertex, const std::s
   return places;
 }
 
+void skip_rows(PlyRows& rows, const Element& element) {
+  if (element.properties.empty()) return;
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    rows.read_row(element, row, [&](std::size_t i, const auto&) {
+      rows.skip(*element.properties[i].type, element, row);
+    });
+  }
+}
+
+std::vector<Vector3> vertices_of(PlyRows& rows, const Element& vertex, const std::string& path) {
+  if (vertex.count > max_cloud_points) {
+    throw FileError(path, 0,
+                    "has " + std::to_string(vertex.count) + " points; at most " +
+                        std::to_string(max_cloud_points) + " are possible: reduce it");
+  }
+  const std::array<std::size_t, 3> places = coordinate_places(vertex, path);
+  std::vector<Vector3> points;
+  for (std::uint64_t row = 0; row < vertex.count; ++row) {
+    Vector3 point;
+    rows.read_row(vertex, row, [&](std::size_t i, const auto& number) {
+      const auto place = std::find(places.begin(), places.end(), i);
+      if (place == places.end()) return rows.skip(*vertex.properties[i].type, vertex, row);
+      point[place - places.begin()] = number();
+    });
+    points.push_back(point);
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<Vector3> points_from_ply(ByteBlocks& bytes) {
   const PlyHeader header(bytes);
   PlyRows rows(bytes, header.encoding());
-  const auto ignore = [&](const Element& element, std::uint64_t row) {
-    rows.read_row(element, row, [&](std::size_t i, const auto&) {
-      rows.skip(*element.properties[i].type, element, row);
-    });
-  };
-  for (const Element& element : header.elements()) {
-    if (element.name != "vertex") {
-      if (element.properties.empty()) continue;
-      for (std::uint64_t row = 0; row < element.count; ++row) ignore(element, row);
-      continue;
-    }
-    if (element.count > max_cloud_points) {
-      throw FileError(bytes.path(), 0,
-                      "has " + std::to_string(element.count) + " points; at most " +
-                          std::to_string(max_cloud_points) + " are possible: reduce it");
-    }
-    const std::array<std::size_t, 3> places = coordinate_places(element, bytes.path());
-    std::vector<Vector3> points;
-    for (std::uint64_t row = 0; row < element.count; ++row) {
-      Vector3 point;
-      rows.read_row(element, row, [&](std::size_t i, const auto& number) {
-        const auto place = std::find(places.begin(), places.end(), i);
-        if (place == places.end()) return rows.skip(*element.properties[i].type, element, row);
-        point[place - places.begin()] = number();
-      });
-      points.push_back(point);
-    }
-    return points;
-  }
-  throw FileError(bytes.path(), 0, "has no element vertex");
+  const std::vector<Element>& elements = header.elements();
+  const auto is_vertex = [](const Element& element) { return element.name == "vertex"; };
+  const auto vertex = std::find_if(elements.begin(), elements.end(), is_vertex);
+  if (vertex == elements.end()) throw FileError(bytes.path(), 0, "has no element vertex");
+  for (auto before = elements.begin(); before != vertex; ++before) skip_rows(rows, *before);
+  std::vector<Vector3> points = vertices_of(rows, *vertex, bytes.path());
+  const auto has_rows = [](const Element& element) { return element.count > 0; };
+  if (std::none_of(vertex + 1, elements.end(), has_rows)) rows.check_end(*vertex);
+  return points;
 }
 
 }  // namespace beeline::internal

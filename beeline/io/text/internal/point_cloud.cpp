@@ -28,13 +28,20 @@ std::vector<Vector3> checked_ply(ByteBlocks& bytes) {
   return points_from_ply(bytes);
 }
 
+/// How to make rows of three numbers, where it is known.
+std::string rows_of_three(const NpyHeader& header) {
+  if (header.width > 3 && header.last == 3) return ": write array.reshape(-1, 3)";
+  if (header.width > 3 && header.last == header.width) return ": write array[:, :3]";
+  return "";
+}
+
 std::vector<Vector3> points_from_npy(const std::string& path) {
   NpyReader reader(path);
   const NpyHeader& header = reader.header();
   if (header.width != 3) {
     throw FileError(path, 0,
                     "has rows of " + std::to_string(header.width) +
-                        " numbers; points are rows of three: write array[:, :3]");
+                        " numbers; points are rows of three" + rows_of_three(header));
   }
   if (header.rows > static_cast<std::int64_t>(max_cloud_points)) {
     throw FileError(path, 0,

@@ -123,7 +123,7 @@ TEST(MeshFile, DamagedFilesAreRefused) {
   EXPECT_REFUSED(
       mesh_from_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a.stl"),
       "git lfs pull");
-  EXPECT_REFUSED(mesh_from_text(binary, "a.dae"), "known endings: stl, obj");
+  EXPECT_REFUSED(mesh_from_text(binary, "a.wrl"), "known endings: stl, obj");
   EXPECT_REFUSED(read_mesh("no such.stl"), "no such.stl: cannot be read");
 }
 
