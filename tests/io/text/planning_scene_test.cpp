@@ -169,7 +169,7 @@ TEST(PlanningScene, RefusalsNameTheValue) {
       "topic echo --full-length writes all of it");
   EXPECT_EQ(refusal([] { scene_from_text("", "cell.txt"); }),
             "cell.txt: is not a known kind of scene; known are .json, .urdf, .xml, .scene, .yaml, "
-            ".yml");
+            ".yml, .ply, .npy");
   // What is misspelt is not lost.
   EXPECT_EQ(of("world: {collision_object: []}\n").substr(0, 30), "cell.yaml:1: world: unknown ke");
   EXPECT_EQ(of(with_objects("    - {id: a, primitive: []}\n")).substr(0, 50),
