@@ -62,7 +62,7 @@ def test_the_point_that_is_hit_has_its_index(beeline, arm, motion, written):
     links = [("--allow", f"link{k},scan") for k in (1, 2, 3)]
     allowed = beeline("check", arm, motion, *MOVING, "--scene", name, "--radius", 2, *sum(links, ()))
     assert allowed.code == 0, allowed.err
-    clear = beeline("check", arm, motion, *MOVING, "--scene", written("far.ply", ply(far)), "--radius", 0.1)
+    clear = beeline("check", arm, motion, *MOVING, "--scene", written("far.ply", ply(far)), "--radius", 0.1, "--no-self")
     assert clear.code == 0 and "far[0]" in clear.out
 
 
@@ -74,7 +74,7 @@ def test_what_is_no_cloud_is_refused(refused, arm, motion, written, tmp_path):
     refused(2, *check, "--radius", 1, says=["--radius needs --scene"])
     refused(2, *check, "--scene", name, "--radius=-1", says=["--radius"])
     np.save(tmp_path / "nan.npy", [[0, 0, 0], [0, np.nan, 0]])
-    refused(2, *check, "--scene", "nan.npy", "--radius", 1, says=["nan.npy: point 1", "leave such points out"])
+    refused(3, *check, "--scene", "nan.npy", "--radius", 1, says=["nan.npy: point 1", "leave such points out"])
     np.save(tmp_path / "wide.npy", np.zeros((2, 4)))
-    refused(2, *check, "--scene", "wide.npy", "--radius", 1, says=["wide.npy: has rows of 4 numbers"])
-    refused(2, *check, "--scene", name, "--scene", name, "--radius", 1, says=["scan"])
+    refused(3, *check, "--scene", "wide.npy", "--radius", 1, says=["wide.npy: has rows of 4 numbers"])
+    refused(3, *check, "--scene", name, "--scene", name, "--radius", 1, says=["scan"])
