@@ -209,7 +209,9 @@ test("a line through an obstacle is refused with the two bodies named, and prove
   );
   const far = { obstacles: crate.obstacles.map((body) => movedBody(body, { xyz: [0.5, 1.5, 0.3] })) };
   const other = await opened(await hashOf(far, `section=line&${waypoints}`));
-  await other.getByText(/Proved: .* of the line, and the arm keeps at least [\d.]+\u00a0mm/).waitFor();
+  await other
+    .getByText(/Proved: .* of the line, and each of the \d+ pairs of bodies that count keeps at least [\d.]+\u00a0mm/)
+    .waitFor();
 });
 
 test("solutions that hit an obstacle say so", async () => {

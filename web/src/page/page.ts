@@ -110,6 +110,7 @@ export class Page {
         const asked = await this.scene.inScene(args, files);
         return this.services.command(asked.args, asked.files, progress);
       },
+      surroundings: () => this.scene.key,
       reach: (task, progress) => worker.reach(task, progress),
       cancel: () => worker.cancel(),
       draw: (marks) => this.overlays.draw(marks),
@@ -338,10 +339,9 @@ export class Page {
 
   /** The arm that is shown has other meshes, and so other shapes of its links. */
   private reread(): void {
-    const { q } = this.store.get();
-    if (!this.shown || !q) return;
+    if (!this.shown) return;
     this.scene.take(this.shown);
-    this.scene.update(q, new Set(["arm"]));
+    this.update(new Set(["scene"]));
   }
 
   /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */

@@ -64,6 +64,12 @@ export class SceneModel {
     return this.shown?.arm.planar === false && (section === "obstacles" || scene !== "");
   }
 
+  /** What the answers of inScene() depend on beside the joints; empty without obstacles. */
+  get key(): string {
+    const { scene, clearance } = this.store.get();
+    return this.isUsed && scene !== "" ? [this.arms, clearance, scene].join("\n") : "";
+  }
+
   get hasShapes(): boolean {
     return (this.arm?.bodies.length ?? 0) > 0;
   }
