@@ -235,12 +235,8 @@ export class LineSection implements PageSection {
   }
 
   private reportOf(line: LineAnswer, first = 1): HTMLElement {
-    const report = planReport(line, this.shown?.description.joints ?? [], { ...this.wording, first });
-    const { scene } = this.services.store.get();
-    const isDone = ["reached", "passed"].includes(line.status);
-    if (isDone && scene !== "" && line.clearance === undefined && this.shown?.arm.planar === false)
-      report.append(element("p", { class: "quiet" }, "Not checked against the obstacles: no link has shapes."));
-    return report;
+    const joints = this.shown?.description.joints ?? [];
+    return planReport(line, joints, { ...this.wording, first }, this.services.unchecked());
   }
 
   /** Shows a report, which is written again in other units. */

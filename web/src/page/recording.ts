@@ -173,7 +173,8 @@ export class Recording {
 
   private write(found: LineAnswer): void {
     const wording = { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
-    this.report.replaceChildren(planReport(found, this.shown?.description.joints ?? [], wording));
+    const joints = this.shown?.description.joints ?? [];
+    this.report.replaceChildren(planReport(found, joints, wording, this.services.unchecked()));
   }
 
   private draw(tone: Trail["tone"]): void {
