@@ -16,7 +16,7 @@ export class AddressBar {
     ++this.turn;
   }
 
-  /** The state has come from the address. `fault`: what of the address cannot be read. */
+  /** The state has come from the address. `fault`: why a part of it cannot be read. */
   read(state: PageState, fault = ""): void {
     this.forget();
     this.written = state;
