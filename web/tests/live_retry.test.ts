@@ -5,22 +5,25 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { visit, type Visit } from "./browser.js";
+import { run } from "./native.js";
 
 const root = fileURLToPath(new URL("../../build/web", import.meta.url));
-const types: Record<string, string> = { html: "text/html", js: "text/javascript" };
+const types: Record<string, string> = { html: "text/html", js: "text/javascript", wasm: "application/wasm" };
 
 /** A server like `beeline view` behind a proxy, which answers `status` for the stream of joint values. */
-const proxy = { status: 503, refused: 0, streams: new Set<ServerResponse>() };
+const proxy = {
+  status: 503,
+  refused: 0,
+  streams: new Set<ServerResponse>(),
+  session: '{"arm": "{\\"name\\": \\"mine\\", \\"joint_string\\": \\"RRR:1,1,1\\"}", "trajectory": null}',
+};
 let there: Visit;
 let server: Server;
 beforeAll(async () => {
   there = await visit();
   server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://page");
-    if (pathname === "/api/session")
-      return void response.end(
-        '{"arm": "{\\"name\\": \\"mine\\", \\"joint_string\\": \\"RRR:1,1,1\\"}", "trajectory": null}',
-      );
+    if (pathname === "/api/session") return void response.end(proxy.session);
     if (pathname === "/api/events") {
       response.writeHead(proxy.status, { "Content-Type": "text/event-stream" });
       if (proxy.status !== 200) return void (++proxy.refused, response.end());
@@ -72,4 +75,20 @@ test("the page says why the stream is refused, and follows once it is not", asyn
   proxy.status = 200;
   await page.locator(".live").waitFor({ state: "hidden" });
   expect(errors).toEqual([]);
+});
+
+test("a session's arm keeps the shapes of its links, also under the name of a built-in arm", async () => {
+  const { "arm.json": text = "" } = run(["show", "panda", "--out=arm.json"]).files;
+  const shapes = [{ joint: "joint1", name: "thick", shapes: [{ sphere: { radius: 0.3 } }] }];
+  const crate = { name: "crate", shapes: [{ box: { size: [0.1, 0.1, 0.1] }, pose: { xyz: [0.9, 0, 0.3] } }] };
+  const arm = JSON.stringify({ ...(JSON.parse(text) as object), shapes });
+  const scene = JSON.stringify({ obstacles: [crate] });
+  proxy.session = JSON.stringify({ arm, trajectory: null, scene, clearance: 0.03 });
+  proxy.status = 200;
+  const page = await there.browser.newPage();
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+  await page.getByLabel("Nearest bodies").getByText("thick and crate").waitFor();
+  expect(await page.locator(".arm-name").textContent()).toBe("panda");
+  expect(await page.locator("#clearance").inputValue()).toBe("0.03");
+  await page.close();
 });

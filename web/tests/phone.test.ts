@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
+import { compressed } from "../src/address/compression.js";
 import { axe, jointValues, pages, toolAt, touch } from "./browser.js";
 
 const { there } = pages();
@@ -171,6 +172,23 @@ test("touch drags the tool and a link; two fingers magnify; the panel scrolls, t
     { x: 40, y: foot - 200 },
   ]);
   await expect.poll(scrolled).toBeGreaterThan(50);
+  await page.context().close();
+});
+
+test("on a narrow phone a long name of an obstacle leaves its buttons on the screen", async () => {
+  const name = "an_obstacle_with_a_very_long_name_as_a_planning_scene_may_have_it";
+  const body = { name, shapes: [{ box: { size: [0.1, 0.1, 0.1] }, pose: { xyz: [0.9, 0, 0.3] } }] };
+  const scene = await compressed(new TextEncoder().encode(JSON.stringify({ obstacles: [body] })));
+  const page = await phone(`#arm=panda&section=obstacles&scene=${scene}`, { width: 360, height: 740 });
+  await page.getByLabel("Nearest bodies").getByText(name).waitFor();
+  for (const button of [`Hide ${name}`, `Remove ${name}`]) {
+    const box = await page.getByRole("button", { name: button, exact: true }).boundingBox();
+    expect((box?.x ?? NaN) + (box?.width ?? NaN)).toBeLessThanOrEqual(360);
+  }
+  const [width, inner] = await page.evaluate<number[]>(
+    "[document.getElementById('side').scrollWidth, document.getElementById('side').clientWidth]",
+  );
+  expect(width).toBeLessThanOrEqual(inner ?? NaN);
   await page.context().close();
 });
 

@@ -6,12 +6,13 @@ import {
   type PageState,
   type Section,
 } from "../state/page_state.js";
+import { noObstacles, sceneOf } from "../core/scene.js";
 import { compressed, decompressed } from "./compression.js";
 import { reachOf, reachWords, writeReach } from "./reach_address.js";
 
 const frames = ["base", "tool", "space"] as const;
 const gains = ["gain", "ki", "kd"] as const;
-/** Characters of an address that are read; a longer one is not written either. */
+/** Characters of an address that are read; a longer one is not written either. A saved page has no such bound. */
 export const longestAddress = 200_000;
 const maxJoints = 1000;
 
@@ -42,7 +43,14 @@ async function sourceOf(words: URLSearchParams): Promise<ArmSource> {
 async function sceneIn(words: URLSearchParams): Promise<string> {
   const scene = words.get("scene");
   if (scene === null) return initialState.scene;
-  return new TextDecoder().decode(await decompressed(scene).catch(() => new Uint8Array()));
+  const text = new TextDecoder().decode(await decompressed(scene).catch(() => new Uint8Array()));
+  return sceneOf(text) === noObstacles ? "" : text;
+}
+
+/** What is wrong with the obstacles of an address whose state this is; empty where nothing is. */
+export function sceneFault(hash: string, { scene }: PageState): string {
+  const isGiven = scene === "" && new URLSearchParams(hash.replace(/^#/, "")).has("scene");
+  return isGiven ? "The obstacles of this address cannot be read: it is cut off or changed. There are none now." : "";
 }
 
 /** The part of an address behind #, which holds the state. Numbers are exact. */
@@ -70,9 +78,9 @@ export async function addressOf(state: PageState): Promise<string> {
   return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";").replaceAll("%3D", "=");
 }
 
-/** The state of an address. What cannot be read has its initial value. */
-export async function stateOf(hash: string): Promise<PageState> {
-  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longestAddress));
+/** The state of an address. What cannot be read has its initial value. `longest`: the characters that are read. */
+export async function stateOf(hash: string, longest = longestAddress): Promise<PageState> {
+  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longest));
   const given = words.get("section") ?? "";
   const section = (Object.hasOwn(formerSections, given) ? formerSections[given] : given) as Section;
   const frame = words.get("frame") as (typeof frames)[number];
@@ -130,8 +138,8 @@ const named: [string, keyof PageState][] = [
 ];
 
 /** What an address holds of the state, and nothing else. */
-export async function partOf(hash: string): Promise<Partial<PageState>> {
-  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longestAddress));
-  const state = await stateOf(hash);
+export async function partOf(hash: string, longest = longestAddress): Promise<Partial<PageState>> {
+  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longest));
+  const state = await stateOf(hash, longest);
   return Object.fromEntries(named.filter(([word]) => words.has(word)).map(([, key]) => [key, state[key]]));
 }

@@ -25,7 +25,7 @@ export interface SceneBody {
   name: string;
   shapes: SceneShape[];
   /** Spheres of one radius, beside the shapes: they count, and are not drawn. */
-  point_cloud?: { radius: number; points?: number[][] };
+  point_cloud?: { radius: number; points?: number[][]; pose?: ScenePose };
   clearance?: number;
 }
 
@@ -78,34 +78,54 @@ export type SceneTask =
 
 export const noObstacles: SceneDocument = { obstacles: [] };
 
-/** The scene of a text that the core wrote; none where it is no scene. */
+/** An obstacle as a file has it: without shapes it is a point cloud. */
+type WrittenBody = Omit<SceneBody, "shapes"> & Partial<Pick<SceneBody, "shapes">>;
+
+/** The scene of a text that the core wrote; `noObstacles` where it is no scene. */
 export function sceneOf(text: string): SceneDocument {
   if (text === "") return noObstacles;
   try {
-    const read = JSON.parse(text) as SceneDocument;
-    const isList = Array.isArray(read.obstacles) && read.obstacles.every(({ shapes }) => Array.isArray(shapes));
-    return isList ? read : noObstacles;
+    const read = JSON.parse(text) as Omit<SceneDocument, "obstacles"> & { obstacles: WrittenBody[] };
+    const isBody = ({ shapes, point_cloud }: WrittenBody): boolean => Array.isArray(shapes ?? (point_cloud && []));
+    if (!Array.isArray(read.obstacles) || !read.obstacles.every(isBody)) return noObstacles;
+    return { ...read, obstacles: read.obstacles.map((body) => ({ ...body, shapes: body.shapes ?? [] })) };
   } catch {
     return noObstacles;
   }
 }
 
-/** The text of a scene; empty without obstacles. */
-export function textOf(scene: SceneDocument): string {
-  return scene.obstacles.length === 0 ? "" : JSON.stringify(scene);
+/** The text of a scene, as a file has it; empty without obstacles and pairs. */
+export function textOf(scene: SceneDocument, indent = 0): string {
+  const { obstacles, allowed_pairs: allowed = [], exempted_pairs: exempted = [] } = scene;
+  if (obstacles.length + allowed.length + exempted.length === 0) return "";
+  const written = obstacles.map(({ shapes, ...body }): WrittenBody => (shapes.length > 0 ? { ...body, shapes } : body));
+  return JSON.stringify({ ...scene, obstacles: written }, null, indent);
+}
+
+/** The scene without the pairs that may touch of which a body is not among `links` and obstacles, which commands refuse;
+ * and these pairs. */
+export function withKnownPairs(
+  scene: SceneDocument,
+  links: string[],
+): { scene: SceneDocument; left: [string, string][] } {
+  const names = new Set([...links, ...scene.obstacles.map(({ name }) => name)]);
+  const isKnown = (pair: [string, string]): boolean => pair.every((name) => names.has(name));
+  const { allowed_pairs: allowed = [] } = scene;
+  const left = allowed.filter((pair) => !isKnown(pair));
+  return { scene: left.length === 0 ? scene : { ...scene, allowed_pairs: allowed.filter(isKnown) }, left };
 }
 
 /** The pose of a shape as a column-major 4 x 4 matrix. */
-export function poseOfShape({ pose = {} }: SceneShape): number[] {
+export function poseOfShape({ pose = {} }: Pick<SceneShape, "pose">): number[] {
   const { xyz = [0, 0, 0], rpy = [0, 0, 0], quaternion, matrix } = pose;
   if (matrix) return [0, 1, 2, 3].flatMap((k) => matrix.map((row) => row[k] ?? 0));
   if (quaternion) return poseOfQuaternion([...xyz, quaternion.qw, quaternion.qx, quaternion.qy, quaternion.qz]);
   return poseOfRpy([...xyz, ...rpy]);
 }
 
-/** Where an obstacle stands: the pose of its first shape. */
-export function poseOfBody({ shapes }: SceneBody): number[] {
-  return poseOfShape(shapes[0] ?? {});
+/** Where an obstacle stands: the pose of its first shape, or of its points. */
+export function poseOfBody({ shapes, point_cloud: cloud }: SceneBody): number[] {
+  return poseOfShape(shapes[0] ?? cloud ?? {});
 }
 
 /** The product of two column-major 4 x 4 matrices. */
@@ -131,16 +151,19 @@ export function roundedPose(pose: number[]): ScenePose {
   return turns.every((value) => value === 0) ? { xyz } : { xyz, rpy: turns };
 }
 
-/** An obstacle that is moved as a whole to where its first shape has a pose. */
+/** An obstacle that is moved as a whole, its points too, to where poseOfBody() is `to`. */
 export function movedBody(body: SceneBody, to: ScenePose): SceneBody {
-  const [first, ...others] = body.shapes;
-  if (!first) return body;
-  const shift = product(poseOfShape({ pose: to }), inverse(poseOfShape(first)));
-  const moved = others.map((shape) => {
-    const { position, rpy } = poseNumbers(product(shift, poseOfShape(shape)));
-    return { ...shape, pose: { xyz: position, rpy } };
-  });
-  return { ...body, shapes: [{ ...first, pose: to }, ...moved] };
+  const { shapes, point_cloud: cloud } = body;
+  const shift = product(poseOfShape({ pose: to }), inverse(poseOfBody(body)));
+  const moved = <T extends Pick<SceneShape, "pose">>(part: T): T => {
+    const { position, rpy } = poseNumbers(product(shift, poseOfShape(part)));
+    return { ...part, pose: { xyz: position, rpy } };
+  };
+  return {
+    ...body,
+    shapes: shapes.map((shape, i) => (i === 0 ? { ...shape, pose: to } : moved(shape))),
+    ...(cloud && { point_cloud: shapes.length === 0 ? { ...cloud, pose: to } : moved(cloud) }),
+  };
 }
 
 /** A name that no other body has: "box", "box 2". */

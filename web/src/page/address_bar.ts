@@ -9,16 +9,18 @@ export class AddressBar {
   readonly note = element("p", { role: "status", class: "refusal" });
   private written: PageState | null = null;
   private turn = 0;
+  private fault = "";
 
   /** The address has changed by itself: what is about to be written belongs to the one before. */
   forget(): void {
     ++this.turn;
   }
 
-  /** The state has come from the address. */
-  read(state: PageState): void {
+  /** The state has come from the address. `fault`: why a part of it cannot be read. */
+  read(state: PageState, fault = ""): void {
     this.forget();
     this.written = state;
+    this.fault = this.note.textContent = fault;
   }
 
   async write(state: PageState): Promise<void> {
@@ -30,8 +32,9 @@ export class AddressBar {
     const hash = `#${await addressOf(state)}`;
     if (turn !== this.turn) return;
     const fits = hash.length <= longestAddress;
+    if (before?.scene !== state.scene) this.fault = "";
     this.note.textContent = fits
-      ? ""
+      ? this.fault
       : "This is too long for a link: the address stays as it was. Share it as one file.";
     if (!fits) return;
     this.written = state;

@@ -30,8 +30,8 @@ export class ArmPanel {
   private readonly jacobianPart: HTMLDetailsElement;
   private readonly rest = new Rest();
   private shown: Shown | null = null;
-  /** The pose whose solutions are listed, and the unit of their numbers. */
-  private listed: { pose: ArrayLike<number>; degrees: boolean } | null = null;
+  /** The pose whose solutions are listed, the unit of their numbers, and the obstacles among which they are. */
+  private listed: { pose: ArrayLike<number>; degrees: boolean; surroundings: string } | null = null;
   private asked = 0;
   private answered: Promise<unknown> = Promise.resolve();
   /** The joint velocities of the self-motion's last step. */
@@ -123,6 +123,7 @@ export class ArmPanel {
     const isLong = arm.dof > longTable;
     if (!isLong) jacobian();
     this.forget();
+    this.dropOthers();
     const isListed = this.isListed(q) && this.solutions.mark(q);
     this.rest.then(() => {
       if (isLong) jacobian();
@@ -135,6 +136,13 @@ export class ArmPanel {
     const { shown, listed } = this;
     if (!shown || !listed || listed.degrees !== this.services.store.get().degrees) return false;
     return Math.hypot(...poseError(toolPose(shown.arm, q), Array.from(listed.pose))) < samePose * shown.picture.size;
+  }
+
+  /** Solutions among other obstacles are not shown any more. */
+  private dropOthers(): void {
+    if (!this.listed || this.listed.surroundings === this.services.surroundings()) return;
+    this.listed = null;
+    this.solutions.clear();
   }
 
   /** What was asked before is not shown any more. */
@@ -156,6 +164,7 @@ export class ArmPanel {
     if (asked !== this.asked || !this.shown) return;
     const pose = toolPose(this.shown.arm, q);
     const args = ["ik", "arm.json", `--pose=${sevenOf(pose).join(",")}`, `--seed=${q.join(",")}`, "--all", "--json"];
+    const surroundings = this.services.surroundings();
     const found = this.services.inScene(args).then((result) => answer<InverseAnswer>(result));
     this.answered = found.catch(() => undefined);
     try {
@@ -164,7 +173,7 @@ export class ArmPanel {
       const { degrees } = this.services.store.get();
       const wording = { degrees, planar: this.shown.arm.planar };
       this.solutions.show(solutions, q, this.shown.description.joints, wording);
-      this.listed = { pose, degrees };
+      this.listed = { pose, degrees, surroundings };
     } catch (error) {
       if (asked === this.asked && !(error instanceof Cancelled)) this.solutions.refuse((error as Error).message);
     }

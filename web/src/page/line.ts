@@ -90,6 +90,7 @@ export class LineSection implements PageSection {
     this.intro.hidden = waypoints.length > 1;
     if (changed.has("waypoints") || changed.has("scene") || changed.has("clearance")) this.changed();
     else if (changed.has("section")) this.draw();
+    this.recording.update();
   }
 
   leave(): void {
@@ -169,6 +170,7 @@ export class LineSection implements PageSection {
     const first = start ? 0 : 1; // with --from the path begins where the arm stands
     const args = ["line", "arm.json", `--through=${poses.name}`, `--rate=${rate}`, "--json"];
     const files = { [poses.name]: poses.text };
+    let another = async (): Promise<void> => undefined;
     await this.work.run(async (progress, current) => {
       const result = await this.services.inScene([...args, ...how, "--out=motion.csv"], files, progress);
       if (!current()) return;
@@ -185,16 +187,17 @@ export class LineSection implements PageSection {
       const all = branchesOf(answer<LineAnswer>(await this.services.inScene([...args, "--branches"], files, progress)));
       if (!current()) return;
       const best = all.find(({ status }) => status === "reached");
-      if (line.status !== "reached" && chosen === null && best)
-        return void this.plan(
-          best.start,
-          `The elbow that is held cannot follow. ${reasonInWords(line, { ...this.wording, first })} Another one can.`,
-        );
+      if (line.status !== "reached" && chosen === null && best) {
+        const why = `The elbow that is held cannot follow. ${reasonInWords(line, { ...this.wording, first })}`;
+        another = () => this.plan(best.start, `${why} Another one can.`);
+        return;
+      }
       const begin = csv === undefined ? null : this.player.start;
       if (all.length > 0)
         this.map = () => branchMap(all, Math.max(1, line.waypoints - 1), begin, this.wording, (q) => void this.plan(q));
       this.write();
     });
+    await another(); // behind the run: it would cancel what others compute
   }
 
   /** Gives the motion new times, the shortest within the joint limits, and proves it again. */
@@ -224,8 +227,7 @@ export class LineSection implements PageSection {
 
   /** What a plan depends on: the poses, and the obstacles with their clearance. */
   private get planKey(): string {
-    const { scene, clearance } = this.services.store.get();
-    return [this.waypoints.asFile.text, scene, clearance].join("\n");
+    return [this.waypoints.asFile.text, this.services.surroundings()].join("\n");
   }
 
   private get wording(): Wording {
@@ -233,12 +235,8 @@ export class LineSection implements PageSection {
   }
 
   private reportOf(line: LineAnswer, first = 1): HTMLElement {
-    const report = planReport(line, this.shown?.description.joints ?? [], { ...this.wording, first });
-    const { scene } = this.services.store.get();
-    const isDone = ["reached", "passed"].includes(line.status);
-    if (isDone && scene !== "" && line.clearance === undefined && this.shown?.arm.planar === false)
-      report.append(element("p", { class: "quiet" }, "Not checked against the obstacles: no link has shapes."));
-    return report;
+    const joints = this.shown?.description.joints ?? [];
+    return planReport(line, joints, { ...this.wording, first }, this.services.unchecked());
   }
 
   /** Shows a report, which is written again in other units. */

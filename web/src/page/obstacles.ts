@@ -36,6 +36,8 @@ export class Obstacles implements PageSection {
   private readonly message = element("p", { role: "alert", class: "refusal" });
   private readonly pairs = element("div", { role: "group", class: "nearest", "aria-label": "Nearest bodies" });
   private readonly about = element("p", { class: "quiet" });
+  /** Which pairs of the scene are left out. */
+  private readonly left = element("p", { class: "quiet" });
   private readonly body = element("div");
   private readonly list: ObstacleList;
   private readonly form: ObstacleForm;
@@ -47,6 +49,7 @@ export class Obstacles implements PageSection {
   private open = false;
   private selected: string | null = null;
   private reading = 0;
+  private adding = false;
   private fault = "";
 
   constructor(
@@ -57,7 +60,7 @@ export class Obstacles implements PageSection {
     this.list = new ObstacleList({
       select: (index) => this.select(this.obstacles[index]?.name ?? null),
       hide: (name) => this.hide(name),
-      remove: (name) => this.put(withoutBody(model.scene, name)),
+      remove: (name) => this.remove(name),
     });
     this.form = new ObstacleForm(
       (name) => this.rename(name),
@@ -66,7 +69,7 @@ export class Obstacles implements PageSection {
     this.clearance.addEventListener("change", () => this.setClearance());
     this.shapes.addEventListener("change", () => store.set({ showShapes: this.shapes.checked }));
     this.save = element("button", { type: "button", onclick: () => this.saveScene() }, `Save ${sceneFile}`);
-    this.clear = element("button", { type: "button", onclick: () => this.put({ obstacles: [] }) }, "Remove all");
+    this.clear = element("button", { type: "button", onclick: () => this.removeAll() }, "Remove all");
     model.subscribe(() => {
       if (this.open) this.write();
     });
@@ -92,6 +95,7 @@ export class Obstacles implements PageSection {
       this.pairs,
       this.list.root,
       this.form.root,
+      this.left,
       element(
         "p",
         { class: "pair settings" },
@@ -181,6 +185,16 @@ export class Obstacles implements PageSection {
     this.write();
   }
 
+  private remove(name: string): void {
+    this.model.hidden.delete(name);
+    this.put(withoutBody(this.model.scene, name));
+  }
+
+  private removeAll(): void {
+    this.model.hidden.clear();
+    this.put({ obstacles: [] });
+  }
+
   private rename(name: string): void {
     const { selected } = this;
     if (selected === null || name === selected) return;
@@ -190,6 +204,7 @@ export class Obstacles implements PageSection {
       return this.write();
     }
     this.selected = name;
+    if (this.model.hidden.delete(selected)) this.model.hidden.add(name);
     this.put(renamed(this.model.scene, selected, name));
   }
 
@@ -201,33 +216,54 @@ export class Obstacles implements PageSection {
     else this.replace(index, { ...body, shapes: [change.shape] });
   }
 
-  /** Adds an obstacle where it keeps away from the arm: the first such place around it. */
+  /** Adds an obstacle where it keeps away from the arm; one after another. */
   private async add(kind: string, shape: (unit: number) => SceneShape): Promise<void> {
     const { shown, model } = this;
-    if (!shown) return;
-    await model.ready();
-    const { size } = shown.picture;
-    const name = freeName(
-      kind,
-      [...(model.arm?.bodies ?? []), ...this.obstacles].map((body) => body.name),
-    );
-    const of = shape(Number((newSize * size).toPrecision(1)));
-    const bodyAt = (xyz: number[]): SceneBody => ({ name, shapes: [{ ...of, pose: { xyz } }] });
-    const sceneWith = (body: SceneBody): SceneDocument => ({ ...model.scene, obstacles: [...this.obstacles, body] });
-    let chosen = bodyAt(this.placeAt(0));
-    for (let i = 0; i < places; ++i) {
-      const body = bodyAt(this.placeAt(i));
-      const others = this.obstacles.map((one) => poseOfBody(one).slice(12, 15));
-      const isTaken = others.some((at) => Math.hypot(...at.map((v, k) => v - (this.placeAt(i)[k] ?? 0))) < 0.15 * size);
-      if (isTaken) continue;
-      const alone = textOf({ obstacles: [body] });
-      if (!model.hasShapes || (await model.isFree(alone, name, newMargin * size))) {
-        chosen = body;
-        break;
+    if (!shown || this.adding) return;
+    this.adding = true;
+    try {
+      await model.ready();
+      const of = shape(Number((newSize * shown.picture.size).toPrecision(1)));
+      const xyz = await this.freePlace(kind, of);
+      if (shown !== this.shown) return;
+      if (xyz === null) {
+        this.message.textContent = `No place around the arm is free for another ${kind}. Move the arm or an obstacle.`;
+        return;
       }
+      const name = this.freeName(kind);
+      this.selected = name;
+      this.put({
+        ...model.scene,
+        obstacles: [...this.obstacles, { name, shapes: [{ ...of, pose: { xyz } }] }],
+      });
+    } catch (error) {
+      this.message.textContent = (error as Error).message;
+    } finally {
+      this.adding = false;
     }
-    this.selected = name;
-    this.put(sceneWith(chosen));
+  }
+
+  private freeName(kind: string): string {
+    return freeName(
+      kind,
+      [...(this.model.arm?.bodies ?? []), ...this.obstacles].map((body) => body.name),
+    );
+  }
+
+  /** The first place around the arm where a shape keeps away from it, and from the other obstacles; null: none does. */
+  private async freePlace(kind: string, shape: SceneShape): Promise<number[] | null> {
+    const { model } = this;
+    const { size } = (this.shown as Shown).picture;
+    const name = this.freeName(kind);
+    for (let i = 0; i < places; ++i) {
+      const xyz = this.placeAt(i);
+      const others = this.obstacles.map((one) => poseOfBody(one).slice(12, 15));
+      const isTaken = others.some((at) => Math.hypot(...at.map((v, k) => v - (xyz[k] ?? 0))) < 0.15 * size);
+      if (isTaken) continue;
+      const alone = textOf({ obstacles: [{ name, shapes: [{ ...shape, pose: { xyz } }] }] });
+      if (!model.hasShapes || (await model.isFree(alone, name, newMargin * size))) return xyz;
+    }
+    return null;
   }
 
   /** Places around the base at two thirds of the reach, in front of the arm first, a third of the reach above it. */
@@ -242,14 +278,15 @@ export class Obstacles implements PageSection {
 
   private setClearance(): void {
     const value = Number(this.clearance.value);
-    if (this.clearance.value !== "" && value > 0) this.services.store.set({ clearance: value });
-    else if (this.clearance.value === "") this.services.store.set({ clearance: 0 });
-    else this.message.textContent = "A clearance is above 0 m.";
+    const isDefault = this.clearance.value === "";
+    const isValid = isDefault || value > 0;
+    this.message.textContent = isValid ? this.fault : "A clearance is above 0 m.";
+    if (isValid) this.services.store.set({ clearance: isDefault ? 0 : value });
     this.write();
   }
 
   private saveScene(): void {
-    const text = `${JSON.stringify(this.model.scene, null, 2)}\n`;
+    const text = `${textOf(this.model.scene, 2)}\n`;
     saveFile(sceneFile, new Blob([text], { type: "application/json" }));
   }
 
@@ -276,7 +313,9 @@ export class Obstacles implements PageSection {
     if (document.activeElement !== this.clearance)
       this.clearance.value = String(clearance === 0 ? (model.arm?.clearance ?? "") : clearance);
     this.shapes.checked = showShapes;
-    this.save.disabled = this.clear.disabled = this.obstacles.length === 0;
+    this.save.disabled = this.clear.disabled = textOf(model.scene) === "";
+    const left = model.checked.left.map((pair) => pair.join(" and ")).join(", ");
+    this.left.textContent = left === "" ? "" : `Pairs that may touch, left out as a body is not there: ${left}.`;
     this.writeFault(model.fault);
     this.writePairs();
   }

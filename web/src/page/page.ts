@@ -1,6 +1,6 @@
 import factory from "beeline-module/core.js";
 import listedArms from "virtual:arms";
-import { partOf, stateOf } from "../address/address.js";
+import { longestAddress, partOf, sceneFault, stateOf } from "../address/address.js";
 import type { Arm } from "../core/arm.js";
 import { CoreWorker } from "../core/client.js";
 import { Core } from "../core/core.js";
@@ -13,7 +13,7 @@ import { fading } from "../elements/fading.js";
 import { icon } from "../elements/icons.js";
 import { selectNumbers } from "../elements/select_numbers.js";
 import { lessons } from "../lessons/lessons.js";
-import { follow, sessionOf, type Session } from "../live/live.js";
+import { follow, sessionOf } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
 import type { PathFile } from "../scene/mesh_files.js";
@@ -37,6 +37,7 @@ import { Overlays } from "./overlays.js";
 import { sceneAmong } from "./scene_files.js";
 import { SceneModel } from "./scene_model.js";
 import type { PageSection, Services, Shown } from "./section.js";
+import { stateOfSession } from "./session.js";
 import { helpDialog, settingsDialog } from "./settings.js";
 import { ShareDialog } from "./share_dialog.js";
 import { Toolbar } from "./toolbar.js";
@@ -56,12 +57,13 @@ const titles: Record<Section, string> = {
 };
 const idle = 1000; // milliseconds until the worker is loaded, which plans and proves
 
-/** The state of an address; a lesson begins with its figure where the address has no arm. */
-async function stateAt(hash: string): Promise<PageState> {
-  const state = await stateOf(hash);
+/** The state of an address; a lesson begins with its figure where the address has no arm. `longest`: the characters that
+ * are read. */
+async function stateAt(hash: string, longest?: number): Promise<PageState> {
+  const state = await stateOf(hash, longest);
   const scene = lessons.find(({ id }) => id === state.lesson)?.scene;
   if (scene === undefined || state.section !== "lessons") return state;
-  return { ...state, ...(await partOf(scene)), ...(await partOf(hash)) };
+  return { ...state, ...(await partOf(scene)), ...(await partOf(hash, longest)) };
 }
 
 /** The page: its state, the arm that it shows, and a panel for each section. */
@@ -110,6 +112,8 @@ export class Page {
         const asked = await this.scene.inScene(args, files);
         return this.services.command(asked.args, asked.files, progress);
       },
+      surroundings: () => this.scene.key,
+      unchecked: () => this.scene.unchecked,
       reach: (task, progress) => worker.reach(task, progress),
       cancel: () => worker.cancel(),
       draw: (marks) => this.overlays.draw(marks),
@@ -153,9 +157,11 @@ export class Page {
 
   /** Loads the core, reads the address and shows it. */
   static async open(document: Document): Promise<Page> {
+    const isSaved = location.hash === "";
+    const hash = isSaved ? savedAddress() : location.hash;
     const [bytes, state, session] = await Promise.all([
       bytesOf("core-module"),
-      stateAt(location.hash === "" ? savedAddress() : location.hash),
+      stateAt(hash, isSaved ? Infinity : longestAddress),
       sessionOf(document),
     ]);
     const core = await Core.load(factory as unknown as Factory<CoreModule>, bytes as BufferSource);
@@ -168,19 +174,12 @@ export class Page {
           throw error;
         }));
     const [worker, scenes] = [0, 1].map(() => new CoreWorker(startWorker, compiled)) as [CoreWorker, CoreWorker];
-    if (session && location.hash === "") {
-      state.arm = sourceOfSession(core, session);
-      state.scene = session.scene ?? "";
-      state.clearance = session.clearance ?? 0;
-      const begins = session.trajectory !== null ? "line" : state.scene === "" ? null : "obstacles";
-      const section = session.section ?? begins;
-      state.section = sections.find((name) => name === section) ?? state.section;
-    }
+    if (session && location.hash === "") Object.assign(state, stateOfSession(core, session));
     const fresh = location.hash === "" && !session && savedAddress() === "";
     const page = new Page(document, core, worker, scenes, new Store(state));
     page.chooser.acceptDrops(document.body);
     page.welcome.hidden = !fresh;
-    page.address.read(page.store.get());
+    page.address.read(page.store.get(), sceneFault(hash, state));
     await page.takeArm(page.store.get().arm);
     if (session) page.goLive();
     const trajectory = session ? session.trajectory : await savedTrajectory();
@@ -338,10 +337,9 @@ export class Page {
 
   /** The arm that is shown has other meshes, and so other shapes of its links. */
   private reread(): void {
-    const { q } = this.store.get();
-    if (!this.shown || !q) return;
+    if (!this.shown) return;
     this.scene.take(this.shown);
-    this.scene.update(q, new Set(["arm"]));
+    this.update(new Set(["scene"]));
   }
 
   /** Another section, by a link. Lessons bring their arm; the one before comes back after them. */
@@ -365,20 +363,10 @@ export class Page {
     if (turn !== this.reading) return;
     const { arm } = this.store.get();
     if (sameArm(state.arm, arm)) state.arm = arm;
-    this.address.read(state);
+    this.address.read(state, sceneFault(hash, state));
     this.holding.forget();
     this.store.set(state);
   }
-}
-
-/** The arm of `beeline view`, by its name where it is a built-in one: the address stays short. */
-function sourceOfSession(core: Core, { arm: json }: Session): ArmSource {
-  const { name } = JSON.parse(json) as { name?: string };
-  if (name === undefined || !core.builtInNames().includes(name)) return { json };
-  const builtIn = core.arm(name);
-  const same = builtIn.json.trim() === json.trim() || core.arm(armFile, { [armFile]: json }).json === builtIn.json;
-  builtIn.release();
-  return same ? { text: name } : { json };
 }
 
 /** How much of the world the picture shows, metres: the reach, or where it has no bound the arm as it is shown first. */

@@ -26,6 +26,9 @@ export class Recording {
   private shown: Shown | null = null;
   private found: LineAnswer | null = null;
   private text: { name: string; content: string } | null = null;
+  /** What the report depends on: the obstacles with their clearance, and whether the line is a part of it. */
+  private checkedIn = "";
+  private isCompared = false;
 
   /** `line`: the waypoints of the line; null: there is none. `begins` is called before a motion is shown, `drawn` when
    * its trails are others. */
@@ -88,6 +91,17 @@ export class Recording {
     void this.check(null);
   }
 
+  /** Checks the motion again where the obstacles or their clearance are others. */
+  update(): void {
+    if (!this.text || this.services.surroundings() === this.checkedIn) return;
+    const isNew = this.trails.length === 0;
+    this.found = null;
+    this.report.replaceChildren();
+    this.trails = this.player.trail("planned");
+    this.drawn();
+    void this.check(this.isCompared ? this.line() : null, isNew);
+  }
+
   get places(): boolean {
     return this.player.places;
   }
@@ -131,14 +145,16 @@ export class Recording {
     this.open("motion.csv", [["t", ...names].join(","), ...rows, ""].join("\n"));
   }
 
-  /** Checks the motion against the limits, or against a line too. */
-  private async check(poses: PosesFile | null): Promise<void> {
+  /** Checks the motion against the limits, or against a line too. `isNew`: it is shown and played. */
+  private async check(poses: PosesFile | null, isNew = poses === null): Promise<void> {
     const { text } = this;
     if (!text) return;
+    this.checkedIn = this.services.surroundings();
+    this.isCompared = poses !== null;
     await this.work.run(async (progress, current) => {
       await new Promise((resolve) => setTimeout(resolve)); // the progress is drawn before a long file is read
       if (!current()) return;
-      if (poses === null) this.show(text.name, text.content);
+      if (isNew) this.show(text.name, text.content);
       const verb = poses
         ? ["check", "arm.json", text.name, `--through=${poses.name}`]
         : ["replay", "arm.json", text.name];
@@ -157,7 +173,8 @@ export class Recording {
 
   private write(found: LineAnswer): void {
     const wording = { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
-    this.report.replaceChildren(planReport(found, this.shown?.description.joints ?? [], wording));
+    const joints = this.shown?.description.joints ?? [];
+    this.report.replaceChildren(planReport(found, joints, wording, this.services.unchecked()));
   }
 
   private draw(tone: Trail["tone"]): void {
@@ -176,6 +193,8 @@ export class Recording {
     const text = this.player.text();
     if (text === null) return;
     this.player.pause();
+    this.checkedIn = this.services.surroundings();
+    this.isCompared = false;
     await this.work.run(async (progress, current) => {
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
       const result = await this.services.inScene(args, { "motion.csv": text }, progress);

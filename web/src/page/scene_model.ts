@@ -1,5 +1,13 @@
 import type { CoreWorker } from "../core/client.js";
-import { sceneOf, type ArmBodies, type ArmWithShapes, type NearestPair, type SceneDocument } from "../core/scene.js";
+import {
+  sceneOf,
+  textOf,
+  withKnownPairs,
+  type ArmBodies,
+  type ArmWithShapes,
+  type NearestPair,
+  type SceneDocument,
+} from "../core/scene.js";
 import { CoreError, type InputFiles } from "../core/types.js";
 import { distance } from "../elements/units.js";
 import type { DrawnBody, Gap } from "../scene/picture.js";
@@ -64,6 +72,29 @@ export class SceneModel {
     return this.shown?.arm.planar === false && (section === "obstacles" || scene !== "");
   }
 
+  /** What the answers of inScene() depend on beside the joints; empty without obstacles. */
+  get key(): string {
+    const { scene, clearance } = this.store.get();
+    return this.isUsed && scene !== "" ? [this.arms, clearance, scene].join("\n") : "";
+  }
+
+  /** The scene as it is checked, and the pairs of bodies that are not there, which are left out. */
+  get checked(): { text: string; left: [string, string][] } {
+    const { scene: text } = this.store.get();
+    if (this.arm === null) return { text, left: [] };
+    const links = this.arm.bodies.map(({ name }) => name);
+    const { scene, left } = withKnownPairs(this.scene, links);
+    return { text: left.length === 0 ? text : textOf(scene), left };
+  }
+
+  /** Why the obstacles are not checked; empty: they are, or there are none. */
+  get unchecked(): string {
+    if (this.store.get().scene === "" || !this.shown) return "";
+    if (this.shown.arm.planar) return "this arm moves in a plane, and the page has obstacles for arms in space only.";
+    if (this.fault !== "") return this.fault;
+    return this.hasShapes ? "" : "no link has shapes.";
+  }
+
   get hasShapes(): boolean {
     return (this.arm?.bodies.length ?? 0) > 0;
   }
@@ -86,14 +117,14 @@ export class SceneModel {
     const { scene, clearance } = this.store.get();
     if (!this.isUsed || scene === "") return { args, files };
     await this.ready();
-    if (!this.hasShapes) return { args, files };
+    if (!this.hasShapes || this.checked.text === "") return { args, files };
     const { argument, tip, files: ofArm } = await this.source();
     const [verb = "", , ...others] = args; // the arm comes behind the verb
     const ends = tip === "" ? [] : [`--tip=${tip}`];
     const distance = clearance === 0 ? [] : [`--clearance=${clearance}`];
     return {
       args: [verb, argument, ...others, ...ends, `--scene=${sceneFile}`, ...distance],
-      files: { ...files, ...ofArm, [sceneFile]: scene },
+      files: { ...files, ...ofArm, [sceneFile]: this.checked.text },
     };
   }
 
@@ -137,11 +168,11 @@ export class SceneModel {
     while (this.dirty) {
       this.dirty = false;
       const { arms, q } = this;
-      const { scene, clearance } = this.store.get();
+      const { clearance } = this.store.get();
       const before = [this.fault, this.arm];
       try {
         await this.readArm(clearance);
-        const found = await this.worker.scene({ ask: "nearest", scene, q });
+        const found = await this.worker.scene({ ask: "nearest", scene: this.checked.text, q });
         if (arms !== this.arms) continue;
         this.fault = "";
         this.nearest = found.map((pair) => ({ ...pair, names: this.namesOf(pair) }));

@@ -37,6 +37,11 @@ export interface Services {
   command(args: string[], files?: InputFiles, progress?: (fraction: number) => void): Promise<CommandResult>;
   /** The same with --scene, if there are obstacles and the arm has shapes. */
   inScene(args: string[], files?: InputFiles, progress?: (fraction: number) => void): Promise<CommandResult>;
+  /** What the answers of inScene() depend on beside the arm: its shapes, the obstacles and the clearance; empty without
+   * obstacles. */
+  surroundings(): string;
+  /** Why inScene() does not check the obstacles; empty: it does, or there are none. */
+  unchecked(): string;
   /** Answers a question about a map of what an arm can do, in the same worker. */
   reach<T extends ReachTask>(task: T, progress?: (fraction: number) => void): Promise<ReachAnswers[T["ask"]]>;
   cancel(): void;

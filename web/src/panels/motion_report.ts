@@ -1,8 +1,9 @@
 import type { JointDescription } from "../core/description.js";
 import { saveFile } from "../share/save_file.js";
 import { element, shown, table } from "../elements/element.js";
-import { angles, distance, lengths, small, unitOf } from "../elements/units.js";
+import { angles, lengths, small, unitOf } from "../elements/units.js";
 import type { Branch } from "./branch_map.js";
+import { closestInWords, guarantee, pairsThatMayTouch, uncheckedInWords, type ClearanceAnswer } from "./clearance.js";
 import { reasonInWords, type Reason, type Wording } from "./reasons/reasons.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
@@ -25,17 +26,6 @@ export interface LineAnswer extends Reason {
   blocked?: (Reason & { start: number[]; status: string })[];
 }
 
-/** What the page shows of the proof of a clearance. */
-interface ClearanceAnswer {
-  least_distance: number | null;
-  /** The pair that is nearest to its clearance, and when; null if none was found. */
-  pair: [string, string] | null;
-  lower: number | null;
-  time: number | null;
-  links_without_shapes: string[];
-  nothing_checked: boolean;
-}
-
 const rounding = 1e-9;
 
 /** Whether a motion exceeds a limit of a joint: a recording may, and is played all the same. */
@@ -43,8 +33,14 @@ export function exceedsLimits({ limits = {} }: LineAnswer): boolean {
   return Object.values(limits).some((use) => use !== null && use.fraction > 1 + rounding);
 }
 
-/** Status, reason, deviation measured and proved, use of the limits. What exceeds a limit is red, and not reached. */
-export function planReport(answer: LineAnswer, joints: JointDescription[], wording: Wording): HTMLElement {
+/** Status, reason, deviation measured and proved, use of the limits. What exceeds a limit is red, and not reached.
+ * `unchecked`: why obstacles are not checked; empty: they are, or there are none. */
+export function planReport(
+  answer: LineAnswer,
+  joints: JointDescription[],
+  wording: Wording,
+  unchecked = "",
+): HTMLElement {
   const time = answer.duration == null ? "" : `, ${shown(answer.duration, 2)} s`;
   const exceeds = exceedsLimits(answer);
   const good = !exceeds && ["reached", "passed"].includes(answer.status);
@@ -59,8 +55,8 @@ export function planReport(answer: LineAnswer, joints: JointDescription[], wordi
   ];
   const proof = proofInWords(answer);
   if (good && proof !== "") parts.unshift(element("p", { class: "proof" }, proof));
-  const about = good ? `${closestInWords(answer)} ${uncheckedInWords(answer)}`.trim() : "";
-  if (about !== "") parts.push(element("p", { class: "quiet" }, about));
+  const about = good ? aboutClearance(answer, unchecked) : [];
+  parts.push(...about.map((text) => element("p", { class: "quiet" }, text)));
   const tables: HTMLElement[] = [];
   if (answer.deviation_bound !== undefined && answer.deviation_bound !== null) {
     tables.push(
@@ -94,24 +90,34 @@ export function planReport(answer: LineAnswer, joints: JointDescription[], wordi
     if (assumedHere !== "") parts.push(element("p", { class: "quiet" }, assumedHere));
   }
   const folded = element("details", { open: exceeds }, element("summary", {}, "Deviation and limits"), ...tables);
-  return element("div", { class: "numbers" }, ...parts, ...(tables.length > 0 ? [folded] : []));
+  const touching = good && answer.clearance ? touchingPairs(answer.clearance) : [];
+  return element("div", { class: "numbers" }, ...parts, ...(tables.length > 0 ? [folded] : []), ...touching);
+}
+
+/** What is to be said beside the proof of a clearance, or in its place. */
+function aboutClearance({ clearance }: LineAnswer, unchecked: string): string[] {
+  const texts = clearance
+    ? [`${closestInWords(clearance)} ${uncheckedInWords(clearance)}`.trim()]
+    : [unchecked === "" ? "" : `Not checked against the obstacles: ${unchecked}`];
+  return texts.filter((text) => text !== "");
+}
+
+/** The pairs of bodies that are left out of the proof, folded. */
+function touchingPairs(clearance: ClearanceAnswer): HTMLElement[] {
+  const lines = pairsThatMayTouch(clearance);
+  if (lines.length === 0) return [];
+  const summary = element("summary", {}, "Pairs that may touch");
+  return [element("details", { class: "touching" }, summary, ...lines.map((line) => element("p", {}, line)))];
 }
 
 /** What is proved, in one sentence; none where nothing is. */
 function proofInWords({ deviation_bound: bound, clearance }: LineAnswer): string {
-  const least = clearance?.nothing_checked === false ? clearance.least_distance : null;
+  const kept = clearance ? guarantee(clearance) : "";
   const parts = [
     ...(bound == null ? [] : [`the tool is within ${small(bound, lengths, "up")} of the line`]),
-    ...(least == null ? [] : [`the arm keeps at least ${distance(least)} from the obstacles and between its links`]),
+    ...(kept === "" ? [] : [kept]),
   ];
   return parts.length === 0 ? "" : `Proved: at every time ${parts.join(", and ")}.`;
-}
-
-/** Where the arm is nearest to the distance that is required. */
-function closestInWords({ clearance }: LineAnswer): string {
-  const { pair, lower, time } = clearance ?? {};
-  if (!pair || lower == null || time == null) return "";
-  return `Closest: ${pair.join(" and ")}, ${distance(lower)} at ${shown(time, 2)} s.`;
 }
 
 /** The branches, with those that are blocked as such. */
@@ -123,12 +129,6 @@ export function branchesOf({ branches = [], blocked = [] }: LineAnswer): Branch[
       ? { ...branch, status: found.status, reason: found.reason, code: found.code, fields: found.fields }
       : branch;
   });
-}
-
-/** Which links are not checked against the obstacles; none where all are. */
-function uncheckedInWords({ clearance }: LineAnswer): string {
-  const names = clearance?.links_without_shapes ?? [];
-  return names.length === 0 ? "" : `Not checked, as they have no shapes: ${names.join(", ")}.`;
 }
 
 /** Which limits are not published for the arm, and what is assumed instead. */

@@ -128,6 +128,7 @@ function sizesOf({ shapes }: SceneBody): Entry[] {
 function remarks({ shapes, clearance, point_cloud: cloud }: SceneBody): string {
   const several = shapes.length > 1 ? `${shapes.length} shapes, which move together; the pose is the first one's.` : "";
   const own = clearance === undefined ? "" : `It has a clearance of its own, ${clearance} m.`;
-  const points = cloud ? `Its ${cloud.points?.length ?? 0} points are checked, and not drawn.` : "";
+  const frame = shapes.length === 0 ? "; the pose is the one of their frame" : "";
+  const points = cloud ? `Its ${cloud.points?.length ?? 0} points are checked, and not drawn${frame}.` : "";
   return [several, own, points].filter((remark) => remark !== "").join(" ");
 }

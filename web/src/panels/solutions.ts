@@ -112,7 +112,8 @@ export class SolutionsPanel {
   }
 }
 
-function inWords(answer: InverseAnswer, wording: Wording): string {
+/** How many solutions there are, how they were found, and whether they are all. */
+export function inWords(answer: InverseAnswer, wording: Wording): string {
   const { solutions, complete, self_motion_dimension: free, method, singular } = answer;
   const count = solutions.length;
   const { length: hits } = answer.blocked ?? [];
@@ -121,7 +122,8 @@ function inWords(answer: InverseAnswer, wording: Wording): string {
   const blocked = hits === 0 ? "" : ` ${hits} more ${hits === 1 ? "is" : "are"} blocked.`;
   const many = count === 1 ? "1 solution" : `${count} solutions`;
   const all = count === 1 ? ", the only one" : ", all that exist";
-  const found = free > 0 ? `Infinitely many solutions, a sample of ${count}` : `${many}${complete ? all : ""}`;
+  const found =
+    free > 0 ? `Infinitely many solutions, a sample of ${count}` : `${many}${complete && hits === 0 ? all : ""}`;
   const by = method === "numerical" ? "a numerical search" : method;
   return `${found}, by ${by}.${blocked} ${singular ? reason : ""}`.trim();
 }
