@@ -41,8 +41,8 @@ struct PlacementOptions {
   /// Whether the tool must be able to move in straight lines through the poses, one after the
   /// other. The search ends after ten times `count` mounts, at least 100, without such lines.
   bool lines = false;
-  /// Returns what blocks the arm at a mount, world_T_mount, in the world of the poses: usually
-  /// blocked_at_mounts() (in Python its model). Asked for each
+  /// Returns what blocks the arm at a mount, world_T_mount, in the world of the poses (in Python
+  /// the CollisionModel of the map's arm, whose obstacles stay while the arm moves). Asked for each
   /// mount from which all poses are reached, from many threads: blocked solutions do not count, and
   /// blocked lines are none. Default: nothing.
   std::function<BlockedAtMount(const Pose&)> blocked_by = {};

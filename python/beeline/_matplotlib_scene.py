@@ -53,15 +53,15 @@ def _support(body: Any, along: Array) -> Array:
     if isinstance(body, Sphere):
         return body.radius * along
     if isinstance(body, Capsule):
-        return body.radius * along + body.length * up
+        return np.asarray(body.radius * along + body.length * up)
     if isinstance(body, Box):
         return np.where(along > 0, 0.5, -0.5) * np.asarray(body.size)
     if isinstance(body, Cylinder):
         side = along * [1, 1, 0]
         size = np.linalg.norm(side, axis=-1, keepdims=True)
-        return body.radius * np.divide(side, size, out=np.zeros_like(side), where=size > 1e-9) + body.length * up
+        return np.asarray(body.radius * np.divide(side, size, out=np.zeros_like(side), where=size > 1e-9) + body.length * up)
     vertices = np.asarray(body.vertices)
-    return vertices[(along @ vertices.T).argmax(axis=-1)]
+    return np.asarray(vertices[(along @ vertices.T).argmax(axis=-1)])
 
 
 def faces_of(shape: Shape, region: Region) -> Array:
@@ -81,7 +81,7 @@ def faces_of(shape: Shape, region: Region) -> Array:
     corners = [points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]]
     faces = np.stack(corners, axis=2).reshape(-1, 4, 3)
     areas = np.linalg.norm(np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1]), axis=1)
-    return faces[areas > 1e-9 * max(areas.max(initial=0), 1e-300)]
+    return np.asarray(faces[areas > 1e-9 * max(areas.max(initial=0), 1e-300)])
 
 
 def _outline(points: Array) -> Array:
@@ -165,9 +165,9 @@ class DrawnScene:
         up = 1 if self.model.arm.planar else 2
         middle = (points.min(axis=0) + points.max(axis=0)) / 2
         if np.linalg.norm((middle - self.region.centre)[:up]) < 0.2 * self.region.half and not self.model.arm.planar:
-            return points[(points @ [1, -1, 0.1]).argmax()]
+            return np.asarray(points[(points @ [1, -1, 0.1]).argmax()])
         middle[up] = points[:, up].max()
-        return middle
+        return np.asarray(middle)
 
     def _write(self, at: Array, text: str, colour: Any, **style: Any) -> None:
         effects = importlib.import_module("matplotlib.patheffects")
@@ -220,4 +220,4 @@ def closest_configuration(model: CollisionModel, trajectory: Trajectory) -> Arra
         pair = nearest(model, q)
         return np.inf if pair is None else (pair.upper if pair.lower > 0 else pair.lower) - pair.clearance
 
-    return configurations[int(np.argmin([excess(q) for q in configurations]))]
+    return np.asarray(configurations[int(np.argmin([excess(q) for q in configurations]))])

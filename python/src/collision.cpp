@@ -125,7 +125,8 @@ void bind_other_shape_files(nb::module_& m) {
       "arm_to_json", "str",
       "Returns an arm with the shapes of its links as JSON, which Arm.load() and "
       "read_arm_shapes() read from a file. A body at only one of its link's joints "
-      "is written as attached: it must then keep its clearance from both neighbours.");
+      "is written as attached: it must then keep its clearance from both neighbours. Raises Error "
+      "for a link that the arm does not have, and for two bodies of one name.");
   written.takes("arm", "Arm", "The arm.")
       .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.");
   define(

@@ -259,7 +259,8 @@ def test_a_point_cloud_is_its_spheres(tmp_path):
     np.save(tmp_path / "scan.npy", points)
     scenes.append(beeline.read_scene(tmp_path / "scan.npy", radius=0.05))
     assert scenes[0] == scenes[2]
-    nearest = [beeline.nearest_pair(beeline.CollisionModel(arm, links, scene), np.zeros(7)) for scene in scenes]
+    models = [beeline.CollisionModel(arm, links, scene, self_collision=False) for scene in scenes]
+    nearest = [beeline.nearest_pair(model, np.zeros(7)) for model in models]
     assert nearest[0].lower == nearest[1].lower == nearest[2].lower and nearest[0].names == nearest[1].names
     assert nearest[1].point is None
     assert np.linalg.norm(points[nearest[0].point] - nearest[0].on_second) <= 0.05 + 1e-9

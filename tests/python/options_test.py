@@ -39,6 +39,7 @@ KEYWORDS = {
     "ShapeOptions::frames": ("read_scene", "frames"),
     "ShapeOptions::hold": ("read_arm_shapes", "hold"),
     "ShapeOptions::package": ("read_arm_shapes", "package"),
+    "ShapeOptions::radius": ("read_scene", "radius"),
     "ShapeOptions::srdf": ("read_arm_shapes", "srdf"),
     "SplineEnds::first": ("path_through", "first"),
     "SplineEnds::last": ("path_through", "last"),
