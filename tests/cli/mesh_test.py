@@ -147,8 +147,8 @@ def test_a_collision_with_several_bodies_is_refused(files, written, refused):
 def test_damaged_meshes(files, refused):
     (files / "parts" / "bar.obj").write_text("v 0 0 0\nf 1 2 3\n")
     refused(3, "check", "arm.urdf", "still.csv", "--self", says=["bar.obj:2", "vertex 2"])
-    (files / "arm.urdf").write_text(ARM.replace("bar.obj", "bar.dae"))
-    refused(3, "check", "arm.urdf", "still.csv", "--self", says=["arm.urdf:3", "bar.dae", "stl, obj", "convex_hull"])
+    (files / "arm.urdf").write_text(ARM.replace("bar.obj", "bar.wrl"))
+    refused(3, "check", "arm.urdf", "still.csv", "--self", says=["arm.urdf:3", "bar.wrl", "stl, obj", "convex_hull"])
     (files / "arm.urdf").write_text(ARM.replace("bar.obj", "bar.stl"))
     (files / "parts" / "bar.stl").write_bytes(b"\0" * 80 + struct.pack("<I", 10) + b"\0" * 49)
     refused(3, "check", "arm.urdf", "still.csv", "--self", says=["bar.stl", "10 triangles", "133"])
