@@ -104,12 +104,13 @@ void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmS
     if (!is_planning_frame && !fixed_mount) continue;
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
-  for (auto& [path, scene] : files) {
-    if (is_urdf_path(path)) continue;
-    if (is_cloud_path(path)) {
-      scene = for_option("--radius", [&] { return read_scene(path, {.radius = radius}); });
+  for (SceneFile& file : files) {
+    if (is_urdf_path(file.path)) continue;
+    if (is_cloud_path(file.path)) {
+      const ShapeOptions of_cloud{.radius = radius};
+      file.scene = for_option("--radius", [&] { return read_scene(file.path, of_cloud); });
     } else {
-      scene = read_scene(path, options);
+      file.scene = read_scene(file.path, options);
     }
   }
 }
