@@ -17,11 +17,10 @@ const T& field(const Reason& reason, ReasonField field) {
 /// "hand and table: 0.0004 m apart, 0.001 m are required".
 std::string pair_text(const Reason& reason) {
   const auto metres = [&](ReasonField length) { return shown(field<double>(reason, length)); };
-  std::string pair = field<std::string>(reason, ReasonField::body) + " and " +
-                     field<std::string>(reason, ReasonField::other_body);
-  if (reason.has(ReasonField::point)) {
-    pair += fmt::format("[{}]", field<std::size_t>(reason, ReasonField::point));
-  }
+  BodyDistance bodies{.names = {field<std::string>(reason, ReasonField::body),
+                                field<std::string>(reason, ReasonField::other_body)}};
+  if (reason.has(ReasonField::point)) bodies.point = field<std::size_t>(reason, ReasonField::point);
+  const std::string pair = names_text(bodies);
   if (reason.code == ReasonCode::bodies_collide) {
     return fmt::format("{}: {} m deep", pair, metres(ReasonField::depth));
   }

@@ -10,7 +10,6 @@
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/json.h>
-#include <beeline/io/text/scene.h>
 
 #include <arpa/inet.h>
 #include <httplib.h>

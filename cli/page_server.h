@@ -8,9 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include <beeline/collision/scene.h>
 #include <beeline/model/arm.h>
 
 namespace httplib {

@@ -190,17 +190,8 @@ CollisionModel::CollisionModel(std::unique_ptr<const CollisionBodies> bodies)
 // Distances of links do not depend on the mount, so the pairs are the same.
 CollisionModel with_mount(const CollisionModel& model, const Pose& world_T_mount) {
   const CollisionBodies& from = model.bodies();
-  auto bodies = std::make_unique<CollisionBodies>(with_mount(from.arm, world_T_mount), from.links,
-                                                  from.scene, from.options);
-  add_links(*bodies);
-  add_obstacles(*bodies);
-  bodies->obstacle_allowed = from.obstacle_allowed;
-  bodies->self_pairs = from.self_pairs;
-  bodies->apart_pairs = from.apart_pairs;
-  bodies->apart_lower = from.apart_lower;
-  bodies->apart_upper = from.apart_upper;
-  bodies->set_groups();
-  return CollisionModel(std::move(bodies));
+  return CollisionModel(
+      bodies_of(with_mount(from.arm, world_T_mount), from.links, from.scene, from.options, &from));
 }
 
 CollisionModel internal::with_carried(const CollisionModel& model,

@@ -64,8 +64,8 @@ class CollisionModel {
  public:
   /// Throws Error for a shape, a cloud or a clearance that is not valid (check_shape(),
   /// check_cloud(), check_clearance()), a half-space that a link carries, an obstacle without
-  /// shapes and cloud, a name that is empty or given
-  /// twice, a link that the arm does not have, and an allowed pair with an unknown name.
+  /// shapes and cloud, a name that is empty or given twice, a link that the arm does not have, and
+  /// an allowed pair with an unknown name.
   CollisionModel(const Arm& arm, const std::vector<LinkShapes>& links, const Scene& scene = {},
                  const CollisionOptions& options = {});
   CollisionModel(CollisionModel&&) noexcept;

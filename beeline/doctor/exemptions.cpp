@@ -7,6 +7,7 @@
 #include <beeline/collision/collision_model.h>
 #include <beeline/doctor/diagnosis.h>
 #include <beeline/internal/enum_names.h>
+#include <beeline/inverse/numerical/bounds.h>
 
 namespace beeline {
 namespace {
@@ -32,22 +33,15 @@ Approach approach(const CollisionModel& pair, Configuration q) {
   return {std::move(q), std::move(distance)};
 }
 
-/// Returns the configuration within the position limits.
-Configuration within_limits(const Arm& arm, Configuration q) {
-  for (int k = 0; k < arm.dof(); ++k) {
-    q[k] = std::clamp(q[k], arm.limits(k).lower, arm.limits(k).upper);
-  }
-  return q;
-}
-
 /// Descends along the gradient of the distance. Shorter steps follow one that leads away.
 Approach descend(const CollisionModel& pair, Approach at) {
+  const internal::Bounds limits = internal::bounds_of(pair.arm());
   double step = 0.2;  // of the largest coordinate, rad or m
   for (int i = 0; i < max_steps && step > 1e-4; ++i) {
     const double steepest = at.distance.gradient.cwiseAbs().maxCoeff();
     if (!(steepest > 0)) break;
     const Configuration q = at.q - step / steepest * at.distance.gradient;
-    Approach next = approach(pair, within_limits(pair.arm(), q));
+    Approach next = approach(pair, internal::clamped(limits, q));
     const bool is_nearer = is_deeper(next, at);
     step *= is_nearer ? 1.3 : 0.5;
     if (is_nearer) at = std::move(next);

@@ -53,16 +53,13 @@ std::string body_to_json(const Arm& arm, const LinkShapes& body) {
     throw Error(internal::in_quotes(body.name) + " is on link " + std::to_string(body.link) + "; " +
                 arm.name() + " has links 0 to " + std::to_string(arm.joints().size()));
   }
-  // The base has no joint in front of it, and the last link none behind it.
-  const bool at_proximal = body.link == 0 || body.at_proximal_joint;
-  const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
   std::string text = "{";
   if (body.link > 0) {
     const Joint& joint = arm.joints()[body.link - 1];
     text += "\"joint\": " + internal::json_string(joint.name) + ", ";
   }
   text += "\"name\": " + internal::json_string(body.name);
-  if (!at_proximal || !at_distal) text += ", \"attached\": true";
+  if (internal::is_attached_in_file(arm, body)) text += ", \"attached\": true";
   text += ", \"shapes\": [";
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     text += (i == 0 ? "\n      " : ",\n      ") + internal::shape_to_json(body.shapes[i]);
@@ -93,6 +90,12 @@ ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
 }
 
 }  // namespace
+
+bool internal::is_attached_in_file(const Arm& arm, const LinkShapes& body) {
+  const bool at_proximal = body.link == 0 || body.at_proximal_joint;
+  const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
+  return !at_proximal || !at_distal;
+}
 
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends, const ShapeOptions& options) {

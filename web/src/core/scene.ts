@@ -131,7 +131,7 @@ export function poseOfBody({ shapes, point_cloud: cloud }: SceneBody): number[] 
 /** The product of two column-major 4 x 4 matrices. */
 function product(a: number[], b: number[]): number[] {
   return Array.from({ length: 16 }, (_, i) =>
-    [0, 1, 2, 3].reduce((sum, k) => sum + (a[4 * k + (i % 4)] ?? 0) * (b[(4 * (i - (i % 4))) / 4 + k] ?? 0), 0),
+    [0, 1, 2, 3].reduce((sum, k) => sum + (a[4 * k + (i % 4)] ?? 0) * (b[i - (i % 4) + k] ?? 0), 0),
   );
 }
 

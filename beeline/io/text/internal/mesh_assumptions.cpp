@@ -5,6 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/mesh_assumptions.h>
+#include <beeline/io/text/internal/mesh_file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/text_encoding.h>
 #include <beeline/io/text/json.h>
@@ -133,10 +134,7 @@ std::string_view json_of_glb(std::string_view bytes, const std::string& path) {
   if (!bytes.starts_with("glTF") || bytes.size() < header + chunk_header) {
     throw FileError(path, 0, "is not a .glb file: it does not begin with \"glTF\" and a chunk");
   }
-  std::size_t size = 0;
-  for (std::size_t i = 4; i > 0; --i) {
-    size = size << 8 | static_cast<unsigned char>(bytes[header + i - 1]);
-  }
+  const std::size_t size = little_endian(bytes, header);
   bytes.remove_prefix(header);
   if (bytes.substr(4, 4) != "JSON" || size > bytes.size() - chunk_header) {
     throw FileError(path, 0, "has no whole chunk of JSON at its front");

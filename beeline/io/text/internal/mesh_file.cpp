@@ -62,6 +62,14 @@ std::vector<Vector3> mesh_from_text(std::string_view text, const std::string& pa
   return read_in_format(bytes, rounding);
 }
 
+std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i > 0; --i) {
+    value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
+  }
+  return value;
+}
+
 std::string_view take_word(std::string_view& line) {
   constexpr std::string_view blanks = " \t\r\v\f";
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ std::vector<Vector3> mesh_from_text(std::string_view bytes, const std::string& p
 std::vector<Vector3> mesh_from_stl(ByteBlocks& bytes);
 std::vector<Vector3> mesh_from_obj(ByteBlocks& bytes);
 std::vector<Vector3> mesh_from_scene_file(ByteBlocks& bytes, double& rounding);  ///< by assimp
+
+/// Returns the number of the four bytes from a place, of which the first counts least.
+std::uint32_t little_endian(std::string_view bytes, std::size_t at);
 
 /// Reads the next number of a line, after blanks, and removes it from the line. Throws FileError.
 double take_number(std::string_view& line, const ByteBlocks& bytes);

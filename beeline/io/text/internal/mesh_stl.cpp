@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
 
-std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i > 0; --i) {
-    value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
-  }
-  return value;
-}
-
 std::vector<Vector3> read_binary(ByteBlocks& bytes, std::uint64_t triangles) {
   bytes.skip(header_size);
   TriangleCorners corners(bytes.path());

@@ -5,11 +5,11 @@
 #include <cstring>
 #include <optional>
 
-#include <beeline/collision/scene.h>
 #include <beeline/error.h>
 #include <beeline/io/text/internal/mesh_file.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/ply.h>
+#include <beeline/io/text/internal/point_cloud.h>
 
 namespace beeline::internal {
 namespace {
@@ -252,11 +252,7 @@ void skip_rows(PlyRows& rows, const Element& element) {
 }
 
 std::vector<Vector3> vertices_of(PlyRows& rows, const Element& vertex, const std::string& path) {
-  if (vertex.count > max_cloud_points) {
-    throw FileError(path, 0,
-                    "has " + std::to_string(vertex.count) + " points; at most " +
-                        std::to_string(max_cloud_points) + " are possible: reduce it");
-  }
+  check_point_count(vertex.count, path);
   const std::array<std::size_t, 3> places = coordinate_places(vertex, path);
   std::vector<Vector3> points;
   for (std::uint64_t row = 0; row < vertex.count; ++row) {

@@ -43,11 +43,7 @@ std::vector<Vector3> points_from_npy(const std::string& path) {
                     "has rows of " + std::to_string(header.width) +
                         " numbers; points are rows of three" + rows_of_three(header));
   }
-  if (header.rows > static_cast<std::int64_t>(max_cloud_points)) {
-    throw FileError(path, 0,
-                    "has " + std::to_string(header.rows) + " points; at most " +
-                        std::to_string(max_cloud_points) + " are possible: reduce it");
-  }
+  check_point_count(static_cast<std::uint64_t>(header.rows), path);
   std::vector<Vector3> points;
   Eigen::MatrixXd block(3, 4096);
   while (const Eigen::Index count = reader.read(block)) {
@@ -66,13 +62,9 @@ double needed_radius(const std::string& path, std::optional<double> radius) {
 
 Scene scene_of(std::vector<Vector3> points, const std::string& path, double radius) {
   PointCloud cloud{std::move(points), radius};
-  try {
-    check_cloud(cloud);
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
   const std::string name = with_escaped_bytes(std::filesystem::path(path).stem().string());
   try {
+    check_cloud(cloud);
     check_name(name, "the name of the file, which is the obstacle's,");
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
@@ -81,6 +73,13 @@ Scene scene_of(std::vector<Vector3> points, const std::string& path, double radi
 }
 
 }  // namespace
+
+void check_point_count(std::uint64_t count, const std::string& path) {
+  if (count <= max_cloud_points) return;
+  throw FileError(path, 0,
+                  "has " + std::to_string(count) + " points; at most " +
+                      std::to_string(max_cloud_points) + " are possible: reduce it");
+}
 
 std::vector<Vector3> read_points(const std::string& path) {
   if (extension(path) == "npy") return points_from_npy(path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace beeline::internal {
 /// Reads the points of a file. Throws FileError for another ending, a file larger than 1 GiB, and
 /// what check_cloud() refuses.
 std::vector<Vector3> read_points(const std::string& path);
+
+/// Throws FileError for more than max_cloud_points, before they are read.
+void check_point_count(std::uint64_t count, const std::string& path);
 
 /// Reads a file of points as a scene of one obstacle, which has the name of the file without its
 /// ending. Throws FileError; Error without a radius.
