@@ -92,31 +92,4 @@ int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const Configura
   return static_cast<int>(count);
 }
 
-InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
-    : arm_(arm), options_(options) {
-  inverse_method(arm, options);  // checks the options
-  const internal::BudgetMeter checked(options.budget);
-}
-
-std::string InverseSolver::method() const { return inverse_method(arm_, options_); }
-
-InverseMethod InverseSolver::chosen_method() const {
-  return has_closed_form(arm_, options_) ? InverseMethod::closed_form : InverseMethod::numerical;
-}
-
-InverseResult InverseSolver::solve(const Pose& world_T_tool) {
-  return inverse_kinematics(arm_, world_T_tool, options_);
-}
-
-InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
-  InverseOptions options = options_;
-  options.seed = seed;
-  return inverse_kinematics(arm_, world_T_tool, options);
-}
-
-int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
-                         Eigen::Ref<Eigen::MatrixXd> solutions) {
-  return inverse_kinematics(arm_, world_T_tool, seed, solutions, options_);
-}
-
 }  // namespace beeline

@@ -185,8 +185,10 @@ struct InverseResult {
 std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 
 /// Computes joint configurations that bring the tool to `world_T_tool`, in the components of the
-/// task. The method follows from the arm's geometry: see inverse_method(). Every q returned
-/// is finite, within limits, and checked by forward kinematics. Angles are the equivalent values
+/// task. The method follows from the arm's geometry: see inverse_method(). What depends on the arm
+/// alone is computed by its first call and kept as long as a copy of the arm exists: at most 64 kB,
+/// for all threads. Every q returned is finite, within limits, and checked by forward kinematics.
+/// Angles are the equivalent values
 /// nearest to the seed within limits (nearest to zero if a joint without limits has a seed beyond
 /// 1e3 rad). Prismatic and helical joints are not wrapped, and neither are joints with a mimic
 /// joint whose ratio is not an integer. Distances from the seed are Euclidean; radians and metres
@@ -212,33 +214,5 @@ bool has_closed_form(const Arm& arm, const InverseOptions& options = {});
 /// planar`, or `numerical`. With options.lock, a closed form of the remaining joints may be used
 /// instead: see InverseResult::method.
 std::string inverse_method(const Arm& arm, const InverseOptions& options = {});
-
-/// Inverse kinematics for many poses of one arm. It is not thread-safe; give each thread a copy.
-class InverseSolver {
- public:
-  explicit InverseSolver(const Arm& arm, const InverseOptions& options = {});
-
-  /// Returns the name of the closed form that the arm has, or "numerical". With options.lock,
-  /// solve() may use a closed form of the remaining joints instead: see InverseResult::method.
-  std::string method() const;
-  /// Returns closed_form if the arm has one, else numerical.
-  InverseMethod chosen_method() const;
-
-  InverseResult solve(const Pose& world_T_tool);
-  InverseResult solve(const Pose& world_T_tool, const ConfigurationRef& seed);
-
-  /// Writes the solutions for control loops, nearest to `seed` first, into the columns of
-  /// `solutions`, as many as fit (one suffices unless options.all), and returns their number.
-  /// Returns 0, without a diagnosis, if there is none, or if the budget ended before one was found.
-  /// Solutions of a closed form are checked by closing the loop. Does not allocate in the ordinary
-  /// case; `blocked_by` does, and a lock with a new value in each call, unless it is the first or
-  /// last of seven joints. Throws Error when a size does not fit or a number is not finite.
-  int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
-            Eigen::Ref<Eigen::MatrixXd> solutions);
-
- private:
-  Arm arm_;
-  InverseOptions options_;
-};
 
 }  // namespace beeline

@@ -141,7 +141,7 @@ Arm::Reach reach_ball(const Arm& arm) {
 /// Returns the arm with these joints, which differ from its own in limits only.
 Arm with_joint_limits(const Arm& arm, std::vector<Joint> joints) {
   Arm limited(arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller());
-  internal::ArmMemory::share_geometry(arm, limited);
+  internal::ArmMemory::share(arm, /*same_tool=*/true, limited);
   return limited;
 }
 
@@ -211,7 +211,9 @@ bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position) {
 }
 
 Arm with_tool(const Arm& arm, const Pose& tool) {
-  return {arm.name(), arm.joints(), tool, arm.base(), arm.controller()};
+  Arm other(arm.name(), arm.joints(), tool, arm.base(), arm.controller());
+  internal::ArmMemory::share(arm, /*same_tool=*/false, other);
+  return other;
 }
 
 Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp) {

@@ -23,7 +23,7 @@ struct EliminationChoice {
 
   // As an arm keeps it: see Kept. `similar`: the choice for an arm of similar geometry, or null.
   using Key = OnlyKey;
-  static constexpr bool shared_across_limits = true;
+  static constexpr SharedBy shared_by = SharedBy::limits_and_tools;
   static EliminationChoice make(const Arm& arm, const Key&, const EliminationChoice* similar);
   std::size_t heap_bytes() const { return 0; }
 };
@@ -59,7 +59,7 @@ class RaghavanRothSolver {
 
   // As an arm keeps it: see Kept. It takes too much memory for what arms share.
   using Key = OnlyKey;
-  static constexpr bool shared_across_limits = false;
+  static constexpr SharedBy shared_by = SharedBy::copies;
   static RaghavanRothSolver make(const Arm& arm, const Key&, const EliminationChoice& choice) {
     return {chain_of(arm), choice};
   }

@@ -20,7 +20,7 @@ struct ArmDefaults {
   std::optional<ToolPlane> plane;  ///< the plane in which poses for the default task must be
 
   using Key = OnlyKey;
-  static constexpr bool shared_across_limits = false;
+  static constexpr SharedBy shared_by = SharedBy::copies;
   static ArmDefaults make(const Arm& arm, const Key&);
   std::size_t heap_bytes() const;
 };
@@ -33,7 +33,7 @@ struct PieperForm {
   bool verified = true;  ///< whether it recovered random configurations of the arm
 
   using Key = Task;
-  static constexpr bool shared_across_limits = true;
+  static constexpr SharedBy shared_by = SharedBy::limits;
   static PieperForm make(const Arm& arm, const Task& task);
   std::size_t heap_bytes() const { return 0; }
 };
@@ -43,7 +43,7 @@ struct RedundantJoint {
   int coordinate = 0;
 
   using Key = OnlyKey;
-  static constexpr bool shared_across_limits = true;
+  static constexpr SharedBy shared_by = SharedBy::limits;
   static RedundantJoint make(const Arm& arm, const Key&);
   std::size_t heap_bytes() const { return 0; }
 };

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/numerical/bounds.h>
-#include <beeline/model/internal/chain.h>
+#include <beeline/model/internal/kept.h>
 
 namespace beeline::internal {
 
@@ -41,7 +41,7 @@ struct NumericalProblem {
     bool ignore_limits = false;
     bool operator==(const Key&) const = default;
   };
-  static constexpr bool shared_across_limits = false;
+  static constexpr SharedBy shared_by = SharedBy::copies;
   static NumericalProblem make(const Arm& arm, const Key& key);
   std::size_t heap_bytes() const;
 };

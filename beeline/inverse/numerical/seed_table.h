@@ -47,7 +47,7 @@ struct SeedTable {
     std::uint64_t random_seed = 1;
     bool operator==(const Key&) const = default;
   };
-  static constexpr bool shared_across_limits = false;
+  static constexpr SharedBy shared_by = SharedBy::copies;
   static SeedTable make(const Arm& arm, const Key& key, const NumericalProblem& problem);
   std::size_t heap_bytes() const { return internal::heap_bytes(tool); }
 };

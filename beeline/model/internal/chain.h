@@ -56,15 +56,18 @@ struct ArmMemory {
   Chain chain;
   ChainAngles angles;
   KeptObjects of_arm;
-  /// What does not depend on limits; arms that differ in limits share it.
-  std::shared_ptr<KeptObjects> of_geometry;
+  /// What does not depend on limits, and what does not depend on the tool either. Arms that differ
+  /// in these share it.
+  std::shared_ptr<KeptObjects> of_geometry, of_links;
   std::atomic<int> arms = 1;  ///< number of copies of the arm
 
   static ArmMemory& of(const Arm& arm) { return *arm.memory_; }
 
-  /// Requires an arm that differs from `other` in limits only.
-  static void share_geometry(const Arm& other, Arm& arm) {
-    of(arm).of_geometry = of(other).of_geometry;
+  /// Shares what the arm has in common with `other`, from which it differs in its tool or, if
+  /// `same_tool`, in limits only.
+  static void share(const Arm& other, bool same_tool, Arm& arm) {
+    of(arm).of_links = of(other).of_links;
+    if (same_tool) of(arm).of_geometry = of(other).of_geometry;
   }
 };
 

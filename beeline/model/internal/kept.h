@@ -12,6 +12,9 @@ struct OnlyKey {
   bool operator==(const OnlyKey&) const = default;
 };
 
+/// The arms that share an object: copies, those that differ in limits, or in the tool too.
+enum class SharedBy { copies, limits, limits_and_tools };
+
 /// The object of type T that this thread has made last, for a list's id and a key, while it is in
 /// use. See ThreadScratch.
 template <class T>
@@ -39,16 +42,17 @@ class LatestOfThread {
 };
 
 /// An object of type T that follows from an arm and a key, made by T::make(arm, key, inputs...)
-/// when it is first needed. The arm keeps it; if T::shared_across_limits, it shares it with the
-/// arms that differ from it in limits only. Once their memory is full, the thread keeps the latest
-/// one. Which object it is does not change its value.
+/// when it is first needed. The arm keeps it and shares it as T::shared_by says. Once its memory is
+/// full, each thread keeps its latest one.
 template <class T>
 class Kept {
  public:
   template <class... Inputs>
   explicit Kept(const Arm& arm, const typename T::Key& key = {}, const Inputs&... inputs) {
     ArmMemory& memory = ArmMemory::of(arm);
-    KeptObjects& objects = T::shared_across_limits ? *memory.of_geometry : memory.of_arm;
+    KeptObjects& objects = T::shared_by == SharedBy::copies   ? memory.of_arm
+                           : T::shared_by == SharedBy::limits ? *memory.of_geometry
+                                                              : *memory.of_links;
     object_ = objects.find<T>(key);
     if (object_ != nullptr) return;
     latest_.emplace();
