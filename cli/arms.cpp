@@ -15,9 +15,6 @@ std::string joint_letters(const Arm& arm) {
   return letters;
 }
 
-/// The method that finds all solutions of its inverse kinematics.
-std::string inverse_method(const Arm& arm) { return InverseSolver(arm, {.all = true}).method(); }
-
 Answer list_arms() {
   constexpr const char* row = "{:<13} {:<19} {:<25} {:<8} {:>9}  {}\n";
   Answer answer{.text = fmt::format(row, "name", "maker", "model", "joints", "reach (m)",
@@ -25,7 +22,7 @@ Answer list_arms() {
   Json arms = Json::list();
   for (const BuiltInArm& about : built_in_arms()) {
     const Arm arm = built_in(about.name);
-    const std::string letters = joint_letters(arm), method = inverse_method(arm);
+    const std::string letters = joint_letters(arm), method = inverse_method(arm, {.all = true});
     const double reach = arm.reach().radius;
     answer.text += fmt::format(row, about.name, about.maker, about.model, letters,
                                std::isfinite(reach) ? fmt::format("{:.2f}", reach) : "-", method);

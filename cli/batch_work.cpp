@@ -265,7 +265,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
   // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
-  InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
+  inverse_kinematics(arm, forward_kinematics(arm, seed), seed, any, options);
   BatchWork work{
       .forms = {}, .units = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   if (arguments.status) work.columns.insert(work.columns.end(), {"status", "residual"});

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <beeline/batch/batch.h>
-#include <beeline/batch/internal/copies.h>
 #include <beeline/batch/internal/kernel.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
@@ -21,7 +20,6 @@ using internal::batch_kernel;
 using internal::batch_width;
 using internal::BatchJob;
 using internal::BatchPlan;
-using internal::Copies;
 using internal::in_parallel;
 
 constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
@@ -232,12 +230,13 @@ BEELINE_BATCH(float)
 
 namespace {
 
-/// Computes a solution of one pose into a column, which becomes NaN if there is none. Returns
-/// whether there is one.
-bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const ConfigurationRef& seed,
-                  Eigen::Ref<Eigen::MatrixXd> q, InverseOutcome* outcome) {
-  if (outcome == nullptr) return solver.solve(world_T_tool, seed, q) != 0;
-  const InverseResult result = solver.solve(world_T_tool, seed);
+/// Computes a solution of one pose, with options.seed replaced, into a column, which becomes NaN if
+/// there is none. Returns whether there is one.
+bool solve_column(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
+                  InverseOptions& options, Eigen::Ref<Eigen::MatrixXd> q, InverseOutcome* outcome) {
+  if (outcome == nullptr) return inverse_kinematics(arm, world_T_tool, seed, q, options) != 0;
+  options.seed = seed;
+  const InverseResult result = inverse_kinematics(arm, world_T_tool, options);
   *outcome = {result.status, result.residual};
   if (result) q = result.solutions.front();
   return result.status == InverseStatus::solved;
@@ -279,11 +278,11 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   one.every_turn = false;
   Counts counts(options.budget, count);
   one.budget = counts.budget().part();
-  Copies<InverseSolver> solvers(InverseSolver(arm, one));
+  inverse_method(arm, one);  // checks the options
   constexpr Eigen::Index block = 32;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
-    const auto solver = solvers.borrow();
+    InverseOptions with_seed = one;
     for (Eigen::Index i = first; i < last; ++i) {
       if (counts.budget().ended()) {
         q.middleCols(i, last - i).setConstant(unknown);
@@ -292,8 +291,9 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
-      bool found = finite && solve_column(*solver, pose_in_layout(pose, options.layout), seed,
-                                          q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
+      bool found =
+          finite && solve_column(arm, pose_in_layout(pose, options.layout), seed, with_seed,
+                                 q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
       if (!counts.budget().complete())
         found = false;  // an interrupted search may have missed a nearer solution
       if (!found) q.col(i).setConstant(unknown);

@@ -49,56 +49,47 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   return out;
 }
 
-InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
-    : state_(std::make_unique<internal::SolverState>(internal::make_solver_state(arm, options))) {}
-InverseSolver::InverseSolver(const InverseSolver& other)
-    : state_(std::make_unique<internal::SolverState>(*other.state_)) {}
-InverseSolver::~InverseSolver() = default;
-
-std::string InverseSolver::method() const { return internal::method_name(*state_); }
-
-InverseMethod InverseSolver::chosen_method() const {
-  return state_->family ? InverseMethod::closed_form : InverseMethod::numerical;
+bool has_closed_form(const Arm& arm, const InverseOptions& options) {
+  return internal::SolverState(arm, options).family != nullptr;
 }
 
-InverseResult InverseSolver::solve(const Pose& world_T_tool) {
-  return solve(world_T_tool, state_->options.seed ? *state_->options.seed : state_->middle);
-}
-
-InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
-  if (state_->plane) state_->plane->check(world_T_tool);
-  internal::BudgetMeter budget(state_->options.budget);
-  return internal::solve_unblocked(*state_, world_T_tool, seed, /*explain_failure=*/true, budget);
-}
-
-int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
-                         Eigen::Ref<Eigen::MatrixXd> solutions) {
-  check_configuration(state_->arm, seed);
-  if (solutions.rows() != state_->arm.dof() || solutions.cols() < 1) {
-    throw Error("solutions need " + std::to_string(state_->arm.dof()) +
-                " rows and at least one column");
-  }
-  if (state_->plane) state_->plane->check(world_T_tool);
-  const Pose goal = checked_pose(world_T_tool);
-  internal::BudgetMeter budget(state_->options.budget);
-  const bool any = !state_->options.blocked_by;
-  if (any) {
-    const auto count = internal::solve_fast_path(*state_, goal, seed, budget, solutions);
-    if (count) return *count;
-  }
-  constexpr bool explain_failure = false;
-  const InverseResult result =
-      any ? internal::solve(*state_, goal, seed, explain_failure, budget)
-          : internal::solve_unblocked(*state_, goal, seed, explain_failure, budget);
-  const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
-  const Eigen::Index count = std::min(solutions.cols(), found);
-  for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];
-  return static_cast<int>(count);
+std::string inverse_method(const Arm& arm, const InverseOptions& options) {
+  return internal::method_name(internal::SolverState(arm, options));
 }
 
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options) {
-  return InverseSolver(arm, options).solve(world_T_tool);
+  internal::SolverState state(arm, options);
+  internal::BudgetMeter budget(options.budget);
+  if (state.plane()) state.plane()->check(world_T_tool);
+  return internal::solve_unblocked(state, world_T_tool,
+                                   options.seed ? *options.seed : state.defaults->middle,
+                                   /*explain_failure=*/true, budget);
+}
+
+int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
+                       Eigen::Ref<Eigen::MatrixXd> solutions, const InverseOptions& options) {
+  internal::SolverState state(arm, options);
+  internal::BudgetMeter budget(options.budget);
+  check_configuration(arm, seed);
+  if (solutions.rows() != arm.dof() || solutions.cols() < 1) {
+    throw Error("solutions need " + std::to_string(arm.dof()) + " rows and at least one column");
+  }
+  if (state.plane()) state.plane()->check(world_T_tool);
+  const Pose goal = checked_pose(world_T_tool);
+  const bool any = !options.blocked_by;
+  if (any) {
+    const auto count = internal::solve_fast_path(state, goal, seed, budget, solutions);
+    if (count) return *count;
+  }
+  constexpr bool explain_failure = false;
+  const InverseResult result =
+      any ? internal::solve(state, goal, seed, explain_failure, budget)
+          : internal::solve_unblocked(state, goal, seed, explain_failure, budget);
+  const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
+  const Eigen::Index count = std::min(solutions.cols(), found);
+  for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];
+  return static_cast<int>(count);
 }
 
 }  // namespace beeline

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -186,8 +185,10 @@ struct InverseResult {
 std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 
 /// Computes joint configurations that bring the tool to `world_T_tool`, in the components of the
-/// task. The method follows from the arm's geometry: see InverseSolver::method(). Every q returned
-/// is finite, within limits, and checked by forward kinematics. Angles are the equivalent values
+/// task. The method follows from the arm's geometry: see inverse_method(). What depends on the arm
+/// alone is computed by its first call and kept as long as a copy of the arm exists: at most 64 kB,
+/// for all threads. Every q returned is finite, within limits, and checked by forward kinematics.
+/// Angles are the equivalent values
 /// nearest to the seed within limits (nearest to zero if a joint without limits has a seed beyond
 /// 1e3 rad). Prismatic and helical joints are not wrapped, and neither are joints with a mimic
 /// joint whose ratio is not an integer. Distances from the seed are Euclidean; radians and metres
@@ -196,38 +197,22 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
 
-namespace internal {
-struct SolverState;
-}
+/// Writes the solutions for control loops, nearest to `seed` first, into the columns of
+/// `solutions`, as many as fit (one suffices unless options.all), and returns their number. `seed`
+/// takes the place of options.seed. Returns 0, without a diagnosis, if there is none, or if the
+/// budget ended before one was found. Solutions of a closed form are checked by closing the loop.
+/// Does not allocate in the ordinary case; `blocked_by` does, and a lock, unless it is the first or
+/// last of seven joints. Throws Error as inverse_kinematics() does, and for `solutions` of another
+/// size.
+int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
+                       Eigen::Ref<Eigen::MatrixXd> solutions, const InverseOptions& options = {});
 
-/// Inverse kinematics for many poses of one arm: values that do not depend on the pose are computed
-/// once. It is not thread-safe; give each thread a copy.
-class InverseSolver {
- public:
-  explicit InverseSolver(const Arm& arm, const InverseOptions& options = {});
-  InverseSolver(const InverseSolver& other);
-  ~InverseSolver();
+/// Returns whether the arm has a closed form for these options, and the method is not numerical.
+bool has_closed_form(const Arm& arm, const InverseOptions& options = {});
 
-  /// Returns the name of the closed form that the arm has, or "numerical". With options.lock,
-  /// solve() may use a closed form of the remaining joints instead: see InverseResult::method.
-  std::string method() const;
-  /// Returns closed_form if the arm has one, else numerical.
-  InverseMethod chosen_method() const;
-
-  InverseResult solve(const Pose& world_T_tool);
-  InverseResult solve(const Pose& world_T_tool, const ConfigurationRef& seed);
-
-  /// Writes the solutions for control loops, nearest to `seed` first, into the columns of
-  /// `solutions`, as many as fit (one suffices unless options.all), and returns their number.
-  /// Returns 0, without a diagnosis, if there is none, or if the budget ended before one was found.
-  /// Solutions of a closed form are checked by closing the loop. Does not allocate in the ordinary
-  /// case; `blocked_by` does, and a lock with a new value in each call, unless it is the first or
-  /// last of seven joints. Throws Error when a size does not fit or a number is not finite.
-  int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
-            Eigen::Ref<Eigen::MatrixXd> solutions);
-
- private:
-  std::unique_ptr<internal::SolverState> state_;
-};
+/// Returns the name of the closed form that the arm has for these options, such as `closed form:
+/// planar`, or `numerical`. With options.lock, a closed form of the remaining joints may be used
+/// instead: see InverseResult::method.
+std::string inverse_method(const Arm& arm, const InverseOptions& options = {});
 
 }  // namespace beeline

@@ -138,6 +138,13 @@ Arm::Reach reach_ball(const Arm& arm) {
   return reach;
 }
 
+/// Returns the arm with these joints, which differ from its own in limits only.
+Arm with_joint_limits(const Arm& arm, std::vector<Joint> joints) {
+  Arm limited(arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller());
+  internal::ArmMemory::share(arm, /*same_tool=*/true, limited);
+  return limited;
+}
+
 }  // namespace
 
 Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base,
@@ -171,23 +178,21 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     internal::check_limits(leader, what + " with its leader");
   }
   internal::Chain chain = internal::make_chain(*this);
-  const internal::ChainAngles angles = internal::angles_of(chain);
-  kernel_form_.chain =
-      std::make_unique<internal::ArmChain>(internal::ArmChain{std::move(chain), angles});
+  internal::ChainAngles angles = internal::angles_of(chain);
+  memory_ = Memory(new internal::ArmMemory(std::move(chain), std::move(angles)));
   planar_ = moves_about_z(*this, true);
   rotates_about_z_ = moves_about_z(*this, false);
   reach_ = reach_ball(*this);
 }
 
-Arm::KernelForm::KernelForm() = default;
-Arm::KernelForm::KernelForm(const KernelForm& other)
-    : chain(other.chain ? std::make_unique<internal::ArmChain>(*other.chain) : nullptr) {}
-Arm::KernelForm::KernelForm(KernelForm&&) noexcept = default;
-Arm::KernelForm& Arm::KernelForm::operator=(KernelForm other) noexcept {
-  chain = std::move(other.chain);
-  return *this;
+Arm::Memory::Memory(const Memory& other) noexcept : memory_(other.memory_) {
+  if (memory_ != nullptr) memory_->arms.fetch_add(1, std::memory_order_relaxed);
 }
-Arm::KernelForm::~KernelForm() = default;
+Arm::Memory::~Memory() {
+  if (memory_ != nullptr && memory_->arms.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+    delete memory_;
+  }
+}
 
 std::vector<std::string> Arm::joint_names() const {
   std::vector<std::string> names;
@@ -206,7 +211,9 @@ bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position) {
 }
 
 Arm with_tool(const Arm& arm, const Pose& tool) {
-  return {arm.name(), arm.joints(), tool, arm.base(), arm.controller()};
+  Arm other(arm.name(), arm.joints(), tool, arm.base(), arm.controller());
+  internal::ArmMemory::share(arm, /*same_tool=*/false, other);
+  return other;
 }
 
 Arm with_tcp(const Arm& arm, const Pose& tool_T_tcp) {
@@ -232,7 +239,7 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
     Joint& joint = joints[static_cast<std::size_t>(found - names.begin())];
     joint.limits = overridden(joint.limits, overrides);
   }
-  return {arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller()};
+  return with_joint_limits(arm, std::move(joints));
 }
 
 Arm with_speed_scale(const Arm& arm, double k) {
@@ -257,7 +264,7 @@ Arm with_speed_scale(const Arm& arm, double k) {
     }
     limits.speed_scale *= k;
   }
-  return {arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller()};
+  return with_joint_limits(arm, std::move(joints));
 }
 
 void check_configuration(const Arm& arm, const ConfigurationRef& q) {

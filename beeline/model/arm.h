@@ -3,12 +3,12 @@
 #include <initializer_list>
 #include <iosfwd>
 #include <map>
-#include <memory>
 #include <optional>
 #include <random>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <beeline/error.h>
@@ -18,7 +18,7 @@
 
 namespace beeline {
 namespace internal {
-struct ArmChain;
+struct ArmMemory;
 }
 
 /// The joint coordinates, one for each degree of freedom: rad, or m for a prismatic joint.
@@ -114,17 +114,26 @@ class Arm {
   const Reach& reach() const { return reach_; }
 
  private:
-  friend struct internal::ArmChain;
+  friend struct internal::ArmMemory;
 
-  /// The same kinematics in the form that the library's kernels use.
-  struct KernelForm {
-    KernelForm();
-    KernelForm(const KernelForm& other);
-    KernelForm(KernelForm&&) noexcept;
-    KernelForm& operator=(KernelForm other) noexcept;
-    ~KernelForm();
+  /// What follows from the arm. The library computes each part when it is first needed; copies of
+  /// the arm share it, and the last one frees it.
+  class Memory {
+   public:
+    Memory() = default;
+    explicit Memory(internal::ArmMemory* memory) : memory_(memory) {}
+    Memory(const Memory& other) noexcept;
+    Memory(Memory&& other) noexcept : memory_(std::exchange(other.memory_, nullptr)) {}
+    Memory& operator=(Memory other) noexcept {
+      std::swap(memory_, other.memory_);
+      return *this;
+    }
+    ~Memory();
 
-    std::unique_ptr<internal::ArmChain> chain;
+    internal::ArmMemory& operator*() const { return *memory_; }
+
+   private:
+    internal::ArmMemory* memory_ = nullptr;
   };
 
   std::string name_;
@@ -134,7 +143,7 @@ class Arm {
   std::vector<int> leaders_;
   std::vector<JointCoupling> couplings_;
   std::vector<Limits> limits_;
-  KernelForm kernel_form_;
+  Memory memory_;
   bool planar_ = false;
   bool rotates_about_z_ = false;
   Reach reach_;

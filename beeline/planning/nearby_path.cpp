@@ -92,9 +92,9 @@ struct Trial {
   const ToolPath& path;
   bool rotate;
   BranchOptions exact;
-  BranchOptions coarse;   ///< for the search; its result is planned again
-  InverseSolver* solver;  ///< of one solution within the limits
-  Configuration middle;   ///< its seed
+  BranchOptions coarse;  ///< for the search; its result is planned again
+  InverseOptions one;    ///< for one solution within the limits
+  Configuration middle;  ///< its seed
 
   ToolPath at(const Vector3& step) const { return changed(path, start.has_value(), step, rotate); }
 
@@ -110,7 +110,7 @@ struct Trial {
     Eigen::MatrixXd solution(arm.dof(), 1);
     for (std::size_t i = changed_path.segments.size(); i > 0; --i) {
       const Pose end = pose_at(changed_path.segments[i - 1], 1);
-      if (solver->solve(end, middle, solution) == 0) return false;
+      if (inverse_kinematics(arm, end, middle, solution, one) == 0) return false;
     }
     return true;
   }
@@ -157,9 +157,9 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   constexpr std::int64_t most = internal::max_nearby_path_work;
   if (!all.max_work || *all.max_work > most) all.max_work = most;
   internal::BudgetMeter budget(all);
-  InverseSolver solver(
-      arm, {.task = options.task, .grid = 16, .max_restarts = 32, .budget = budget.part()});
-  Trial trial{arm, start, path, rotate, options, options, &solver, middle_configuration(arm)};
+  const InverseOptions one{
+      .task = options.task, .grid = 16, .max_restarts = 32, .budget = budget.part()};
+  Trial trial{arm, start, path, rotate, options, options, one, middle_configuration(arm)};
   trial.exact.reasons = BranchOptions::Reasons::none;
   trial.exact.budget = budget.part();
   trial.exact.max_grid = 16;

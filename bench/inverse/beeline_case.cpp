@@ -19,15 +19,16 @@ InverseOptions options_of(const BenchArm& arm, CaseKind kind) {
 }  // namespace
 
 BeelineCase::BeelineCase(const BenchArm& arm, CaseKind kind)
-    : solver_(arm.arm, options_of(arm, kind)),
+    : arm_(arm.arm),
+      options_(options_of(arm, kind)),
       last_(arm.last),
-      solutions_(arm.arm.dof(), options_of(arm, kind).all ? max_solutions : 1) {}
+      solutions_(arm_.dof(), options_.all ? max_solutions : 1) {}
 
 int BeelineCase::solve(const Pose& world_T_tool, const Configuration& seed) {
-  if (!last_) return solver_.solve(world_T_tool, seed, solutions_);
+  if (!last_) return inverse_kinematics(arm_, world_T_tool, seed, solutions_, options_);
   seed_ = seed;
   seed_[seed_.size() - 1] = *last_;
-  return solver_.solve(world_T_tool, seed_, solutions_);
+  return inverse_kinematics(arm_, world_T_tool, seed_, solutions_, options_);
 }
 
 }  // namespace beeline::bench

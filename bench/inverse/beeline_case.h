@@ -18,7 +18,8 @@ class BeelineCase {
   Configuration solution(int i) const { return solutions_.col(i); }
 
  private:
-  InverseSolver solver_;
+  Arm arm_;
+  InverseOptions options_;
   std::optional<double> last_;
   Configuration seed_;
   Eigen::MatrixXd solutions_;

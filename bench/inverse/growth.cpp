@@ -43,14 +43,15 @@ void measure(int joints, int count, Engine& engine) {
     poses.push_back(forward_kinematics(arm, q));
     seeds.push_back(near);
   }
-  InverseSolver solver(arm, {.method = InverseMethod::numerical});
+  InverseOptions options{.method = InverseMethod::numerical};
   long iterations = 0, solved = 0;
   std::vector<double> times;
   for (int pass = 0; pass < 7; ++pass) {
     iterations = solved = 0;
     const auto start = std::chrono::steady_clock::now();
     for (std::size_t n = 0; n < poses.size(); ++n) {
-      const InverseResult result = solver.solve(poses[n], seeds[n]);
+      options.seed = seeds[n];
+      const InverseResult result = inverse_kinematics(arm, poses[n], options);
       iterations += result.iterations;
       solved += result.status == InverseStatus::solved ? 1 : 0;
     }

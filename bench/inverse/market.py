@@ -77,8 +77,10 @@ class MarketArm:
 def beeline_solver(arm):
     joints = [beeline.Joint(name=f"joint{i + 1}", screw=np.append(np.cross(point, axis), axis))
               for i, (axis, point) in enumerate(zip(arm.axes, arm.points, strict=True))]
-    solver = beeline.InverseSolver(beeline.Arm(arm.name, joints, tool=arm.home), all=arm.n <= 6, ignore_limits=True)
-    return lambda pose: solver.solve(pose), lambda answer: list(answer.solutions), solver.method
+    made = beeline.Arm(arm.name, joints, tool=arm.home)
+    options = {"all": arm.n <= 6, "ignore_limits": True}
+    return (lambda pose: beeline.inverse_kinematics(made, pose, **options), lambda answer: list(answer.solutions),
+            beeline.inverse_method(made, **options))
 
 
 def ssik_solver(arm):

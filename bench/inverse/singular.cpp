@@ -109,16 +109,21 @@ void print_unanswered(const Arm& arm, const Kind& kind, const InverseResult& res
   std::fprintf(stderr, "\n");
 }
 
-Tally tally_of(const Arm& arm, InverseSolver& solver, const Kind& kind, const Run& run) {
+Tally tally_of(const Arm& arm, const Kind& kind, const Run& run) {
   Engine engine(run.seed);
   Tally tally;
   for (; tally.poses < run.count; ++tally.poses) {
     Configuration q(arm.dof()), seed = middle_configuration(arm);
     for (int k = 0; k < arm.dof(); ++k) q[k] = value_of(arm, k, kind, engine);
-    if (run.lock >= 0) seed[run.lock] = q[run.lock];
+    InverseOptions options;
+    if (run.lock >= 0) {
+      options.lock = run.lock;
+      seed[run.lock] = q[run.lock];
+    }
+    options.seed = seed;
     const Pose pose = forward_kinematics(arm, q);
     const auto begin = std::chrono::steady_clock::now();
-    const InverseResult result = solver.solve(pose, seed);
+    const InverseResult result = inverse_kinematics(arm, pose, options);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     tally.seconds += took.count();
     tally.slowest = std::max(tally.slowest, took.count());
@@ -138,11 +143,8 @@ Tally tally_all(const Run& run) {
   Tally all;
   for (const std::string& name : run.arms) {
     const Arm arm = read_arm(name);
-    InverseOptions options;
-    if (run.lock >= 0) options.lock = run.lock;
-    InverseSolver solver(arm, options);
     for (const Kind& kind : kinds) {
-      const Tally t = tally_of(arm, solver, kind, run);
+      const Tally t = tally_of(arm, kind, run);
       std::printf("| %s | %s | %ld | %ld | %ld | %ld | %.1f | %.1f |\n", arm.name().c_str(),
                   kind.name, t.poses, t.unanswered, t.false_reasons, t.wrong,
                   1e6 * t.seconds / static_cast<double>(t.poses), 1e3 * t.slowest);

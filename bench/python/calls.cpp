@@ -55,14 +55,11 @@ extern "C" double time_calls(const char* name, const char* what, const double* q
       sink = columns(0, 0);
     });
   }
-  beeline::InverseSolver solver(arm);
-  if (call == "solve")
-    return time_of(count, [&](long i) { sink = solver.solve(poses[i]).residual; });
-  if (call == "solve_into") {
+  if (call == "inverse_into") {
     const Configuration seed = middle_configuration(arm);
     Eigen::MatrixXd solution(arm.dof(), 1);
     return time_of(count, [&](long i) {
-      solver.solve(poses[i], seed, solution);
+      inverse_kinematics(arm, poses[i], seed, solution);
       sink = solution(0, 0);
     });
   }

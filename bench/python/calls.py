@@ -18,16 +18,14 @@ ROUNDS, ROWS, BATCH, SEED = 9, 300, 1_000_000, 20240229
 BEELINE = {
     "forward": "forward(arm, q)",
     "jacobian": "jacobian(arm, q)",
-    "solve": "solver.solve(T)",
-    "solve_into": "solver.solve_into(T, middle, out)",
-    "inverse_kinematics": "inverse(arm, T)",
+    "inverse": "inverse(arm, T)",
+    "inverse_into": "inverse(arm, T, seed=middle, out=out)",
 }
 TITLES = {
     "forward": "forward kinematics",
     "jacobian": "Jacobian",
-    "solve": "`InverseSolver.solve`",
-    "solve_into": "`InverseSolver.solve_into`",
-    "inverse_kinematics": "`inverse_kinematics`",
+    "inverse": "`inverse_kinematics`",
+    "inverse_into": "`inverse_kinematics`, `out=`",
 }
 
 
@@ -85,7 +83,7 @@ def solved(case, forward, poses):
 def cases_of(library, arm, q, left_out):
     poses = np.ascontiguousarray(beeline.forward_kinematics(arm, q))
     own = {"arm": arm, "forward": beeline.forward_kinematics, "jacobian": beeline.jacobian, "middle": arm.middle,
-           "inverse": beeline.inverse_kinematics, "solver": beeline.InverseSolver(arm), "out": np.empty(arm.dof)}
+           "inverse": beeline.inverse_kinematics, "out": np.empty(arm.dof)}
     cases = {(what, "Beeline"): Case(call, own, q, poses) for what, call in BEELINE.items()}
     cases |= {(what, "C++"): CppCase(library, arm, what, q, poses) for what in BEELINE}
     urdf, shares = urdf_of(arm), {}
@@ -96,10 +94,9 @@ def cases_of(library, arm, q, left_out):
             forward = eval("lambda q: " + calls["forward"], dict(names))
             own_poses = np.array([forward(row) for row in q])
             for what, call in calls.items():
-                key = ("solve" if what == "inverse" else what, name)
-                cases[key] = Case(call, names, q, own_poses, prepare)
+                cases[what, name] = Case(call, names, q, own_poses, prepare)
             if "inverse" in calls:
-                shares[name] = solved(cases[("solve", name)], forward, own_poses)
+                shares[name] = solved(cases["inverse", name], forward, own_poses)
         except Exception as error:  # a peer that is not installed, or has no such arm
             left_out.append(f"{name} for {arm.name}: {error}")
     return cases, shares
@@ -121,7 +118,7 @@ def print_calls(library):
             row = [f"{cpp:.3f}", f"{own:.3f}", f"{own - cpp:.3f}"]
             for peer in PEERS:
                 case = cases.get((what, peer))
-                share = f" ({100 * shares[peer]:.0f} %)" if case and what == "solve" else ""
+                share = f" ({100 * shares[peer]:.0f} %)" if case and what == "inverse" else ""
                 row.append(f"{case.microseconds():.3g}{share}" if case else "")
             print(f"| {name} | {title} |", " | ".join(row), "|")
     for line in left_out:

@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
+#include <limits>
+#include <utility>
 
 #include <beeline/collision/collision_model.h>
 
@@ -17,78 +15,10 @@ namespace {
 
 /// The options. Throws Error for a model of another arm.
 InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
+  if (keywords.size() == 0) return {};
   check_model_of(arm, keywords);
   return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
 }
-
-/// InverseSolver with the arm and a copy of the keywords that it was made of. Only one thread
-/// solves at a time; the others wait.
-class Solver {
- public:
-  Solver(nb::object arm, const nb::dict& keywords)
-      : arm_(std::move(arm)),
-        keywords_(copied(keywords)),
-        dof_(nb::cast<const Arm&>(arm_).dof()),
-        plane_(nb::cast<const Arm&>(arm_)) {
-    InverseOptions all = inverse_options(nb::cast<const Arm&>(arm_), keywords_);
-    all.budget.cancelled = [this] { return call_->cancelled(); };
-    solver_.emplace(nb::cast<const Arm&>(arm_), all);
-    method_ = solver_->method();
-  }
-
-  const nb::object& arm() const { return arm_; }
-  const nb::dict& keywords() const { return keywords_; }
-  int dof() const { return dof_; }
-  const PosePlane& plane() const { return plane_; }
-  const std::string& method() const { return method_; }
-
-  /// work(the C++ solver), without Python's lock. Throws Error in a signal handler that interrupts
-  /// the solver in the same thread.
-  template <class Work>
-  auto run(Work work) {
-    if (owner_ == std::this_thread::get_id()) {
-      throw Error("the solver is solving already, in this thread");
-    }
-    Budget call;
-    Interruption interruption(call);  // outlives the lock of the mutex: its end needs Python's lock
-    auto result = [&] {
-      const LockRelease release;
-      const std::lock_guard lock(mutex_);
-      call_ = &call;
-      const Owner owner(owner_);
-      return work(*solver_);
-    }();
-    interruption.rethrow();
-    return result;
-  }
-
- private:
-  static nb::dict copied(const nb::dict& keywords) {
-    nb::dict copies;
-    const nb::object deepcopy = nb::module_::import_("copy").attr("deepcopy");
-    for (const auto& [keyword, value] : keywords) copies[keyword] = deepcopy(value);
-    return copies;
-  }
-
-  /// Marks this thread as the one that solves, during its life.
-  struct Owner {
-    explicit Owner(std::atomic<std::thread::id>& thread) : id(thread) {
-      id = std::this_thread::get_id();
-    }
-    ~Owner() { id = std::thread::id(); }
-    std::atomic<std::thread::id>& id;
-  };
-
-  nb::object arm_;
-  nb::dict keywords_;
-  int dof_;
-  PosePlane plane_;
-  std::mutex mutex_;
-  std::atomic<std::thread::id> owner_;
-  const Budget* call_ = nullptr;  ///< of the call that solves
-  std::optional<InverseSolver> solver_;
-  std::string method_;
-};
 
 /// Whether the value is a list of poses: of arrays, of lists of lists, or of objects that are
 /// poses.
@@ -118,38 +48,37 @@ void check_one_pose(nb::handle pose) {
   }
 }
 
-InverseResult solve(Solver& solver, nb::handle pose, nb::handle seed) {
-  const Pose world_T_tool = solver.plane().pose(pose, "world_T_tool");
-  if (seed.is_none()) {
-    return solver.run([&](InverseSolver& one) { return one.solve(world_T_tool); });
-  }
-  const InputArray start(seed, "seed");
-  if (start.dimensions() != 1)
-    throw Error("seed has the shape " + shape_text(start.shape()) + "; expected (" +
-                std::to_string(solver.dof()) + ",)");
-  const ConfigurationRef from(Eigen::Map<const Configuration>(start.data(), start.size()));
-  return solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from); });
-}
-
-int solve_into(Solver& solver, nb::handle pose, nb::handle seed, nb::handle solutions) {
-  const Pose world_T_tool = solver.plane().pose(pose, "world_T_tool");
-  const InputArray start(seed, "seed"), shaped(solutions, "solutions");
+/// Writes solutions into the rows of an array, and NaN into the others. Returns their number.
+int solve_into(const Arm& arm, const Pose& world_T_tool, nb::handle out, InverseOptions& with) {
+  const InputArray shaped(out, "out");
   const auto shape = shaped.shape();
-  const bool fits = start.dimensions() == 1 && !shape.empty() && shape.size() <= 2 &&
-                    shape.back() == solver.dof() && shaped.size() > 0;
+  const bool fits =
+      !shape.empty() && shape.size() <= 2 && shape.back() == arm.dof() && shaped.size() > 0;
   if (!fits) {
-    const std::string n = std::to_string(solver.dof());
-    throw Error("seed and solutions have the shapes " + shape_text(start.shape()) + " and " +
-                shape_text(shape) + "; expected (" + n + ",), and the same or (N, " + n + ")");
+    const std::string n = std::to_string(arm.dof());
+    throw Error("out has the shape " + shape_text(shape) + "; expected (" + n + ",) or (N, " + n +
+                ")");
   }
-  OutputArray results(solutions, "solutions", shape, Real::float64);
-  Eigen::Map<Eigen::MatrixXd> columns(results.data(), solver.dof(), shaped.rows(1));
-  const Configuration from = Eigen::Map<const Configuration>(start.data(), start.size());
-  const int count =
-      solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from, columns); });
+  OutputArray results(out, "out", shape, Real::float64);
+  Eigen::Map<Eigen::MatrixXd> columns(results.data(), arm.dof(), shaped.rows(1));
+  const Configuration seed = with.seed ? *with.seed : middle_configuration(arm);
+  const int count = unlocked(
+      with.budget, [&] { return inverse_kinematics(arm, world_T_tool, seed, columns, with); });
   columns.rightCols(columns.cols() - count).setConstant(std::numeric_limits<double>::quiet_NaN());
   results.finish();
   return count;
+}
+
+/// `seed` is an option too: named parameters take less time in control loops.
+nb::object inverse(const Arm& arm, nb::handle pose, nb::handle seed, nb::handle out,
+                   const nb::kwargs& keywords) {
+  check_one_pose(pose);
+  InverseOptions with = inverse_options(arm, keywords);
+  with.seed = Value<std::optional<Configuration>>::from(seed, "seed");
+  const Pose world_T_tool = PosePlane(arm).pose(pose, "world_T_tool");
+  if (!out.is_none()) return nb::cast(solve_into(arm, world_T_tool, out, with));
+  return nb::cast(
+      unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); }));
 }
 
 /// Poses of a batch as columns of the layout.
@@ -249,60 +178,34 @@ Signature& takes_pose(Signature& signature) {
                          "or an SE3 of pinocchio or spatialmath, or a RigidTransform of scipy.");
 }
 
-void bind_solver(nb::module_& m) {
-  nb::class_<Solver> solver(
-      m, "InverseSolver",
-      "inverse_kinematics() for many poses of one arm: what does not depend on the pose is "
-      "computed once. Threads that call one solver take turns; a copy for each works in parallel.");
-  Signature made("__init__", "None", "Computes what does not depend on the pose.");
-  made.takes("self").takes("arm", "Arm", "The arm.").options<InverseOptions>();
-  define(
-      solver,
-      [](Solver* self, nb::handle arm, const nb::kwargs& keywords) {
-        object_of<Arm>(arm, "arm");
-        new (self) Solver(nb::borrow(arm), nb::dict(keywords));
-      },
-      made, nb::arg("arm"), nb::arg("keywords"));
+void bind_one(nb::module_& m) {
+  Signature one("inverse_kinematics", "InverseResult", comment("inverse_kinematics"));
+  takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
+  one.returns("True when solved.");
+  define_on_arm(m, &inverse, one, nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(),
+                nb::arg("seed") = nb::none(), nb::arg("out") = nb::none(), nb::arg("options"));
 
-  Signature one("solve", "InverseResult",
-                "Computes joint configurations that bring the tool to a pose.");
-  takes_pose(one.takes("self"))
-      .takes("seed", std::string(array_like) + " | None", "In place of the option's, (n,).",
-             "None");
-  define(solver, &solve, one, nb::arg("world_T_tool"), nb::arg("seed") = nb::none());
-
+  // The same function takes `out`; this adds the annotation.
   Signature into(
-      "solve_into", "int",
-      "For control loops: writes the solutions, nearest to the seed first, into the rows of "
-      "`solutions`, as many as fit, without a diagnosis of failures. The other rows become NaN.");
-  takes_pose(into.takes("self"))
-      .takes("seed", array_like, "Configuration (n,).")
-      .takes("solutions", array_type, "(n,), or (N, n) with the option `all`.")
+      "inverse_kinematics", "int",
+      "For control loops: writes the solutions, nearest to the seed first, into the rows of `out`, "
+      "as many as fit, without a diagnosis of failures. The other rows become NaN.");
+  takes_pose(into.takes("arm", "Arm", "The arm."))
+      .keywords()
+      .takes("out", array_type, "(n,), or (N, n) with the option `all`.")
+      .options<InverseOptions>()
       .returns("The number of solutions written.");
-  define(solver, &solve_into, into, nb::arg("world_T_tool"), nb::arg("seed"), nb::arg("solutions"));
+  define_on_arm(m, &inverse, into, nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(),
+                nb::arg("seed") = nb::none(), nb::arg("out") = nb::none(), nb::arg("options"));
 
-  solver.def_prop_ro(
-      "method", [](Solver& self) { return self.method(); }, getter("method", "str"),
-      "The closed form that the arm has, or `numerical`.");
-  solver.def_prop_ro(
-      "arm", [](const Solver& self) { return self.arm(); }, getter("arm", "Arm"), "The arm.");
-  solver.def("__repr__", [](Solver& self) {
-    return "InverseSolver(" + nb::cast<const Arm&>(self.arm()).name() + ", " + self.method() + ")";
-  });
-  solver.def(
-      "__getstate__",
-      [](const Solver& self) { return nb::make_tuple(self.arm(), self.keywords().attr("copy")()); },
-      nb::sig("def __getstate__(self) -> tuple[Arm, dict[str, object]]"));
-  solver.def(
-      "__setstate__",
-      [](Solver& self, const nb::tuple& state) {
-        if (nb::len(state) != 2) throw Error("the pickled state has another number of values");
-        if (!nb::isinstance<Arm>(state[0]) || !nb::isinstance<nb::dict>(state[1])) {
-          throw Error("the pickled state does not belong to an InverseSolver");
-        }
-        new (&self) Solver(state[0], nb::borrow<nb::dict>(state[1]));
+  Signature method("inverse_method", "str", comment("inverse_method"));
+  method.takes("arm", "Arm", "The arm.").options<InverseOptions>();
+  define_on_arm(
+      m,
+      [](const Arm& arm, const nb::kwargs& keywords) {
+        return inverse_method(arm, inverse_options(arm, keywords));
       },
-      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+      method, nb::arg("arm"), nb::arg("options"));
 }
 
 }  // namespace
@@ -339,18 +242,7 @@ void bind_inverse(nb::module_& m) {
       getter("has_solution", "numpy.typing.NDArray[numpy.bool_]"),
       "Which poses have a solution (...).");
 
-  Signature one("inverse_kinematics", "InverseResult", comment("inverse_kinematics"));
-  takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
-  one.returns("True when solved.");
-  define_on_arm(
-      m,
-      [](const Arm& arm, nb::handle pose, const nb::kwargs& keywords) {
-        check_one_pose(pose);
-        const Pose world_T_tool = PosePlane(arm).pose(pose, "world_T_tool");
-        InverseOptions with = inverse_options(arm, keywords);
-        return unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); });
-      },
-      one, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
+  bind_one(m);
 
   Signature batched(
       "batch_inverse", "BatchInverseResult",
@@ -369,7 +261,6 @@ void bind_inverse(nb::module_& m) {
       .progress()
       .options<InverseOptions>();
   define(m, &batch, batched, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
-  bind_solver(m);
 }
 
 }  // namespace beeline::python

@@ -193,27 +193,35 @@ inline constexpr bool reports<BudgetOptions> = false;
 template <>
 struct Fields<BudgetOptions> : Members<&BudgetOptions::budget> {};
 
-/// Sets the member of `result` that the keyword names; returns whether there is one. Adds the names
-/// of all members to `names`.
+/// Sets the member of `result` that the keyword names; returns whether there is one.
 template <class Options>
-bool set_option(Options& result, const std::string& keyword, nb::handle value,
-                std::vector<std::string>& names) {
-  bool found = false;
+bool set_option(Options& result, const std::string& keyword, nb::handle value) {
   const auto assign = [&]<class M>(const Field<Options, M>& field) {
+    if constexpr (std::is_same_v<M, Budget>) {
+      if (keyword == "progress" && !reports<Options>) return false;
+      return set_budget(result.*field.member, keyword, value);
+    } else {
+      if (keyword != field.name) return false;
+      result.*field.member = Value<M>::from(value, field.name);
+      return true;
+    }
+  };
+  return std::apply([&](const auto&... field) { return (assign(field) || ...); },
+                    Fields<Options>::all());
+}
+
+/// Adds the names of the members that set_option() knows.
+template <class Options>
+void add_option_names(std::vector<std::string>& names) {
+  const auto add = [&]<class M>(const Field<Options, M>& field) {
     if constexpr (std::is_same_v<M, Budget>) {
       names.insert(names.end(), {"time_limit", "max_work"});
       if (reports<Options>) names.emplace_back("progress");
-      if (keyword == "progress" && !reports<Options>) return;
-      found = found || set_budget(result.*field.member, keyword, value);
     } else {
       names.emplace_back(field.name);
-      if (keyword != field.name) return;
-      result.*field.member = Value<M>::from(value, field.name);
-      found = true;
     }
   };
-  std::apply([&](const auto&... field) { (assign(field), ...); }, Fields<Options>::all());
-  return found;
+  std::apply([&](const auto&... field) { (add(field), ...); }, Fields<Options>::all());
 }
 
 /// The struct, or the tuple of structs, with the members that the keyword arguments name. Throws
@@ -224,10 +232,12 @@ auto options(const nb::kwargs& values) {
   for (const auto& item : values) {
     const std::string keyword = Value<std::string>::from(item.first, "keyword");
     const nb::handle value = item.second;
-    std::vector<std::string> names;
     const bool found = std::apply(
-        [&](Options&... part) { return (set_option(part, keyword, value, names) || ...); }, result);
-    if (!found) throw nb::type_error(unknown_name("option", keyword, names).what());
+        [&](Options&... part) { return (set_option(part, keyword, value) || ...); }, result);
+    if (found) continue;
+    std::vector<std::string> names;
+    (add_option_names<Options>(names), ...);
+    throw nb::type_error(unknown_name("option", keyword, names).what());
   }
   if constexpr (sizeof...(Options) == 1) {
     return std::get<0>(std::move(result));

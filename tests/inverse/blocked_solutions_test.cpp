@@ -241,18 +241,16 @@ TEST(BlockedSolutions, HaveAStatusInBatchesAndNoneInControlLoops) {
   const Configuration seed = middle_configuration(cell.arm);
   std::vector<InverseOutcome> outcomes;
   const BatchResult batch = batch_inverse(cell.arm, poses, seed, q, outcomes, options);
-  InverseSolver solver(cell.arm, options);
-  InverseSolver copy(solver);
   for (int i = 0; i < count; ++i) {
     Pose pose;
     pose.matrix() = poses.col(i).reshaped(4, 4);
-    const InverseResult single = solver.solve(pose);
+    const InverseResult single = inverse_kinematics(cell.arm, pose, options);
     EXPECT_EQ(single.status, outcomes[static_cast<std::size_t>(i)].status);
     EXPECT_EQ(q.col(i).allFinite(), static_cast<bool>(single));
     if (single) {
       EXPECT_EQ(q.col(i), single.solutions.front());
     }
-    EXPECT_EQ(copy.solve(pose, seed, one), single ? 1 : 0);
+    EXPECT_EQ(inverse_kinematics(cell.arm, pose, seed, one, options), single ? 1 : 0);
     if (single) {
       EXPECT_EQ(one.col(0), single.solutions.front());
     }

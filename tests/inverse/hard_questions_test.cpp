@@ -50,7 +50,6 @@ TEST(HardQuestions, NextToASingularWristNothingIsCalledComplete) {
 TEST(HardQuestions, SeedsFarAwayCostNoDigits) {
   testing::Random random;
   const Arm arm = built_in("ur5");
-  InverseSolver solver(arm, {.ignore_limits = true});
   Eigen::MatrixXd column(6, 1);
   for (const double far : {1e2, 1e4, 1e6, 1e9, 1e17}) {
     const Configuration q = random.configuration(arm), seed = Configuration::Constant(6, far);
@@ -59,7 +58,7 @@ TEST(HardQuestions, SeedsFarAwayCostNoDigits) {
         inverse_kinematics(arm, pose, {.seed = seed, .ignore_limits = true});
     ASSERT_EQ(result.status, InverseStatus::solved) << far << result.reason;
     EXPECT_LE(result.residual, 1e-10);
-    ASSERT_EQ(solver.solve(pose, seed, column), 1);
+    ASSERT_EQ(inverse_kinematics(arm, pose, seed, column, {.ignore_limits = true}), 1);
     const Deviation error =
         task_deviation(Task::spatial(), pose, forward_kinematics(arm, column.col(0)));
     EXPECT_LE(testing::largest(error), 1e-10) << far;
@@ -95,12 +94,11 @@ TEST(HardQuestions, ResultsDoNotDependOnEarlierOnes) {
   testing::Random random;
   const Arm arm = testing::random_arm(random, 6, 0);
   const Pose nowhere = make_pose({100, 0, 0});
-  InverseSolver used(arm);
-  used.solve(nowhere);
+  inverse_kinematics(arm, nowhere);
   for (int i = 0; i < 50; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
-    InverseSolver fresh(arm);
-    const InverseResult a = used.solve(pose), b = fresh.solve(pose);
+    const Arm fresh(arm.name(), arm.joints(), arm.tool(), arm.base());
+    const InverseResult a = inverse_kinematics(arm, pose), b = inverse_kinematics(fresh, pose);
     ASSERT_EQ(a.status, b.status);
     ASSERT_EQ(a.solutions, b.solutions);
     ASSERT_EQ(a.method, b.method);

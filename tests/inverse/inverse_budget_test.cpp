@@ -129,14 +129,11 @@ TEST(InverseBudget, WorkEndsTheSameOnEveryCall) {
   testing::Random random;
   for (const Problem& problem : problems(random)) {
     SCOPED_TRACE(problem.what);
-    InverseSolver used(problem.arm, problem.options);
     for (const std::int64_t work : {0, 5, 40, 300}) {
       InverseOptions options = problem.options;
       options.budget.max_work = work;
-      InverseSolver again(problem.arm, options);
-      const InverseResult first = again.solve(problem.pose);
-      used.solve(problem.pose);
-      expect_same(first, again.solve(problem.pose));
+      const InverseResult first = inverse_kinematics(problem.arm, problem.pose, options);
+      inverse_kinematics(problem.arm, problem.pose, problem.options);
       expect_same(first, inverse_kinematics(problem.arm, problem.pose, options));
     }
   }
@@ -149,12 +146,13 @@ TEST(InverseBudget, AnAmpleOneChangesNothing) {
     InverseOptions options = problem.options;
     options.budget = {
         .time_limit = 1e6, .max_work = 1'000'000'000, .cancelled = [] { return false; }};
-    InverseSolver limited(problem.arm, options), free(problem.arm, problem.options);
-    expect_same(limited.solve(problem.pose), free.solve(problem.pose));
+    expect_same(inverse_kinematics(problem.arm, problem.pose, options),
+                inverse_kinematics(problem.arm, problem.pose, problem.options));
     const int dof = problem.arm.dof();
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(dof, 8), b = a;
     const Configuration seed = problem.options.seed.value_or(middle_configuration(problem.arm));
-    EXPECT_EQ(limited.solve(problem.pose, seed, a), free.solve(problem.pose, seed, b));
+    EXPECT_EQ(inverse_kinematics(problem.arm, problem.pose, seed, a, options),
+              inverse_kinematics(problem.arm, problem.pose, seed, b, problem.options));
     EXPECT_EQ(a, b);
   }
 }

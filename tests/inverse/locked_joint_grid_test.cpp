@@ -76,9 +76,8 @@ TEST(LockedJointGrid, NoSolutionIsMissingAtACompleteValue) {
 TEST(LockedJointGrid, SolutionsAreOnTheGridAndTheSameForEverySeed) {
   testing::Random random;
   const Arm arm = seven_revolute(random);
-  InverseSolver solver(arm, {.all = true, .grid = 8});
   const Pose pose = forward_kinematics(arm, random.configuration(arm));
-  const InverseResult first = solver.solve(pose);
+  const InverseResult first = inverse_kinematics(arm, pose, {.all = true, .grid = 8});
   for (const Configuration& q : first.solutions) {
     double distance = 1;
     for (const double value : first.grid->values) {
@@ -86,7 +85,8 @@ TEST(LockedJointGrid, SolutionsAreOnTheGridAndTheSameForEverySeed) {
     }
     EXPECT_LT(distance, 1e-6) << q.transpose();
   }
-  const InverseResult again = solver.solve(pose, random.configuration(arm));
+  const InverseResult again =
+      inverse_kinematics(arm, pose, {.seed = random.configuration(arm), .all = true, .grid = 8});
   EXPECT_EQ(again.grid->complete, first.grid->complete);
   EXPECT_EQ(again.solutions.size(), first.solutions.size());
 }

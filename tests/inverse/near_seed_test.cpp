@@ -26,7 +26,6 @@ TEST(NearSeed, KeepsRedundantArmsNear) {
   testing::Random random;
   for (const char* name : {"panda", "iiwa7", "gen3", "RRRR:0.4,0.3,0.2,0.1", "ur5e"}) {
     const Arm arm = read_arm(name);
-    InverseSolver solver(arm);
     int far = 0;
     const int count = testing::cases(1500);
     for (int i = 0; i < count; ++i) {
@@ -34,7 +33,7 @@ TEST(NearSeed, KeepsRedundantArmsNear) {
       Configuration seed = q;
       for (double& value : seed) value += random.uniform(-0.05, 0.05);
       const Pose pose = forward_kinematics(arm, q);
-      const InverseResult found = solver.solve(pose, seed);
+      const InverseResult found = inverse_kinematics(arm, pose, {.seed = seed});
       ASSERT_EQ(found.status, InverseStatus::solved) << name << ": " << q.transpose();
       const Configuration& solution = found.solutions.front();
       EXPECT_TRUE(forward_kinematics(arm, solution).isApprox(pose, 1e-9));

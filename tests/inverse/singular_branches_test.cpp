@@ -230,12 +230,12 @@ TEST(RegularPoses, AreCompleteWithTheirConfiguration) {
   Random random;
   for (const char* name : {"puma560", "kr6_r900", "irb120", "stanford", "ur5", "cr5"}) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm, {.all = true});
     for (int i = 0; i < testing::cases(300); ++i) {
       const Configuration q = random.configuration(arm);
       const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q));
       if (svd.singularValues()[5] < 0.01 * svd.singularValues()[0]) continue;
-      const InverseResult result = solver.solve(forward_kinematics(arm, q));
+      const InverseResult result =
+          inverse_kinematics(arm, forward_kinematics(arm, q), {.all = true});
       ASSERT_TRUE(result.complete && result.branches_complete) << name << ' ' << q.transpose();
       ASSERT_TRUE(testing::holds(arm, result.solutions, q)) << name << ' ' << q.transpose();
     }
@@ -248,7 +248,6 @@ TEST(RightAngles, AreAmongCompleteSolutions) {
   Random random;
   for (const char* name : {"hc10", "crx10ia", "jaco2"}) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm, {.all = true, .max_restarts = 0});
     int complete = 0;
     for (int i = 0; i < testing::cases(testing::example_size(9000)); ++i) {
       Configuration q = random.configuration(arm);
@@ -256,7 +255,8 @@ TEST(RightAngles, AreAmongCompleteSolutions) {
         if (random.integer(0, 3) > 0) each = pi / 2 * std::round(2 * each / pi);
       }
       if (!within(internal::bounds_of(arm), q)) continue;
-      const InverseResult result = solver.solve(forward_kinematics(arm, q));
+      const InverseResult result =
+          inverse_kinematics(arm, forward_kinematics(arm, q), {.all = true, .max_restarts = 0});
       complete += result.complete;
       constexpr double merged = 2e-3;
       EXPECT_TRUE(!result.complete || testing::holds(arm, result.solutions, q, merged))

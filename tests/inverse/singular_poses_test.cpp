@@ -40,11 +40,11 @@ Configuration special(const Arm& arm, double probability, bool at_limits, Random
   return q;
 }
 
-void expect_answer(InverseSolver& solver, const Arm& arm, const Configuration& q, int& unanswered) {
+void expect_answer(const Arm& arm, const Configuration& q, int& unanswered) {
   const Pose pose = forward_kinematics(arm, q);
-  const InverseResult result = solver.solve(pose);
+  const InverseResult result = inverse_kinematics(arm, pose);
   Eigen::MatrixXd column(arm.dof(), 1);
-  const int count = solver.solve(pose, middle_configuration(arm), column);
+  const int count = inverse_kinematics(arm, pose, middle_configuration(arm), column);
   ASSERT_EQ(count == 1, static_cast<bool>(result)) << arm.name() << ' ' << q.transpose();
   if (!result) {
     ++unanswered;
@@ -65,10 +65,9 @@ TEST(SingularPoses, AreAnswered) {
   int unanswered = 0, asked = 0;
   for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm);
     for (int i = 0; i < testing::cases(400); ++i, ++asked) {
       const double probability = random.uniform(0, 1);
-      expect_answer(solver, arm, special(arm, probability, i % 2 == 1, random), unanswered);
+      expect_answer(arm, special(arm, probability, i % 2 == 1, random), unanswered);
     }
   }
   EXPECT_LE(unanswered, 1 + asked / 10000);
@@ -81,11 +80,10 @@ TEST(SingularPoses, AreAnsweredWithAStretchedArm) {
   int unanswered = 0, asked = 0;
   for (const char* name : {"gen3", "iiwa14", "iiwa7"}) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm);
     for (int i = 0; i < testing::cases(testing::example_size(300)); ++i, ++asked) {
       Configuration q = random.configuration(arm);
       q.segment<3>(2).setZero();
-      expect_answer(solver, arm, q, unanswered);
+      expect_answer(arm, q, unanswered);
     }
   }
   EXPECT_LE(unanswered, 1 + asked / 1000);
@@ -96,13 +94,12 @@ TEST(SingularPoses, AreAnsweredWithAStretchedArm) {
 TEST(SingularPoses, AreAnsweredWithALockedElbow) {
   Random random;
   const Arm arm = built_in("iiwa14");
-  InverseSolver solver(arm, {.lock = 3});
   for (int i = 0; i < testing::cases(300); ++i) {
     const Configuration q = special(arm, 0.3, i % 2 == 1, random);
     Configuration seed = middle_configuration(arm);
     seed[3] = q[3];
     const Pose pose = forward_kinematics(arm, q);
-    const InverseResult result = solver.solve(pose, seed);
+    const InverseResult result = inverse_kinematics(arm, pose, {.seed = seed, .lock = 3});
     testing::expect_solved(arm, pose, Task::spatial(), result);
     ASSERT_TRUE(result);
     EXPECT_EQ(result.solutions[0][3], q[3]);

@@ -161,14 +161,14 @@ inline DenseAnswer dense_branches(const Arm& arm, const Pose& from, const Pose& 
 /// places; those that can be reached from the ones before by small turns.
 inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to, int layers = 160,
                                 int grid = 96, double max_turn = 0.2) {
-  InverseSolver solver(arm, {.all = true, .grid = grid, .tolerance = 1e-9, .max_restarts = 0});
+  const InverseOptions options{.all = true, .grid = grid, .tolerance = 1e-9, .max_restarts = 0};
   Eigen::MatrixXd columns(arm.dof(), 16 * grid);
   const Configuration middle = Configuration::Zero(arm.dof());
   std::vector<std::vector<Configuration>> all(static_cast<std::size_t>(layers) + 1);
   const auto solve = [&](int r) {
     auto& layer = all[r];
-    const int count =
-        solver.solve(interpolate(from, to, static_cast<double>(r) / layers), middle, columns);
+    const Pose pose = interpolate(from, to, static_cast<double>(r) / layers);
+    const int count = inverse_kinematics(arm, pose, middle, columns, options);
     for (int j = 0; j < count; ++j) layer.emplace_back(columns.col(j));
     return count > 0;
   };

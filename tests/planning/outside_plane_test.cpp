@@ -64,10 +64,9 @@ TEST(OutsideThePlane, IsRefusedUnlessATaskIsGiven) {
     EXPECT_NO_THROW(inverse_kinematics(arm, inside));
     EXPECT_REFUSED(inverse_kinematics(arm, outside), "the pose is outside the plane z = ");
     EXPECT_REFUSED(inverse_kinematics(arm, outside), "or task planar to ignore height and tilt");
-    InverseSolver solver(arm);
     Eigen::MatrixXd columns(arm.dof(), 1);
-    EXPECT_REFUSED(solver.solve(outside, q), "outside the plane");
-    EXPECT_REFUSED(solver.solve(outside, q, columns), "outside the plane");
+    EXPECT_REFUSED(inverse_kinematics(arm, outside, {.seed = q}), "outside the plane");
+    EXPECT_REFUSED(inverse_kinematics(arm, outside, q, columns), "outside the plane");
     EXPECT_TRUE(inverse_kinematics(arm, outside, {.seed = q, .task = planar}));
     try {
       inverse_kinematics(arm, outside);

@@ -15,7 +15,7 @@ MOTION = beeline.move_in_lines(PANDA, Q, [moved(POSE, 0, 0, 0.02)])
     lambda arm: beeline.forward_kinematics(arm, Q),
     lambda arm: beeline.jacobian(arm, Q),
     lambda arm: beeline.inverse_kinematics(arm, POSE),
-    lambda arm: beeline.InverseSolver(arm),
+    lambda arm: beeline.inverse_method(arm),
     lambda arm: beeline.move_in_lines(arm, Q, [POSE]),
     lambda arm: beeline.move_joints(arm, Q, Q),
     lambda arm: beeline.limit_usage(arm, MOTION.trajectory),

@@ -36,8 +36,7 @@ CALLS = {
     "nearest_pair": lambda q: beeline.nearest_pair(MODEL, q),
     "pairs_too_close": lambda q: beeline.pairs_too_close(MODEL, q),
     "blocked_by": lambda q: beeline.blocked_by(MODEL, q),
-    "solver": lambda q: beeline.InverseSolver(PANDA).solve(POSE, q),
-    "solve_into": lambda q: beeline.InverseSolver(PANDA).solve_into(POSE, q, np.empty(7)),
+    "seed of out": lambda q: beeline.inverse_kinematics(PANDA, POSE, seed=q, out=np.empty(7)),
 }
 
 
@@ -85,7 +84,7 @@ def test_what_is_no_configuration_is_refused(call, wrong):
 
 @pytest.mark.parametrize("call", CALLS)
 def test_none_is_refused_or_means_the_default(call):
-    if call in ("seed", "batch seed", "solver"):
+    if call in ("seed", "batch seed", "seed of out"):
         assert CALLS[call](None)
     else:
         with pytest.raises(TypeError, match=r"^\w+: expected numbers, not None$"):
@@ -243,9 +242,11 @@ def test_results_are_not_written_over_their_configurations():
         (lambda: beeline.batch_inverse(PANDA, np.zeros((2, 4, 4))), beeline.Error, "pose"),
         (lambda: beeline.batch_inverse(PANDA, [POSE], seed=[Q, Q]), beeline.Error, "one for each pose"),
         (lambda: beeline.batch_inverse(PANDA, [POSE], threads="2"), TypeError, "threads"),
-        (lambda: beeline.InverseSolver(PANDA).solve_into(POSE, Q, np.empty(6)), beeline.Error, "solutions"),
-        (lambda: beeline.InverseSolver(PANDA).solve_into(POSE, Q, read_only(7)), beeline.Error, "read-only"),
-        (lambda: beeline.InverseSolver(PANDA, method="closed"), beeline.Error, "closed_form"),
+        (lambda: beeline.inverse_kinematics(PANDA, POSE, out=np.empty(6)), beeline.Error, r"out has the shape \(6,\)"),
+        (lambda: beeline.inverse_kinematics(PANDA, POSE, out=np.empty((2, 2, 7))), beeline.Error, r"expected \(7,\) or"),
+        (lambda: beeline.inverse_kinematics(PANDA, POSE, out=read_only(7)), beeline.Error, "read-only"),
+        (lambda: beeline.inverse_kinematics(PANDA, POSE, out=[0.0] * 7), TypeError, "out"),
+        (lambda: beeline.inverse_method(PANDA, method="closed"), beeline.Error, "closed_form"),
     ],
 )
 def test_options_that_do_not_fit(call, error, message):
@@ -255,17 +256,16 @@ def test_options_that_do_not_fit(call, error, message):
 
 def test_arrays_outlive_their_arm():
     arm = beeline.arms.panda()
-    results = [beeline.jacobian(arm, np.zeros((100, 7))), arm.lower, arm.joints, beeline.InverseSolver(arm)]
+    results = [beeline.jacobian(arm, np.zeros((100, 7))), arm.lower, arm.joints]
     expected = beeline.jacobian(arm, Q)
-    solver = results[-1]
     del arm
     gc.collect()
     assert np.abs(results[0] - expected).max() < 1e-15
-    assert len(results[1]) == len(results[2]) == 7 and solver.solve(POSE)
+    assert len(results[1]) == len(results[2]) == 7
 
 
 def test_pickles_that_are_cut_off_or_changed(rng):
-    objects = [PANDA, beeline.InverseSolver(PANDA), beeline.inverse_kinematics(PANDA, POSE), beeline.Quaternion()]
+    objects = [PANDA, beeline.inverse_kinematics(PANDA, POSE), beeline.Quaternion()]
     objects.append(beeline.batch_inverse(PANDA, [POSE]))
     for whole in map(pickle.dumps, objects):
         for _ in range(60):
@@ -278,7 +278,7 @@ def test_pickles_that_are_cut_off_or_changed(rng):
 
 
 @pytest.mark.filterwarnings("ignore:nanobind")
-@pytest.mark.parametrize("kind", [beeline.Arm, beeline.InverseSolver, beeline.InverseResult, beeline.Quaternion])
+@pytest.mark.parametrize("kind", [beeline.Arm, beeline.InverseResult, beeline.Quaternion])
 def test_objects_that_were_not_made(kind):
     empty = kind.__new__(kind)
     for use in (repr, pickle.dumps, lambda value: beeline.jacobian(value, Q)):

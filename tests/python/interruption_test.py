@@ -58,11 +58,10 @@ DAEMONS = WORK | {
 tool = beeline.forward_kinematics(arm, arm.middle)
 up = np.array(tool); up[2, 3] += 0.1
 beeline.move_in_lines(arm, None, [tool, up] * 2500, max_samples=2**31 - 1, progress=lambda done: time.sleep(1e-3))""",
-    "a solver": """
-solver = beeline.InverseSolver(arm)
+    "short calls": """
 tool = beeline.forward_kinematics(arm, arm.middle)
 while True:
-    solver.solve(tool)""",
+    beeline.inverse_kinematics(arm, tool)""",
     "an argument's Python code": """
 class Slow:
     def __array__(self, *args, **keywords):

@@ -76,29 +76,27 @@ def test_negative_answers_have_reasons(arm):
     assert repr(result).startswith(f"InverseResult(status='{result.status}'")
 
 
-def test_a_solver_is_inverse_kinematics(arm, rng):
-    solver = beeline.InverseSolver(arm, max_restarts=50)
-    assert solver.arm is arm and solver.method in repr(solver)
+def test_one_solution_is_written_into_an_array(arm, rng):
     q, poses = reachable(arm, rng, 20)
-    for other in (solver, copy.copy(solver), pickle.loads(pickle.dumps(solver))):
-        for seed, pose in zip(q, poses):
-            assert other.solve(pose) == beeline.inverse_kinematics(arm, pose, max_restarts=50)
-            assert other.solve(pose, seed) == beeline.inverse_kinematics(arm, pose, seed=seed, max_restarts=50)
-            result = np.empty(arm.dof)
-            assert other.solve_into(pose, seed, result) == 1
-            assert np.abs(beeline.forward_kinematics(arm, result) - pose).max() < 1e-8
+    for seed, pose in zip(q, poses):
+        result = np.empty(arm.dof)
+        assert beeline.inverse_kinematics(arm, pose, seed=seed, out=result, max_restarts=50) == 1
+        assert np.abs(beeline.forward_kinematics(arm, result) - pose).max() < 1e-8
+        assert arm.inverse_kinematics(pose, out=result) == 1
+        method = beeline.inverse_kinematics(arm, pose).method
+        assert method in (beeline.inverse_method(arm), "numerical")
+    assert beeline.inverse_method(arm, method="numerical") == arm.inverse_method(method="numerical") == "numerical"
 
 
 def test_solutions_are_written_into_arrays(rng):
     arm = beeline.arms.ur5()
     (q,), (pose,) = reachable(arm, rng, 1)
-    solver = beeline.InverseSolver(arm, all=True)
-    expected = solver.solve(pose, q).solutions
+    expected = beeline.inverse_kinematics(arm, pose, seed=q, all=True).solutions
     for out in (np.empty((64, 6)), np.empty((64, 6), order="F"), np.empty((128, 12))[::2, ::2]):
-        count = solver.solve_into(pose, q, out)
+        count = beeline.inverse_kinematics(arm, pose, seed=q, all=True, out=out)
         assert count == len(expected) and np.abs(out[:count] - expected).max() < 1e-9
         assert np.isnan(out[count:]).all()
-    assert solver.solve_into(beeline.make_pose([9, 9, 9]), q, out) == 0
+    assert beeline.inverse_kinematics(arm, beeline.make_pose([9, 9, 9]), seed=q, all=True, out=out) == 0
     assert np.isnan(out).all()
 
 
@@ -109,10 +107,9 @@ def test_a_batch_is_its_poses_one_by_one(arm, rng):
     result = beeline.batch_inverse(arm, poses)
     assert not result and result.solved == 58 and result.computed == 60 and result.ending == "complete"
     assert np.flatnonzero(~result.has_solution).tolist() == [7, 8] and np.isnan(result.q[7:9]).all()
-    solver = beeline.InverseSolver(arm)
     for pose, found in zip(poses[result.has_solution], result.q[result.has_solution]):
         one = np.empty(arm.dof)
-        assert solver.solve_into(pose, arm.middle, one) == 1
+        assert beeline.inverse_kinematics(arm, pose, out=one) == 1
         assert np.array_equal(one, found)
     assert np.array_equal(beeline.batch_inverse(arm, poses, threads=1).q, result.q, equal_nan=True)
     good = poses[9:].copy()
@@ -145,14 +142,13 @@ def test_a_budget_ends_a_batch(rng):
 def test_threads_call_at_once(rng):
     arm = beeline.arms.panda()
     q, poses = reachable(arm, rng, 200)
-    solver = beeline.InverseSolver(arm)
-    expected = [solver.solve(pose) for pose in poses]
+    expected = [beeline.inverse_kinematics(arm, pose) for pose in poses]
     kinematics = beeline.jacobian(arm, q)
     wrong = []
 
     def work():
         for row, pose, result, columns in zip(q, poses, expected, kinematics):
-            if solver.solve(pose) != result or np.abs(beeline.jacobian(arm, row) - columns).max() > 1e-12:
+            if beeline.inverse_kinematics(arm, pose) != result or np.abs(beeline.jacobian(arm, row) - columns).max() > 1e-12:
                 wrong.append(row)
         if np.abs(beeline.forward_kinematics(arm, q) - poses).max() != 0:
             wrong.append("batch")
@@ -182,7 +178,6 @@ def test_solutions_that_are_blocked(name, rng):
     free = blocked = 0
     for _ in range(6):
         model = model_among_balls(arm, rng, 6)
-        solver = beeline.InverseSolver(arm, blocked_by=model, grid=8)
         q, poses = reachable(arm, rng, 4)
         for pose in poses:
             every = beeline.inverse_kinematics(arm, pose, all=True, grid=8)
@@ -196,18 +191,15 @@ def test_solutions_that_are_blocked(name, rng):
                 assert one.reason and one.reason == beeline.blocked_by(model, one.q)
                 assert one.reason.fields["clearance"] > beeline.nearest_pair(model, one.q).lower
                 assert one.reason.code in ("bodies_collide", "bodies_too_close", "clearance_not_decided")
-            single = solver.solve(pose)
+            single = beeline.inverse_kinematics(arm, pose, blocked_by=model, grid=8)
             assert bool(single) == (len(result.solutions) > 0) or (name == "panda" and single)
             assert single.status in ("solved", "blocked")
             assert pickle.loads(pickle.dumps(result)) == result
             free, blocked = free + len(result.solutions), blocked + len(result.blocked)
         batch = beeline.batch_inverse(arm, poses, blocked_by=model, grid=8)
         for pose, row in zip(poses, batch.q):
-            one = solver.solve(pose)
+            one = beeline.inverse_kinematics(arm, pose, blocked_by=model, grid=8)
             assert np.array_equal(row, one.q) if one else np.isnan(row).all()
-        assert copy.deepcopy(solver).solve(poses[0]) == solver.solve(poses[0])
-        solver.__getstate__()[1].clear()
-        assert copy.copy(solver).solve(poses[0]) == solver.solve(poses[0])
     assert free and blocked
 
 
@@ -215,7 +207,8 @@ def test_a_model_of_another_arm_blocks_nothing_by_mistake(rng):
     arm, other = beeline.arms.ur5(), beeline.arms.ur5e()
     model = model_among_balls(other, rng, 1)
     pose = beeline.forward_kinematics(arm, arm.middle)
-    for call in (lambda: beeline.inverse_kinematics(arm, pose, blocked_by=model), lambda: beeline.InverseSolver(arm, blocked_by=model),
+    for call in (lambda: beeline.inverse_kinematics(arm, pose, blocked_by=model),
+                 lambda: beeline.inverse_kinematics(arm, pose, blocked_by=model, out=np.empty(arm.dof)),
                  lambda: beeline.batch_inverse(arm, [pose], blocked_by=model),
                  lambda: beeline.move_in_lines(arm, None, [pose, pose], blocked_by=model)):
         with pytest.raises(beeline.Error, match="another arm"):

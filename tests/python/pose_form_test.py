@@ -67,11 +67,10 @@ def same(pose):
     matrix = beeline.to_space(beeline.Pose2(x=4.0, y=3.0, theta=0.5))
     q = beeline.inverse_kinematics(RRR, matrix).q
     assert q is not None
-    for solution in (beeline.inverse_kinematics(RRR, pose).q, beeline.InverseSolver(RRR).solve(pose).q):
-        assert np.array_equal(solution, q)
+    assert np.array_equal(beeline.inverse_kinematics(RRR, pose).q, q)
     assert np.array_equal(beeline.batch_inverse(RRR, [pose, pose]).q, [q, q])
     into = np.empty(3)
-    assert beeline.InverseSolver(RRR).solve_into(pose, q, into) == 1 and into == pytest.approx(q, abs=1e-9)
+    assert beeline.inverse_kinematics(RRR, pose, seed=q, out=into) == 1 and into == pytest.approx(q, abs=1e-9)
     motion = beeline.move_in_lines(RRR, BENT, [pose])
     assert motion.status == "reached"
     assert beeline.forward_kinematics(RRR, motion.trajectory.positions[-1]) == pytest.approx(matrix, abs=1e-8)

@@ -35,6 +35,13 @@ def jacobians_of_both_dtypes(arm: beeline.Arm) -> None:
     assert single.dtype == numpy.float32 and double.dtype == numpy.float64
 
 
+def solutions_of_both_forms(arm: beeline.Arm) -> None:
+    pose: Array = beeline.forward_kinematics(arm, arm.middle)
+    result: beeline.InverseResult = beeline.inverse_kinematics(arm, pose, seed=arm.middle)
+    count: int = arm.inverse_kinematics(pose, out=numpy.empty(arm.dof))
+    assert result and count == 1
+
+
 def line_down(arm: beeline.Arm, q: Array, depth: float) -> beeline.Trajectory:
     goal = beeline.forward_kinematics(arm, q)
     goal[2, 3] -= depth
@@ -89,6 +96,7 @@ def main() -> None:
         assert jacobian.shape[1] == arm.dof
     panda = beeline.arms.panda()
     jacobians_of_both_dtypes(panda)
+    solutions_of_both_forms(panda)
     placement = reach(beeline.arms.puma560())
     assert placement is not None and placement.margin > 0
     retimed(panda, line_down(panda, numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785]), 0.1))

@@ -30,18 +30,18 @@ double margin_of(const Arm& arm, const Configuration& q, int joints) {
 }
 
 /// The solutions of a pose. Nothing explains why there is none, which takes most of the time.
-std::vector<Configuration> solutions_of(const Arm& arm, InverseSolver& solver, const Pose& pose) {
+std::vector<Configuration> solutions_of(const Arm& arm, const Pose& pose, bool all) {
   Eigen::MatrixXd columns(arm.dof(), 256);
-  const int count = solver.solve(pose, middle_configuration(arm), columns);
+  const int count = inverse_kinematics(arm, pose, middle_configuration(arm), columns, {.all = all});
   std::vector<Configuration> solutions;
   for (int i = 0; i < count; ++i) solutions.emplace_back(columns.col(i));
   return solutions;
 }
 
-/// Expects of a cell what the inverse kinematics (`all` its solutions) gives at its centre.
-void expect_all_solutions(const Arm& arm, InverseSolver& all, const ReachGrid& grid,
-                          Eigen::Index cell, const ReachCells& cells, Eigen::Index index) {
-  const auto solutions = solutions_of(arm, all, grid.pose(cell));
+/// Expects of a cell all solutions that the inverse kinematics gives at its centre.
+void expect_all_solutions(const Arm& arm, const ReachGrid& grid, Eigen::Index cell,
+                          const ReachCells& cells, Eigen::Index index) {
+  const auto solutions = solutions_of(arm, grid.pose(cell), true);
   ASSERT_EQ(cells.branches[index], solutions.size()) << arm.name() << " cell " << cell;
   double manipulability = 0, margin = 0;
   for (const Configuration& q : solutions) {
@@ -61,12 +61,11 @@ void expect_all_solutions(const Arm& arm, InverseSolver& all, const ReachGrid& g
 /// Expects of the cells of positions what the inverse kinematics gives at their centres.
 void expect_solutions_at(const Arm& arm, const ReachGrid& grid, Eigen::Index first,
                          Eigen::Index last) {
-  InverseSolver all(arm, {.all = true});
   const ReachCells cells = reach_cells(arm, grid, first, last);
   ASSERT_EQ(std::ssize(cells.branches), (last - first) * grid.directions() * grid.rolls());
   const Eigen::Index at_position = grid.directions() * grid.rolls();
   for (Eigen::Index k = 0; k < (last - first) * at_position; ++k) {
-    expect_all_solutions(arm, all, grid, first * at_position + k, cells, k);
+    expect_all_solutions(arm, grid, first * at_position + k, cells, k);
   }
 }
 
@@ -153,13 +152,12 @@ TEST(Reach, SingularCellsAreThoseOfTheirCentres) {
                              .rolls = (testing::slow_build ? 60 : 20) * deg});
   ASSERT_EQ(grid.positions(), grid.azimuths());
   const ReachCells cells = reach_cells(arm, grid, 0, grid.positions());
-  InverseSolver solver(arm), all(arm, {.all = true});
   int reached = 0, singular = 0;
   for (Eigen::Index cell = 0; cell < grid.cells(); ++cell) {
-    const bool solved = !solutions_of(arm, solver, grid.pose(cell)).empty();
+    const bool solved = !solutions_of(arm, grid.pose(cell), false).empty();
     EXPECT_EQ(cells.branches[cell] > 0, solved) << "cell " << cell;
     reached += solved;
-    singular += all.solve(grid.pose(cell)).singular;
+    singular += inverse_kinematics(arm, grid.pose(cell), {.all = true}).singular;
   }
   EXPECT_GT(reached, 0);
   EXPECT_LT(reached, grid.cells());
@@ -194,7 +192,6 @@ TEST(Reach, ACellOfARedundantArmIsReachedWhereItHasASolution) {
   for (const char* name : {"panda", "iiwa14", "gen3"}) {
     const Arm arm = built_in(name);
     const ReachGrid grid(arm, {.directions = 60 * deg, .rolls = 90 * deg});
-    InverseSolver solver(arm);
     int reached = 0;
     for (int i = 0; i < cases(4); ++i) {
       const Pose world_T_tool = forward_kinematics(arm, random.configuration(arm));
@@ -202,7 +199,7 @@ TEST(Reach, ACellOfARedundantArmIsReachedWhereItHasASolution) {
       const ReachCells cells = reach_cells(arm, grid, p, p + 1);
       for (Eigen::Index k = 0; k < std::ssize(cells.branches); ++k) {
         const Eigen::Index cell = p * grid.directions() * grid.rolls() + k;
-        const bool solved = !solutions_of(arm, solver, grid.pose(cell)).empty();
+        const bool solved = !solutions_of(arm, grid.pose(cell), false).empty();
         EXPECT_EQ(cells.branches[k] > 0, solved) << name << " cell " << cell;
         reached += solved;
       }

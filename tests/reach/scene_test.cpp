@@ -192,8 +192,9 @@ TEST(ReachInScene, CountsTheBestValueOfARedundantJoint) {
     const ReachCells alone =
         reach_cells(cell.arm, grid, 0, grid.positions(), {.redundant_values = values});
     const Limits limits = cell.arm.limits(6);
-    InverseSolver all(cell.arm, {.all = true, .lock = 6});
-    InverseSolver free(cell.arm, {.all = true, .blocked_by = cell.options().blocked_by, .lock = 6});
+    const InverseOptions all{.all = true, .lock = 6};
+    InverseOptions free = all;
+    free.blocked_by = cell.options().blocked_by;
     Eigen::MatrixXd found(7, 32);
     for (Eigen::Index at = 0; at < grid.cells(); ++at) {
       if (alone.branches[static_cast<std::size_t>(at)] == 0) continue;
@@ -202,8 +203,8 @@ TEST(ReachInScene, CountsTheBestValueOfARedundantJoint) {
       for (int v = 0; v < values; ++v) {
         Configuration seed = middle_configuration(cell.arm);
         seed[6] = limits.lower + (limits.upper - limits.lower) * (v + 0.5) / values;
-        most = std::max(most, free.solve(grid.pose(at), seed, found));
-        any = any || all.solve(grid.pose(at), seed, found) > 0;
+        most = std::max(most, inverse_kinematics(cell.arm, grid.pose(at), seed, found, free));
+        any = any || inverse_kinematics(cell.arm, grid.pose(at), seed, found, all) > 0;
       }
       if (!any) continue;  // the range between the values is searched
       EXPECT_EQ(cells.branches[static_cast<std::size_t>(at)], most) << at;

@@ -1,8 +1,6 @@
 #include "arms.h"
 
 #include <cli/arm_document.h>
-#include <map>
-#include <utility>
 
 #include <beeline/io/text/arm.h>
 #include <beeline/model/catalog.h>
@@ -14,30 +12,14 @@
 namespace beeline::web {
 namespace {
 
-struct KnownArm {
-  Arm arm;
-  std::map<std::pair<bool, bool>, InverseSolver> solvers = {};  ///< by `all` and `ignore_limits`
-};
-
-Handles<KnownArm>& arms() {
-  static Handles<KnownArm> handles("arm");
+Handles<Arm>& arms() {
+  static Handles<Arm> handles("arm");
   return handles;
 }
 
 }  // namespace
 
-const Arm& arm_of(int handle) { return arms().at(handle).arm; }
-
-InverseSolver& solver_of(int handle, bool all, bool ignore_limits) {
-  KnownArm& known = arms().at(handle);
-  const std::pair options{all, ignore_limits};
-  const auto found = known.solvers.find(options);
-  if (found != known.solvers.end()) return found->second;
-  // The default task by name: of a planar arm it ignores the height and tilt of a dragged tool.
-  const InverseSolver solver(
-      known.arm, {.task = default_task(known.arm), .all = all, .ignore_limits = ignore_limits});
-  return known.solvers.emplace(options, solver).first->second;
-}
+const Arm& arm_of(int handle) { return arms().at(handle); }
 
 }  // namespace beeline::web
 
@@ -49,7 +31,7 @@ int beeline_arm(const char* name, const char* text, const char* base, const char
   return guarded([&] {
     const ChainEnds ends{.base = base, .tip = tip};
     const Arm arm = text == nullptr ? read_arm(name, ends) : arm_from_text(text, name, ends);
-    return web::arms().add({arm});
+    return web::arms().add(arm);
   });
 }
 

@@ -55,10 +55,13 @@ int beeline_inverse(int arm, const double* pose, const double* seed, int ignore_
   return guarded([&] {
     const Arm& model = arm_of(arm);
     if (capacity < 1) throw Error("capacity is " + std::to_string(capacity) + "; it is 1 or more");
-    InverseSolver& solver = web::solver_of(arm, capacity > 1, ignore_limits != 0);
+    // The default task by name: of a planar arm it ignores the height and tilt of a dragged tool.
+    const InverseOptions options{
+        .task = default_task(model), .all = capacity > 1, .ignore_limits = ignore_limits != 0};
     Pose world_T_tool;
     world_T_tool.matrix() = Eigen::Map<const Eigen::Matrix4d>(pose, 4, 4);
     Eigen::Map<Eigen::MatrixXd> columns(solutions, model.dof(), capacity);
-    return solver.solve(world_T_tool, joint_values(seed, model.dof()), columns);
+    return inverse_kinematics(model, world_T_tool, joint_values(seed, model.dof()), columns,
+                              options);
   });
 }

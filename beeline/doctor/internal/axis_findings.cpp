@@ -102,7 +102,7 @@ RoundedAngles rounded_angles(const Arm& arm) {
 std::string lost_method(const Arm& arm, const ExactAxes& exact) {
   constexpr int most = 7;  // joints
   if (arm.dof() > most || arm.dof() != static_cast<int>(arm.joints().size())) return "";
-  const std::string now = InverseSolver(arm).method(), then = InverseSolver(exact.arm).method();
+  const std::string now = inverse_method(arm), then = inverse_method(exact.arm);
   if (now == then) return "";
   return "inverse kinematics: " + now + "; with exact axes: " + then;
 }

@@ -12,14 +12,13 @@ namespace {
 
 using SixAngles = Eigen::Matrix<double, 6, 1>;
 
-// More trials improve the choice of the eliminations, and the constructor takes longer. These take
-// a few milliseconds. The choice affects the time of a solve; the solutions are checked in any
-// case.
+// More trials improve the choice of the eliminations and take longer. These take a few
+// milliseconds. The choice affects the time of a solve; the solutions are checked in any case.
 constexpr int trials_of_all = 24;        // for each elimination
 constexpr int trials_of_selected = 100;  // for each of the selected
 constexpr int trials_together = 300;     // for the selected together: reliable() is 1 % of these
 constexpr int trials_of_similar = 32;    // for the eliminations chosen for a similar arm
-constexpr int max_selected = 4;
+constexpr std::size_t max_selected = std::tuple_size_v<decltype(EliminationChoice::chosen)>;
 
 /// Returns the product of all links, from frame 0 to the last.
 Pose links_transform(const Chain& chain, const SixAngles& q) {
@@ -27,6 +26,32 @@ Pose links_transform(const Chain& chain, const SixAngles& q) {
   for (int i = 0; i < 6; ++i) transform = transform * link_transform(chain.links[i], q[i]);
   return transform;
 }
+
+void check(const Chain& chain) {
+  if (chain.links.size() != 6) {
+    throw Error("general six-axis inverse kinematics: the arm has " +
+                std::to_string(chain.links.size()) + " joints, 6 are needed");
+  }
+  for (int i = 0; i < 6; ++i) {
+    const Chain::Link& link = chain.links[i];
+    if (link.theta_per_q == 1 && link.d_per_q == 0 && link.coordinate == i) continue;
+    throw Error("general six-axis inverse kinematics: joint " + std::to_string(i + 1) +
+                " is not revolute with a coordinate of its own, as all six must be");
+  }
+}
+
+/// The links of a chain that fits.
+struct Links {
+  explicit Links(const Chain& its_chain) : chain(its_chain) {
+    check(chain);
+    links = revolute_links(chain);
+    last_T_first_at_zero = links_transform(chain, SixAngles::Zero()).inverse();
+  }
+
+  const Chain& chain;
+  RevoluteLinks links;
+  Pose last_T_first_at_zero;
+};
 
 /// A random configuration and its goal.
 struct Sample {
@@ -38,22 +63,19 @@ struct Sample {
 /// Returns random configurations of an arm, the same for the same arm.
 class Sampler {
  public:
-  Sampler(const Chain& chain, const Pose& last_T_first_at_zero, double unit)
-      : chain_(chain), last_T_first_at_zero_(last_T_first_at_zero), unit_(unit) {}
+  explicit Sampler(const Links& links) : links_(links) {}
 
   Sample next() {
     Sample sample;
     for (double& each : sample.q) each = angle_(random_);
-    const Pose pose = links_transform(chain_, sample.q);
-    sample.goal = rigid_motion(pose, unit_);
-    sample.closure = rigid_motion(pose * last_T_first_at_zero_, unit_);
+    const Pose pose = links_transform(links_.chain, sample.q);
+    sample.goal = rigid_motion(pose, links_.links.unit);
+    sample.closure = rigid_motion(pose * links_.last_T_first_at_zero, links_.links.unit);
     return sample;
   }
 
  private:
-  const Chain& chain_;
-  const Pose& last_T_first_at_zero_;
-  double unit_;
+  const Links& links_;
   std::mt19937_64 random_{1};
   std::uniform_real_distribution<double> angle_{-3.14159265358979, 3.14159265358979};
 };
@@ -148,54 +170,68 @@ int missed_by_all(const RevoluteLinks& links, const std::vector<Elimination>& el
   return missed;
 }
 
-void check(const Chain& chain) {
-  if (chain.links.size() != 6) {
-    throw Error("general six-axis inverse kinematics: the arm has " +
-                std::to_string(chain.links.size()) + " joints, 6 are needed");
+EliminationChoice choice_of(const std::vector<Elimination>& eliminations, bool reliable) {
+  EliminationChoice choice{.count = static_cast<int>(eliminations.size()), .reliable = reliable};
+  for (int i = 0; i < choice.count; ++i) {
+    const Elimination& elimination = eliminations[i];
+    choice.chosen[i] = {elimination.index, elimination.degree, elimination.double_zeros};
   }
-  for (int i = 0; i < 6; ++i) {
-    const Chain::Link& link = chain.links[i];
-    if (link.theta_per_q == 1 && link.d_per_q == 0 && link.coordinate == i) continue;
-    throw Error("general six-axis inverse kinematics: joint " + std::to_string(i + 1) +
-                " is not revolute with a coordinate of its own, as all six must be");
-  }
+  return choice;
 }
 
 }  // namespace
 
-void RaghavanRothSolver::set_links(const Chain& chain) {
-  check(chain);
-  links_ = revolute_links(chain);
-  base_inverse_ = chain.base.inverse();
-  tool_inverse_ = chain.tool.inverse();
-  last_T_first_at_zero_ = links_transform(chain, SixAngles::Zero()).inverse();
-}
-
-RaghavanRothSolver::RaghavanRothSolver(const Chain& chain) {
-  set_links(chain);
-  Sampler sampler(chain, last_T_first_at_zero_, links_.unit);
+EliminationChoice choose_eliminations(const Chain& chain) {
+  const Links links(chain);
+  Sampler sampler(links);
   std::vector<Trial> trials = all_eliminations(chain, sampler);
-  compare(links_, trials_of_all, sampler, trials);
+  compare(links.links, trials_of_all, sampler, trials);
   trials = best_by_hidden_joint(trials);
-  compare(links_, trials_of_selected, sampler, trials);
+  compare(links.links, trials_of_selected, sampler, trials);
+  std::vector<Elimination> selected;
   for (Trial& trial : trials) {
     trial.elimination.double_zeros = 2 * trial.double_zeros > trials_of_all + trials_of_selected;
-    eliminations_.push_back(trial.elimination);
+    selected.push_back(trial.elimination);
   }
-  const int missed = missed_by_all(links_, eliminations_, trials_together, sampler);
-  reliable_ = 100 * missed <= trials_together;
+  const int missed = missed_by_all(links.links, selected, trials_together, sampler);
+  return choice_of(selected, 100 * missed <= trials_together);
 }
 
-RaghavanRothSolver::RaghavanRothSolver(const Chain& chain, const RaghavanRothSolver& similar) {
-  set_links(chain);
-  Sampler sampler(chain, last_T_first_at_zero_, links_.unit);
+EliminationChoice choose_eliminations(const Chain& chain, const EliminationChoice& similar) {
+  const Links links(chain);
+  Sampler sampler(links);
   const Sample sample = sampler.next();
-  for (const Elimination& chosen : similar.eliminations_) {
-    Elimination& elimination = eliminations_.emplace_back(make_elimination(chain, chosen.index));
+  std::vector<Elimination> selected;
+  for (int i = 0; i < similar.count; ++i) {
+    const EliminationChoice::Chosen& chosen = similar.chosen[i];
+    Elimination& elimination = selected.emplace_back(make_elimination(chain, chosen.index));
     elimination.double_zeros = chosen.double_zeros;
     set_degree(sample, elimination);
   }
-  reliable_ = missed_by_all(links_, eliminations_, trials_of_similar, sampler) == 0;
+  return choice_of(selected, missed_by_all(links.links, selected, trials_of_similar, sampler) == 0);
+}
+
+EliminationChoice EliminationChoice::make(const Arm& arm, const Key&,
+                                          const EliminationChoice* similar) {
+  if (similar != nullptr) {
+    const EliminationChoice choice = choose_eliminations(chain_of(arm), *similar);
+    if (choice.reliable) return choice;
+  }
+  return choose_eliminations(chain_of(arm));
+}
+
+RaghavanRothSolver::RaghavanRothSolver(const Chain& chain, const EliminationChoice& choice)
+    : base_inverse_(chain.base.inverse()), tool_inverse_(chain.tool.inverse()) {
+  const Links links(chain);
+  links_ = links.links;
+  last_T_first_at_zero_ = links.last_T_first_at_zero;
+  eliminations_.reserve(choice.count);
+  for (int i = 0; i < choice.count; ++i) {
+    const EliminationChoice::Chosen& chosen = choice.chosen[i];
+    Elimination& elimination = eliminations_.emplace_back(make_elimination(chain, chosen.index));
+    elimination.degree = chosen.degree;
+    elimination.double_zeros = chosen.double_zeros;
+  }
 }
 
 RaghavanRothSolver::Result RaghavanRothSolver::solve(

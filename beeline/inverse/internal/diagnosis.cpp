@@ -48,17 +48,16 @@ Pose goal_within_digits(const Request& request) {
 /// Returns the configuration of least error in the rows of `task`, limits ignored.
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
                           const Configuration& start) {
-  const PreparedSearch prepared =
-      prepared_search(request.arm, task, no_bounds(request.arm), request.options.random_seed);
+  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{task, true});
   const Pose goal = goal_within_digits(request);
-  multi_start(prepared.problem, prepared.seeds, goal, start,
+  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, goal, start,
               {.tolerance = request.tolerance,
                .max_iterations = 200,  // towards a minimum above zero it converges linearly
                .max_restarts = max_starts,
                .random_seed = request.options.random_seed,
                .budget = request.budget},
-              state.buffers, state.search);
-  const NumericalResult& nearest = state.search.nearest;
+              state.buffers(), state.search());
+  const NumericalResult& nearest = state.search().nearest;
   if (nearest.converged || request.arm.dof() > max_refined) return nearest.q;
   return nearest_for_task(request.arm, goal, task, nearest.q);
 }
@@ -67,18 +66,17 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,
                                           SolverState& state, const Configuration& start) {
   if (deviation_at(request, start).position > request.tolerance) return start;
-  const PreparedSearch prepared =
-      prepared_search(request.arm, position, no_bounds(request.arm), request.options.random_seed);
-  multi_start(prepared.problem, prepared.seeds, request.goal, start,
+  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{position, true});
+  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, request.goal, start,
               {.tolerance = request.tolerance,
                .max_restarts = max_starts,
                .all = true,
                .random_seed = request.options.random_seed,
                .budget = request.budget},
-              state.buffers, state.search);
+              state.buffers(), state.search());
   Configuration best =
       nearest_orientation(request.arm, request.goal, request.task, start, request.budget);
-  for (const Configuration& q : state.search.solutions) {
+  for (const Configuration& q : state.search().solutions) {
     if (request.budget.ended()) break;
     const Configuration there =
         nearest_orientation(request.arm, request.goal, request.task, q, request.budget);
@@ -206,7 +204,7 @@ bool solve_without_limits(const SolverState& limited, const Request& request,
   options.seed.reset();
   // Solutions on a grid of a redundant joint prove nothing; a search takes less time.
   if (!limited.family && request.arm.dof() > 6) options.method = InverseMethod::numerical;
-  SolverState state = make_solver_state(request.arm, options);
+  SolverState state(request.arm, options);
   Configuration seed = request.seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
   const Request unlimited = make_request(state, request.goal, seed, request.budget);
@@ -270,9 +268,9 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
                       out_of_reach(request.arm, request.goal, request.task, request.tolerance);
   const bool outside = evidence.least_outside && evidence.excess > 0;
   if (!request.budget.complete() && !proved && !(outside && evidence.complete)) {
-    const Configuration& met = state.search.nearest.q;
+    const Configuration& met = state.search().nearest.q;
     const bool nearer =
-        state.search.iterations > 0 && error_at(request, met) < error_at(request, request.seed);
+        state.iterations() > 0 && error_at(request, met) < error_at(request, request.seed);
     return set_ended_before_solution(request, nearer ? met : request.seed, result);
   }
   if (outside) {

@@ -49,7 +49,7 @@ bool applies_locked_joint(SolverState& state) {
   const bool wanted =
       options.grid <= finest && (options.all || options.method == InverseMethod::closed_form);
   if (!wanted || !has_revolute_joints(state, 7) || options.lock) return false;
-  state.grid_coordinate = redundant_joint(arm);
+  state.grid_coordinate = Kept<RedundantJoint>(arm)->coordinate;
   return true;
 }
 
@@ -58,7 +58,7 @@ std::string locked_joint_name(const SolverState& state) {
 }
 
 /// Returns the grid over the joint's range; one revolution of it suffices. It does not depend on
-/// the seed, so that the solvers serve every request.
+/// the seed, so that the arms serve every request.
 std::vector<double> values_of(const SolverState& state) {
   const int k = state.grid_coordinate;
   LockedRange range = locked_range(state.arm, state.bounds, Configuration::Zero(7), k, 0);
@@ -68,9 +68,8 @@ std::vector<double> values_of(const SolverState& state) {
   return grid_values(range, state.options.grid);
 }
 
-/// Prepares the solvers of the remaining joints, unless the budget ends it. The middle value comes
-/// first: geometry at the ends of a range is more often special.
-void prepare(SolverState& state, BudgetMeter& budget) {
+/// The options of the remaining joints.
+InverseOptions remaining_options(const SolverState& state) {
   constexpr int few_restarts = 32;  // for a value without a closed form, or with a doubtful one
   InverseOptions options = state.options;
   options.all = true;
@@ -81,40 +80,65 @@ void prepare(SolverState& state, BudgetMeter& budget) {
   options.method = InverseMethod::automatic;
   options.max_restarts = std::min(options.max_restarts, few_restarts);
   options.task = state.task;
-  const std::vector<double> values = values_of(state);
-  const SolverState middle = make_solver_state(
-      with_locked(state.arm, state.grid_coordinate, values[values.size() / 2]), options);
-  const RaghavanRothSolver* similar = middle.raghavan_roth ? &*middle.raghavan_roth : nullptr;
-  state.grid_solvers.clear();
-  for (const double value : values) {
-    if (budget.ended()) return;
-    state.grid_solvers.push_back(
-        make_solver_state(with_locked(state.arm, state.grid_coordinate, value), options, similar));
-  }
-  state.grid_values = values;
+  return options;
 }
 
+/// The arms of the remaining joints, one for each value of the locked joint, which a thread keeps.
+struct LockedJointGrid {
+  std::vector<Arm> arms;
+  /// The eliminations of the arm of the middle value, if it needs some, which suit the others:
+  /// geometry at the ends of a range is more often special.
+  std::optional<EliminationChoice> similar;
+
+  struct Key {
+    int coordinate = 0;
+    std::vector<double> values;
+    bool operator==(const Key&) const = default;
+  };
+  static LockedJointGrid make(const Arm& arm, const Key& key, const InverseOptions& options) {
+    LockedJointGrid grid;
+    for (const double value : key.values) {
+      grid.arms.push_back(with_locked(arm, key.coordinate, value));
+    }
+    const SolverState middle(grid.arms[grid.arms.size() / 2], options);
+    if (middle.family == &raghavan_roth_family) grid.similar = **middle.eliminations;
+    return grid;
+  }
+};
+
 void solve_locked_joint(SolverState& state, const Request& request, StageResult& found) {
-  if (state.grid_values.empty()) prepare(state, request.budget);
-  SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = state.grid_coordinate});
-  solved.values = state.grid_values;
+  const int k = state.grid_coordinate;
+  const InverseOptions options = remaining_options(state);
+  const std::vector<double> values = values_of(state);
+  const KeptByThread<LockedJointGrid> grid(state.arm, {k, values}, options);
+  const EliminationChoice* const similar = grid->similar ? &*grid->similar : nullptr;
+  SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = k});
   CandidateSolutions candidates(request, found);
   candidates.evidence().complete = candidates.evidence().branches_complete = false;
-  const Configuration seed = without(request.seed, state.grid_coordinate);
-  for (std::size_t i = 0; i < state.grid_values.size() && !request.budget.ended(); ++i) {
-    SolverState& solver = state.grid_solvers[i];
-    const Request locked = make_request(solver, request.goal, seed, request.budget);
-    const StageResult there = run_stages(solver, locked);
+  // The first request prepares what the arms keep, as long as the budget lasts. The later ones
+  // count the same work, so that they end at the same value.
+  for (const Arm& arm : grid->arms) {
+    if (request.budget.ended()) return;
+    const SolverState prepared(arm, options, similar);
+  }
+  solved.values = values;
+  const Configuration seed = without(request.seed, k);
+  for (std::size_t i = 0; i < values.size() && !request.budget.ended(); ++i) {
+    SolverState remaining(grid->arms[i], options, similar);
+    const Request locked = make_request(remaining, request.goal, seed, request.budget);
+    const StageResult there = run_stages(remaining, locked);
     for (const Configuration& q : there.result.solutions) {
-      candidates.add(with(q, state.grid_coordinate, state.grid_values[i]), false);
+      candidates.add(with(q, k, values[i]), false);
     }
     if (there.unconstrained.complete && !there.unconstrained.continuum) {
-      solved.complete.push_back(state.grid_values[i]);
+      solved.complete.push_back(values[i]);
     }
   }
 }
 
 }  // namespace
+
+RedundantJoint RedundantJoint::make(const Arm& arm, const Key&) { return {redundant_joint(arm)}; }
 
 const AnalyticFamily locked_joint_family{applies_locked_joint, locked_joint_name,
                                          solve_locked_joint};

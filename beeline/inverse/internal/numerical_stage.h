@@ -11,7 +11,7 @@ namespace beeline::internal {
 void solve_numerical(SolverState& state, const Request& request, StageResult& found);
 
 /// Writes one solution of multi_start() from the seed into the first column. Returns whether it
-/// finds one. Allocates in the first call only.
+/// finds one. Allocates in the thread's first call only.
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
                       BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions);
 
@@ -21,7 +21,8 @@ bool search_from_seed(SolverState& state, const Pose& goal, const ConfigurationR
                       BudgetMeter& budget, Eigen::Ref<Configuration> q);
 
 /// Runs Levenberg-Marquardt within limits from up to eight solutions outside them, and writes the
-/// first that converges into q. Returns whether one converges. Allocates in the first call only.
+/// first that converges into q. Returns whether one converges. Allocates in the thread's first call
+/// only.
 bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,
                         double tolerance, Eigen::Ref<Configuration> q);
 

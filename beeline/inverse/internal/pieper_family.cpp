@@ -62,17 +62,19 @@ bool moves_with_tool_at_rest(const Arm& arm) {
 }
 
 bool applies_pieper(SolverState& state) {
-  if (moves_with_tool_at_rest(state.arm)) return false;
-  std::optional<PieperSolver> form = PieperSolver::make(state.arm, state.task);
   const std::optional<int>& lock = state.options.lock;
-  if (!form || (lock && form->locked() != lock)) return false;
-  state.pieper_verified = lock || recovers_configurations(*form, state.arm);
-  state.pieper = std::move(form);
-  return true;
+  state.pieper.emplace(state.arm, state.task);
+  const std::optional<PieperSolver>& solver = (*state.pieper)->solver;
+  return solver && (!lock || solver->locked() == lock);
+}
+
+/// Whether the closed form recovers configurations, if it is not for a locked coordinate.
+bool is_verified(const SolverState& state) {
+  return state.options.lock || (*state.pieper)->verified;
 }
 
 std::string pieper_name(const SolverState& state) {
-  return state.pieper->family(state.removed_coordinate);
+  return state.pieper_solver().family(state.removed_coordinate);
 }
 
 constexpr unsigned all_lanes = 0xff;
@@ -109,7 +111,7 @@ void solve_grid(const PieperSolver& form, const Request& request, const LockedRa
 
 void solve_locked(SolverState& state, const Request& request, StageResult& found) {
   CandidateSolutions candidates(request, found);
-  const PieperSolver& form = *state.pieper;
+  const PieperSolver& form = state.pieper_solver();
   PieperRequest loop = form.request(request.seed, request.weights, request.bounds.lower,
                                     request.bounds.upper, request.tolerance);
   LockedRange range =
@@ -139,7 +141,7 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
   if (search.end == ValueSearchEnd::near_seed) {
     candidates.add(solution, false);
     found.result.method = "numerical";
-    found.result.iterations += state.search.iterations;
+    found.result.iterations += state.iterations();
     return;
   }
   if (search.end == ValueSearchEnd::first_values) return add(search.branch);
@@ -180,7 +182,7 @@ bool add_self_motions(const PieperSolver& form, const Request& request, PieperRe
 }
 
 void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
-  const PieperSolver& form = *state.pieper;
+  const PieperSolver& form = state.pieper_solver();
   PieperRequest loop = form.request(request.seed, request.weights, request.bounds.lower,
                                     request.bounds.upper, request.tolerance);
   PieperBranches found;
@@ -198,11 +200,11 @@ void solve_branches(SolverState& state, const Request& request, CandidateSolutio
   // two may miss a small branch, and proves nothing without a solution.
   const bool represented = (lanes & found.continuum) == 0 && form.free_joints(found).size() == 1;
   candidates.evidence().branches_complete = found.continuum == 0 || represented;
-  candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
+  candidates.evidence().doubtful |= !is_verified(state) || nearly_found(form, found);
 }
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
-  if (state.pieper->locked()) {
+  if (state.pieper_solver().locked()) {
     solve_locked(state, request, found);
   } else {
     CandidateSolutions candidates(request, found);
@@ -221,7 +223,7 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
     return 0;
   }
   constexpr int few = 8;  // two rounds of steps: see first_within()
-  const PieperSolver& form = *state.pieper;
+  const PieperSolver& form = state.pieper_solver();
   const LockedRange range =
       locked_range(state.arm, state.bounds, seed, *form.locked(), form.size());
   const ValueSearch search = search_value(
@@ -305,10 +307,10 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
                                      const ConfigurationRef& seed, BudgetMeter& budget,
                                      Eigen::Ref<Eigen::MatrixXd> solutions) {
   const InverseOptions& options = state.options;
-  const bool any_one = !options.all && options.redundancy == Redundancy::any;
-  const PieperSolver& form = *state.pieper;
+  const bool any_one = !options.all && state.redundancy == Redundancy::any;
+  const PieperSolver& form = state.pieper_solver();
   // Solutions and distances would depend on the values chosen for free joints.
-  if (form.has_free_joints() || !state.pieper_verified) return std::nullopt;
+  if (form.has_free_joints() || !is_verified(state)) return std::nullopt;
   PieperRequest loop =
       form.request(seed, state.weights, state.bounds.lower, state.bounds.upper, options.tolerance);
   double value = 0;  // value of a locked joint
@@ -332,6 +334,13 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
 }
 
 }  // namespace
+
+PieperForm PieperForm::make(const Arm& arm, const Task& task) {
+  PieperForm form;
+  if (!moves_with_tool_at_rest(arm)) form.solver = PieperSolver::make(arm, task);
+  if (form.solver) form.verified = recovers_configurations(*form.solver, arm);
+  return form;
+}
 
 const AnalyticFamily pieper_family{applies_pieper, pieper_name, solve_pieper, solve_pieper_fast};
 

@@ -59,9 +59,8 @@ Eigen::VectorXd weights_of(const Arm& arm, const Eigen::VectorXd& tolerance,
   return weights;
 }
 
-/// Returns the solver of the arm with deviations.
-SolverState tolerant_solver(const SolverState& state, const std::vector<int>& components) {
-  const Eigen::VectorXd& tolerance = *state.options.pose_tolerance;
+/// Returns the options for the arm with deviations.
+InverseOptions tolerant_options(const SolverState& state, const std::vector<int>& components) {
   InverseOptions options = state.options;
   options.pose_tolerance.reset();
   options.seed.reset();
@@ -69,10 +68,26 @@ SolverState tolerant_solver(const SolverState& state, const std::vector<int>& co
   options.all = options.every_turn = options.ignore_limits = false;
   options.method = InverseMethod::numerical;
   options.redundancy = Redundancy::nearest;
-  options.weights = weights_of(state.arm, tolerance, components);
-  return make_solver_state(with_deviations(state.arm, tolerance, !state.options.ignore_limits),
-                           options);
+  options.weights = weights_of(state.arm, *state.options.pose_tolerance, components);
+  return options;
 }
+
+/// The arm of with_deviations(), which a thread keeps.
+struct TolerantArm {
+  Arm arm;
+
+  struct Key {
+    Eigen::VectorXd tolerance;
+    bool limited = false;
+    bool operator==(const Key& other) const {
+      return limited == other.limited && tolerance.size() == other.tolerance.size() &&
+             tolerance == other.tolerance;
+    }
+  };
+  static TolerantArm make(const Arm& arm, const Key& key) {
+    return {with_deviations(arm, key.tolerance, key.limited)};
+  }
+};
 
 }  // namespace
 
@@ -93,12 +108,15 @@ Arm with_deviations(const Arm& arm, const Eigen::VectorXd& tolerance, bool limit
 std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Request& request) {
   const std::vector<int> components = deviating(state.arm, *state.options.pose_tolerance);
   if (components.empty()) return {};
-  if (state.tolerant.empty()) state.tolerant.push_back(tolerant_solver(state, components));
+  const InverseOptions options = tolerant_options(state, components);
+  const KeptByThread<TolerantArm> tolerant(
+      state.arm, {*state.options.pose_tolerance, !state.options.ignore_limits});
+  SolverState with_deviations(tolerant->arm, options);
   const int n = state.arm.dof();
   Configuration start = Configuration::Zero(n + static_cast<Eigen::Index>(components.size()));
   start.head(n) = request.seed;
   InverseResult result =
-      solve(state.tolerant.front(), request.goal, start, /*explain_failure=*/false, request.budget);
+      solve(with_deviations, request.goal, start, /*explain_failure=*/false, request.budget);
   if (result.solutions.empty()) return {};
   const Configuration found = result.solutions.front();
   result.solutions = {found.head(n)};

@@ -6,14 +6,11 @@ namespace beeline::internal {
 namespace {
 
 /// Whether the arm has six revolute joints, each driven by its own coordinate, and the solver is
-/// reliable for it. Takes milliseconds for such an arm.
+/// reliable for it. Takes milliseconds for such an arm, once.
 bool applies_raghavan_roth(SolverState& state) {
   if (!has_revolute_joints(state, 6) || state.options.lock) return false;
-  const Chain& chain = chain_of(state.arm);
-  if (state.similar) state.raghavan_roth.emplace(chain, *state.similar);
-  if (!state.similar || !state.raghavan_roth->reliable()) state.raghavan_roth.emplace(chain);
-  if (!state.raghavan_roth->reliable()) state.raghavan_roth.reset();
-  return state.raghavan_roth.has_value();
+  state.eliminations.emplace(state.arm, OnlyKey{}, state.similar);
+  return (*state.eliminations)->reliable;
 }
 
 std::string raghavan_roth_name(const SolverState&) { return "general six joints"; }
@@ -22,7 +19,8 @@ void solve_raghavan_roth(SolverState& state, const Request& request, StageResult
   CandidateSolutions candidates(request, found);
   UnconstrainedResult& evidence = candidates.evidence();
   Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
-  const RaghavanRothSolver::Result all = state.raghavan_roth->solve(request.goal, q);
+  const Kept<RaghavanRothSolver> solver(state.arm, OnlyKey{}, **state.eliminations);
+  const RaghavanRothSolver::Result all = solver->solve(request.goal, q);
   for (int i = 0; i < all.count; ++i) candidates.add(q.col(i), false);
   evidence.doubtful = evidence.doubtful || !all.complete;
 }

@@ -62,7 +62,7 @@ void check_pose_tolerance(const Arm& arm, const Eigen::VectorXd& tolerance) {
 
 }  // namespace
 
-void check_options(const Arm& arm, const InverseOptions& options) {
+const InverseOptions& checked_options(const Arm& arm, const InverseOptions& options) {
   if (options.task) check_task(*options.task);
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
@@ -74,7 +74,6 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.grid > finest) {
     throw Error("grid is " + std::to_string(options.grid) + "; it must be 10000 or less");
   }
-  const BudgetMeter checked(options.budget);
   if (options.lock && (*options.lock < 0 || *options.lock >= arm.dof())) {
     throw Error("lock is coordinate " + std::to_string(*options.lock) + "; arm " + arm.name() +
                 " has 0 to " + std::to_string(arm.dof() - 1));
@@ -83,6 +82,8 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.weights) check_weights(arm, *options.weights);
   if (options.pose_tolerance) check_pose_tolerance(arm, *options.pose_tolerance);
   if (options.every_turn && !options.all) throw Error("", "every_turn", " needs the option all");
+  if (options.seed) check_configuration(arm, *options.seed);
+  return options;
 }
 
 Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,

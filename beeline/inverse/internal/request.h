@@ -15,14 +15,14 @@ struct Request {
   Pose goal;
   Task task;
   Configuration seed;
-  Bounds bounds;                 ///< the joint limits, or none if they are ignored
+  const Bounds& bounds;          ///< the joint limits, or none if they are ignored
   const Configuration& weights;  ///< weights of the coordinates in distances
   double tolerance;
   BudgetMeter& budget;
 };
 
-/// Throws Error for options that are not valid for the arm, whatever the pose.
-void check_options(const Arm& arm, const InverseOptions& options);
+/// Returns the options. Throws Error if they are not valid for the arm, whatever the pose.
+const InverseOptions& checked_options(const Arm& arm, const InverseOptions& options);
 
 /// Requires checked options. Throws Error when pose or seed are not valid.
 Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,

@@ -17,8 +17,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Solves for the arm with the locked coordinate fixed. Its solver is kept while the value stays
-/// the same.
+/// Solves for the arm with the locked coordinate fixed, which the thread keeps.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
                               const Configuration& seed, bool explain_failure,
                               BudgetMeter& budget) {
@@ -26,18 +25,15 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
   check_lock(state, seed);
   const int k = *state.options.lock;
   const double value = seed[k];
-  if (state.locked.empty() || state.locked_value != value) {
-    InverseOptions options = state.options;
-    options.lock.reset();
-    options.seed.reset();
-    options.task = state.task;
-    if (options.weights) options.weights = without(*options.weights, k);
-    state.locked = {make_solver_state(with_locked(state.arm, k, value), options)};
-    state.locked.front().removed_coordinate = k;
-    state.locked_value = value;
-  }
-  InverseResult result =
-      solve(state.locked.front(), world_T_tool, without(seed, k), explain_failure, budget);
+  InverseOptions options = state.options;
+  options.lock.reset();
+  options.seed.reset();
+  options.task = state.task;
+  if (options.weights) options.weights = without(*options.weights, k);
+  const KeptByThread<LockedArm> locked(state.arm, {k, value});
+  SolverState remaining(locked->arm, options);
+  remaining.removed_coordinate = k;
+  InverseResult result = solve(remaining, world_T_tool, without(seed, k), explain_failure, budget);
   for (Configuration& q : result.solutions) q = with(q, k, value);
   if (result.nearest) {
     result.nearest->q = with(result.nearest->q, k, value);
@@ -70,11 +66,11 @@ bool has_self_motion(const Request& request, const Configuration& q) {
 
 /// Adds the Redundancy::any solution, so that the optimum is never worse than it.
 void add_any_solution(SolverState& state, const Request& request, InverseResult& result) {
-  const Redundancy requested = std::exchange(state.options.redundancy, Redundancy::any);
+  const Redundancy requested = std::exchange(state.redundancy, Redundancy::any);
   Configuration q(request.arm.dof());
   const std::optional<int> count =
       solve_fast_path(state, request.goal, request.seed, request.budget, q);
-  state.options.redundancy = requested;
+  state.redundancy = requested;
   if (count == 1 && within(request.bounds, q) && error_at(request, q) <= request.tolerance) {
     result.solutions.push_back(q);
   }
@@ -82,11 +78,11 @@ void add_any_solution(SolverState& state, const Request& request, InverseResult&
 
 /// Whether the last search came so near that the searches of diagnose() may find a solution. Every
 /// caller must get that solution.
-bool nearly_solved(const SolverState& state) {
+bool nearly_solved(SolverState& state) {
   constexpr double near = 1e-3;  // metres and radians
-  const NumericalResult& nearest = state.search.nearest;
-  return state.search.iterations > 0 &&
-         std::max(nearest.error.position, nearest.error.orientation) < near;
+  if (state.iterations() == 0) return false;
+  const Deviation& error = state.search().nearest.error;
+  return std::max(error.position, error.orientation) < near;
 }
 
 /// Whether solve_fast_path() has searched for a solution with many restarts. The remaining restarts
@@ -118,7 +114,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   Configuration wrapped = seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
   const Request request = make_request(state, world_T_tool, wrapped, budget);
-  state.search.iterations = 0;
+  state.reset_search();
   const bool tolerant = state.options.pose_tolerance.has_value();
   const bool searched = searched_fast(state);
   if (tolerant && searched) {

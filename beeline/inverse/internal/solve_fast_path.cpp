@@ -16,7 +16,7 @@ std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
     if (!state.family->solve_fast) return std::nullopt;
     return state.family->solve_fast(state, goal, seed, budget, solutions);
   }
-  const bool any_one = !options.all && options.redundancy == Redundancy::any;
+  const bool any_one = !options.all && state.redundancy == Redundancy::any;
   if (!any_one || options.lock || out_of_reach(state.arm, goal, state.task, options.tolerance) ||
       !search_fast_path(state, goal, seed, budget, solutions)) {
     return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& w
     const Deviation error = task_deviation(state.task, goal, forward_kinematics(state.arm, q));
     return std::max(error.position, error.orientation);
   };
-  state.search.iterations = state.search.restarts = 0;
+  state.reset_search();
   // Next to a singularity the closed form may lose a solution to rounding. solve() adds the seed.
   const bool keeps_seed = options.redundancy != Redundancy::centred && !options.lock;
   if (keeps_seed && within(state.bounds, seed) && error_at(seed) <= options.tolerance) return {};
@@ -46,8 +46,10 @@ std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& w
   result.status = InverseStatus::solved;
   result.solutions.push_back(std::move(q));
   result.residual = residual;
-  result.iterations = state.search.iterations;
-  result.restarts = state.search.restarts;
+  if (state.scratch) {
+    result.iterations = state.search().iterations;
+    result.restarts = state.search().restarts;
+  }
   result.method = result.iterations > 0 ? "numerical" : method_name(state);
   return result;
 }

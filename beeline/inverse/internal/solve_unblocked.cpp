@@ -62,16 +62,6 @@ void set_status(const InverseOptions& options, const BudgetMeter& budget, Invers
       {result.blocked.front().reason}};
 }
 
-/// The solver of all solutions.
-SolverState& solver_of_all(SolverState& state) {
-  if (state.all_solutions.empty()) {
-    InverseOptions options = state.options;
-    options.all = true;
-    state.all_solutions = {make_solver_state(state.arm, options)};
-  }
-  return state.all_solutions.front();
-}
-
 /// The coordinate that changes most in the self-motion at q.
 int moving_coordinate(const Request& request, const Configuration& q) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(request.arm, q, request.task),
@@ -92,7 +82,7 @@ void add_along_self_motion(const Request& request, const Configuration& q, Inver
   options.pose_tolerance.reset();
   options.max_restarts = std::min(options.max_restarts, max_restarts);
   if (options.method == InverseMethod::closed_form) options.method = InverseMethod::automatic;
-  SolverState locked = make_solver_state(request.arm, options);
+  SolverState locked(request.arm, options);
   const LockedRange range =
       locked_range(request.arm, request.bounds, request.seed, k, unit_of_length(request.arm));
   for (const double value : grid_values(range, options.grid)) {
@@ -111,7 +101,9 @@ void add_along_self_motion(const Request& request, const Configuration& q, Inver
 InverseResult all_in_order(SolverState& state, const Pose& world_T_tool,
                            const ConfigurationRef& seed, const Configuration& first,
                            BudgetMeter& budget) {
-  SolverState& all = solver_of_all(state);
+  InverseOptions options = state.options;
+  options.all = true;
+  SolverState all(state.arm, options);
   InverseResult result = solve(all, world_T_tool, seed, /*explain_failure=*/false, budget);
   std::vector<Configuration>& found = result.solutions;
   const auto is_first = [&](const Configuration& q) { return equal(q, first); };

@@ -5,26 +5,68 @@
 
 namespace beeline::internal {
 
-SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
-                              const RaghavanRothSolver* similar) {
-  check_options(arm, options);
-  const Configuration middle = middle_configuration(arm);
-  SolverState state{arm,
-                    options,
-                    options.task.value_or(default_task(arm)),
-                    ToolPlane::required(arm, options.task),
-                    options.ignore_limits ? no_bounds(arm) : bounds_of(arm),
-                    middle,
-                    options.weights.value_or(Configuration::Ones(arm.dof()))};
-  if (options.seed) check_configuration(arm, *options.seed);
-  state.similar = similar;
-  select_family(state);
-  state.similar = nullptr;
-  if (options.method == InverseMethod::closed_form && !options.lock && !state.family) {
+ArmDefaults ArmDefaults::make(const Arm& arm, const Key&) {
+  return {bounds_of(arm), no_bounds(arm), middle_configuration(arm), Configuration::Ones(arm.dof()),
+          ToolPlane::required(arm, std::nullopt)};
+}
+
+std::size_t ArmDefaults::heap_bytes() const {
+  return 6 * sizeof(double) * ones.size() + (plane ? plane->heap_bytes() : 0);
+}
+
+SolverState::SolverState(const Arm& its_arm, const InverseOptions& its_options,
+                         const EliminationChoice* similar_choice)
+    : arm(its_arm),
+      options(checked_options(its_arm, its_options)),
+      defaults(its_arm),
+      task(options.task ? *options.task : default_task(its_arm)),
+      bounds(options.ignore_limits ? defaults->no_limits : defaults->limits),
+      weights(options.weights ? *options.weights : defaults->ones),
+      redundancy(options.redundancy),
+      similar(similar_choice) {
+  select_family(*this);
+  if (options.method == InverseMethod::closed_form && !options.lock && family == nullptr) {
     throw Error::of("method", "arm " + arm.name() + " has no closed form for the task " +
-                                  name(state.task) + "; method numerical solves it");
+                                  name(task) + "; method numerical solves it");
   }
-  return state;
+}
+
+const ToolPlane* SolverState::plane() const {
+  return options.task || !defaults->plane ? nullptr : &*defaults->plane;
+}
+
+MultiStartBuffers& SolverState::buffers() {
+  search();
+  return (*scratch)->buffers;
+}
+
+SearchResult& SolverState::search() {
+  if (!scratch) {
+    scratch.emplace();
+    reset_search();
+  }
+  return (*scratch)->result;
+}
+
+void SolverState::reset_search() {
+  if (scratch) (*scratch)->result.iterations = (*scratch)->result.restarts = 0;
+}
+
+Search search_within_bounds(SolverState& state) {
+  const bool ignore_limits = state.options.ignore_limits;
+  if (!state.bounded_problem) {
+    state.bounded_problem.emplace(state.arm, NumericalProblem::Key{state.task, ignore_limits});
+  }
+  const NumericalProblem& problem = **state.bounded_problem;
+  return {state.arm, problem, seeds_for(state, ignore_limits, problem)};
+}
+
+const SeedTable& seeds_for(SolverState& state, bool ignore_limits,
+                           const NumericalProblem& problem) {
+  std::optional<Kept<SeedTable>>& seeds = state.seeds[ignore_limits];
+  const SeedTable::Key key{ignore_limits, state.options.random_seed};
+  if (!seeds) seeds.emplace(state.arm, key, problem);
+  return **seeds;
 }
 
 void check_lock(const SolverState& state, const ConfigurationRef& seed) {
@@ -36,14 +78,6 @@ void check_lock(const SolverState& state, const ConfigurationRef& seed) {
   throw Error::of("lock", "joint " + joint.name + " is locked at " + with_unit(joint, seed[k]) +
                               "; its limits are " + with_unit(joint, lower) + " to " +
                               with_unit(joint, upper));
-}
-
-const PreparedSearch& search_within_limits(SolverState& state) {
-  if (!state.within_limits) {
-    state.within_limits =
-        prepared_search(state.arm, state.task, state.bounds, state.options.random_seed);
-  }
-  return *state.within_limits;
 }
 
 std::string method_name(const SolverState& state) {

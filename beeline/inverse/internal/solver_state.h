@@ -1,62 +1,71 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/internal/thread_scratch.h>
 #include <beeline/inverse/analytic/raghavan_roth_solver.h>
+#include <beeline/inverse/internal/arm_defaults.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/multi_start.h>
-#include <beeline/kinematics/internal/tool_plane.h>
 
 namespace beeline::internal {
 
 struct AnalyticFamily;
 
-/// The private state of InverseSolver: the data of an arm for the stages, computed once, and their
-/// buffers.
+/// The memory of a request's searches, which a thread uses again.
+struct SearchScratch {
+  MultiStartBuffers buffers;
+  SearchResult result;
+
+  bool is_small() const { return result.solutions.capacity() <= 256; }
+};
+
+/// An arm with the options of a request, both of which outlive it, and what the stages need of
+/// them. Objects that do not depend on the pose are kept by the arm, so that it costs little to
+/// make one for each request.
 struct SolverState {
-  Arm arm;
-  InverseOptions options;
-  Task task;
-  std::optional<ToolPlane> plane;  ///< the plane in which poses must be, if any
-  Bounds bounds;                   ///< the joint limits, or none if they are ignored
-  Configuration middle;            ///< the default seed
-  Configuration weights;           ///< options.weights, or ones
+  /// Throws Error for options that are not valid, or a closed form that the arm does not have.
+  /// `similar`: the eliminations chosen for an arm of similar geometry, or null; takes less time.
+  SolverState(const Arm& its_arm, const InverseOptions& its_options,
+              const EliminationChoice* similar_choice = nullptr);
+
+  const Arm& arm;
+  const InverseOptions& options;
+  const Kept<ArmDefaults> defaults;
+  const Task task;
+  const Bounds& bounds;          ///< the joint limits, or none if they are ignored
+  const Configuration& weights;  ///< options.weights, or ones
+  Redundancy redundancy;         ///< for solve_fast_path(): options.redundancy, or any
   /// The family of closed forms for the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
   /// A family that is tried if the numerical stage fails, or null.
   const AnalyticFamily* fallback = nullptr;
-  bool fallback_prepared = false;  ///< whether fallback->applies() was called
-  std::optional<PieperSolver> pieper = std::nullopt;
-  bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
-  std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
-  const RaghavanRothSolver* similar = nullptr;  ///< another arm's solver; only set during selection
-  /// The coordinate that is locked at the values of a grid, the values (ascending, empty until the
-  /// first request), and the solvers of the remaining joints, one for each value.
+  std::optional<Kept<PieperForm>> pieper = std::nullopt;
+  const EliminationChoice* similar = nullptr;
+  std::optional<Kept<EliminationChoice>> eliminations = std::nullopt;
+  /// The coordinate that is locked at the values of a grid.
   int grid_coordinate = 0;
-  std::vector<double> grid_values = {};
-  std::vector<SolverState> grid_solvers = {};
-  std::optional<PreparedSearch> within_limits = std::nullopt;
-  std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
   std::optional<int> removed_coordinate = std::nullopt;
-  // Vectors of at most one solver, because they are copied with the state.
-  std::vector<SolverState> locked = {};    ///< one solver of the arm with options.lock, or none
-  double locked_value = 0;                 ///< value of the locked coordinate of `locked`
-  std::vector<SolverState> tolerant = {};  ///< one solver for options.pose_tolerance, or none
-  std::vector<SolverState> all_solutions = {};  ///< one solver with options.all, or none
-  MultiStartBuffers buffers = {};
-  SearchResult search = {};
+  std::optional<Kept<NumericalProblem>> bounded_problem = std::nullopt;
+  std::optional<Kept<SeedTable>> seeds[2] = {};  ///< within limits, and with limits ignored
+  std::optional<ThreadScratch<SearchScratch>> scratch = std::nullopt;
+
+  /// The plane in which poses must be, or null.
+  const ToolPlane* plane() const;
+  const PieperSolver& pieper_solver() const { return *(*pieper)->solver; }
+  MultiStartBuffers& buffers();
+  SearchResult& search();
+  /// The number of iterations of the last search.
+  int iterations() const { return scratch ? (*scratch)->result.iterations : 0; }
+  void reset_search();
 };
 
-/// Throws Error for options that are not valid, or a closed form that the arm does not have.
-/// `similar`: the solver of an arm of similar geometry, or null; takes less time.
-SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
-                              const RaghavanRothSolver* similar = nullptr);
+/// The search for configurations within state.bounds.
+Search search_within_bounds(SolverState& state);
 
-/// Sets state.within_limits and returns it.
-const PreparedSearch& search_within_limits(SolverState& state);
+/// The seeds for a search of the arm, for a problem with or without limits.
+const SeedTable& seeds_for(SolverState& state, bool ignore_limits, const NumericalProblem& problem);
 
 /// Returns the name of the method, such as "closed form: planar".
 std::string method_name(const SolverState& state);

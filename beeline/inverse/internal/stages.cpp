@@ -79,10 +79,7 @@ bool applies_fallback(const SolverState& state, const Request& request, const St
 }
 
 void run_fallback(SolverState& state, const Request& request, StageResult& found) {
-  // Prepared once, by the first request that needs it.
-  if (!state.fallback_prepared && !state.fallback->applies(state)) state.fallback = nullptr;
-  state.fallback_prepared = true;
-  if (state.fallback) solve_analytic(*state.fallback, state, request, found);
+  if (state.fallback->applies(state)) solve_analytic(*state.fallback, state, request, found);
 }
 
 /// New stages are added as rows here.

@@ -20,7 +20,7 @@ bool solve_near_seed(SolverState& state, const Pose& goal, const ConfigurationRe
       (solutions.col(0) - seed).cwiseAbs2().dot(state.weights) < distance) {
     return true;
   }
-  state.search.iterations = 0;  // the closed form solves
+  state.reset_search();  // the closed form solves
   return false;
 }
 
@@ -29,7 +29,7 @@ bool solve_near_seed(SolverState& state, const Pose& goal, const ConfigurationRe
 ValueSearch search_value(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
                          const LockedRange& range, int tries, PieperRequest& loop,
                          BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> q) {
-  const PieperSolver& form = *state.pieper;
+  const PieperSolver& form = state.pieper_solver();
   const bool automatic = state.options.method == InverseMethod::automatic;
   const auto solved_from = [&](const LeastOutside& outside) {
     return outside.count > 0 &&

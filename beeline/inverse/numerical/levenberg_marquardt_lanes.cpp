@@ -317,9 +317,9 @@ void levenberg_marquardt_lanes(const NumericalProblem& problem, const Pose& worl
                                const Eigen::Ref<const Eigen::MatrixXd>& starts,
                                const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
   check_lane_options(world_T_tool, options);
-  if (starts.rows() != problem.arm.dof() || starts.cols() > solver_lane_count) {
-    throw Error("starts for arm " + problem.arm.name() + " need " +
-                std::to_string(problem.arm.dof()) + " rows and at most " +
+  const auto dof = static_cast<Eigen::Index>(problem.coordinates.size());
+  if (starts.rows() != dof || starts.cols() > solver_lane_count) {
+    throw Error("starts need " + std::to_string(dof) + " rows and at most " +
                 std::to_string(solver_lane_count) + " columns");
   }
   if (!starts.allFinite()) throw Error("a start has a number that is not finite");

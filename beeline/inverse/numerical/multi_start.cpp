@@ -36,11 +36,11 @@ enum class Grade { none, not_converged, coarse, converged };
 /// One call of multi_start().
 class Run {
  public:
-  Run(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
-      const ConfigurationRef& start, const MultiStartOptions& options, MultiStartBuffers& buffers,
-      SearchResult& result)
-      : problem_(problem),
-        seeds_(seeds),
+  Run(const Search& search, const Pose& world_T_tool, const ConfigurationRef& start,
+      const MultiStartOptions& options, MultiStartBuffers& buffers, SearchResult& result)
+      : arm_(search.arm),
+        problem_(search.problem),
+        seeds_(search.seeds),
         world_T_tool_(world_T_tool),
         start_(start),
         options_(options),
@@ -114,14 +114,14 @@ class Run {
   bool is_near_pose() const {
     constexpr double near = 0.25, near_angle = 1;  // units of length, radians
     const Deviation off =
-        task_deviation(problem_.task, world_T_tool_, forward_kinematics(problem_.arm, start_));
+        task_deviation(problem_.task, world_T_tool_, forward_kinematics(arm_, start_));
     return off.position < near * problem_.length && off.orientation < near_angle;
   }
 
   /// Tries the branch of the start, before lanes find another branch.
   bool converges_from_start() {
     result_.nearest =
-        levenberg_marquardt(problem_.arm, world_T_tool_, problem_.task, problem_.bounds, start_,
+        levenberg_marquardt(arm_, world_T_tool_, problem_.task, problem_.bounds, start_,
                             {.tolerance = options_.tolerance,
                              .max_iterations = options_.max_iterations,
                              .budget = options_.budget});
@@ -137,10 +137,7 @@ class Run {
     for (int lane = 0; lane < solver_lane_count; ++lane) {
       if (holds(lane) || result_.restarts >= options_.max_restarts) continue;
       if (from_table) {
-        const std::size_t dof = q_.size(), first = static_cast<std::size_t>(block[lane]) * dof;
-        for (std::size_t k = 0; k < dof; ++k) {
-          q_[k] = seeds_.q[first + k].lane[lane] * problem_.coordinates[k].unit;
-        }
+        draw_seed(problem_, seeds_, block[lane], lane, q_.data());
       } else {
         const double away =
             (world_T_tool_.translation() / problem_.length - problem_.chain.base.translation())
@@ -170,7 +167,7 @@ class Run {
   }
 
   bool known(const Configuration& q) {
-    return postures_.contains(problem_.arm, result_.solutions, found_, q);
+    return postures_.contains(arm_, result_.solutions, found_, q);
   }
 
   /// A lane that has stagnated, with its error squared.
@@ -231,7 +228,7 @@ class Run {
     NumericalResult run;
     run.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
     for (const auto solver : {singular_configuration, singular_gauss_newton}) {
-      run = solver(problem_.arm, world_T_tool_, problem_.task, problem_.bounds, run.q, options);
+      run = solver(arm_, world_T_tool_, problem_.task, problem_.bounds, run.q, options);
       result_.iterations += run.iterations;
       if (run.converged) break;
     }
@@ -281,6 +278,7 @@ class Run {
     if (options_.found) options_.found(result_.solutions.back());
   }
 
+  const Arm& arm_;
   const NumericalProblem& problem_;
   const SeedTable& seeds_;
   const Pose& world_T_tool_;
@@ -305,36 +303,28 @@ class Run {
 
 }  // namespace
 
-PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
-                               std::uint64_t random_seed) {
-  PreparedSearch prepared{numerical_problem(arm, task, bounds), {}};
-  prepared.seeds = seed_table(prepared.problem, random_seed);
-  return prepared;
-}
-
-void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
-                 const ConfigurationRef& start, const MultiStartOptions& options,
-                 MultiStartBuffers& buffers, SearchResult& result) {
+void multi_start(const Search& search, const Pose& world_T_tool, const ConfigurationRef& start,
+                 const MultiStartOptions& options, MultiStartBuffers& buffers,
+                 SearchResult& result) {
   check_lane_options(world_T_tool,
                      {.tolerance = options.tolerance, .max_iterations = options.max_iterations});
-  if (start.size() != static_cast<Eigen::Index>(problem.coordinates.size()) || !start.allFinite()) {
-    check_configuration(problem.arm, start);
+  if (start.size() != search.arm.dof() || !start.allFinite()) {
+    check_configuration(search.arm, start);
   }
   if (options.max_restarts < 0) {
     throw Error("", "max_restarts",
                 " must be zero or more, not " + std::to_string(options.max_restarts));
   }
-  if (seeds.q.size() != static_cast<std::size_t>(seeds.blocks) * problem.coordinates.size()) {
-    throw Error("the seed table is not one for arm " + problem.arm.name());
+  if (search.seeds.tool.size() != 12 * static_cast<std::size_t>(search.seeds.blocks)) {
+    throw Error("the seed table needs 12 rows for each block");
   }
-  Run(problem, seeds, world_T_tool, start, options, buffers, result).solve();
+  Run(search, world_T_tool, start, options, buffers, result).solve();
 }
 
-bool search_from_start(const PreparedSearch& prepared, const Pose& world_T_tool,
+bool search_from_start(const Search& search, const Pose& world_T_tool,
                        const ConfigurationRef& start, const MultiStartOptions& options,
                        MultiStartBuffers& buffers, SearchResult& result) {
-  return Run(prepared.problem, prepared.seeds, world_T_tool, start, options, buffers, result)
-      .solve_from_start();
+  return Run(search, world_T_tool, start, options, buffers, result).solve_from_start();
 }
 
 }  // namespace beeline::internal

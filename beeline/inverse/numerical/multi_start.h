@@ -37,13 +37,12 @@ struct MultiStartBuffers {
   std::vector<double> q;
 };
 
-/// A problem and the seeds for it.
-struct PreparedSearch {
-  NumericalProblem problem;
-  SeedTable seeds;
+/// A problem of an arm and the seeds for it.
+struct Search {
+  const Arm& arm;
+  const NumericalProblem& problem;
+  const SeedTable& seeds;
 };
-PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
-                               std::uint64_t random_seed);
 
 /// Searches for a solution from several starts. First runs gauss_newton() from `start`, and
 /// levenberg_marquardt() if the tool is near the pose there. Then runs run_lanes(): one lane from
@@ -54,13 +53,13 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
 /// lane converges, the lanes of least error. The solution is the representative nearest to
 /// `result` is overwritten. Throws Error for a start or a pose that is not finite or does not fit,
 /// and for an option out of range.
-void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
-                 const ConfigurationRef& start, const MultiStartOptions& options,
-                 MultiStartBuffers& buffers, SearchResult& result);
+void multi_start(const Search& search, const Pose& world_T_tool, const ConfigurationRef& start,
+                 const MultiStartOptions& options, MultiStartBuffers& buffers,
+                 SearchResult& result);
 
 /// Runs gauss_newton() from `start`, if the tool is near the pose there. Writes the run into
 /// result.nearest and returns whether it converges. Allocates in the first call only.
-bool search_from_start(const PreparedSearch& prepared, const Pose& world_T_tool,
+bool search_from_start(const Search& search, const Pose& world_T_tool,
                        const ConfigurationRef& start, const MultiStartOptions& options,
                        MultiStartBuffers& buffers, SearchResult& result);
 

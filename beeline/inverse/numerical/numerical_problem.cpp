@@ -26,7 +26,7 @@ Chain in_units(Chain chain, double length, const std::vector<NumericalProblem::C
 
 NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds) {
   check_task(arm, task, bounds);
-  NumericalProblem problem{arm, task, bounds, 1, {}, {}, {}};
+  NumericalProblem problem{task, bounds, 1, {}, {}, {}};
   problem.length = std::exp2(std::round(std::log2(unit_of_length(arm))));
   const Chain& chain = chain_of(arm);
   for (int k = 0; k < arm.dof(); ++k) {
@@ -50,6 +50,15 @@ NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bound
   }
   problem.chain = in_units(chain, problem.length, problem.coordinates);
   return problem;
+}
+
+NumericalProblem NumericalProblem::make(const Arm& arm, const Key& key) {
+  return numerical_problem(arm, key.task, key.ignore_limits ? no_bounds(arm) : bounds_of(arm));
+}
+
+std::size_t NumericalProblem::heap_bytes() const {
+  return internal::heap_bytes(chain.links) + internal::heap_bytes(coordinates) +
+         internal::heap_bytes(links) + 2 * sizeof(double) * coordinates.size();
 }
 
 }  // namespace beeline::internal

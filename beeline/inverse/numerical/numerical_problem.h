@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/numerical/bounds.h>
-#include <beeline/model/internal/chain.h>
+#include <beeline/model/internal/kept.h>
 
 namespace beeline::internal {
 
@@ -19,7 +19,6 @@ struct alignas(64) EightNumbers {
 /// Lengths and the coordinates of prismatic joints are in units of `length`, so that they are
 /// comparable with radians. `length` is a power of two, so the conversion is exact.
 struct NumericalProblem {
-  Arm arm;
   Task task;
   Bounds bounds;
   double length = 1;  ///< metres; unit_of_length(arm) rounded to a power of two
@@ -35,6 +34,16 @@ struct NumericalProblem {
   };
   std::vector<Coordinate> coordinates;
   std::vector<int> links;  ///< indices into chain.links, ordered by coordinate
+
+  // As an arm keeps it: see Kept.
+  struct Key {
+    Task task;
+    bool ignore_limits = false;
+    bool operator==(const Key&) const = default;
+  };
+  static constexpr SharedBy shared_by = SharedBy::copies;
+  static NumericalProblem make(const Arm& arm, const Key& key);
+  std::size_t heap_bytes() const;
 };
 
 /// Throws Error for a task and bounds that check_task() refuses.

@@ -77,23 +77,30 @@ void draw_configuration(const NumericalProblem& problem, double far, Splitmix& r
 }
 
 SeedTable seed_table(const NumericalProblem& problem, std::uint64_t random_seed, int blocks) {
-  SeedTable seeds;
-  const std::size_t dof = problem.coordinates.size(), count = static_cast<std::size_t>(blocks);
-  seeds.blocks = blocks;
-  seeds.q.resize(dof * count);
-  seeds.tool.resize(12 * count);
-  std::vector<EightNumbers> axes(6 * problem.links.size());
+  SeedTable seeds{blocks, random_seed, std::vector<EightNumbers>(12 * blocks)};
+  const std::size_t dof = problem.coordinates.size();
+  std::vector<EightNumbers> axes(6 * problem.links.size()), rows(dof);
   std::vector<double> q(dof);
-  Splitmix random(random_seed);
-  for (std::size_t b = 0; b < count; ++b) {
-    EightNumbers* rows = seeds.q.data() + b * dof;
+  for (int b = 0; b < blocks; ++b) {
     for (int lane = 0; lane < solver_lane_count; ++lane) {
-      draw_configuration(problem, 1, random, q.data());
+      draw_seed(problem, seeds, b, lane, q.data());
       for (std::size_t k = 0; k < dof; ++k) rows[k].lane[lane] = q[k] / problem.coordinates[k].unit;
     }
-    HWY_DYNAMIC_DISPATCH(tools)(problem.chain, rows->lane, axes[0].lane, seeds.tool[12 * b].lane);
+    HWY_DYNAMIC_DISPATCH(tools)
+    (problem.chain, rows[0].lane, axes[0].lane, seeds.tool[12 * b].lane);
   }
   return seeds;
+}
+
+SeedTable SeedTable::make(const Arm&, const Key& key, const NumericalProblem& problem) {
+  return seed_table(problem, key.random_seed);
+}
+
+void draw_seed(const NumericalProblem& problem, const SeedTable& seeds, int block, int lane,
+               double* q) {
+  Splitmix random(seeds.random_seed);
+  random.skip((solver_lane_count * block + lane) * problem.coordinates.size());
+  draw_configuration(problem, 1, random, q);
 }
 
 void nearest_seeds(const NumericalProblem& problem, const SeedTable& seeds,

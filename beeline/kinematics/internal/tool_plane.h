@@ -34,6 +34,8 @@ class ToolPlane {
     if (!contains(pose)) refuse(pose, what);
   }
 
+  std::size_t heap_bytes() const { return arm_.capacity(); }
+
   /// `WHAT is outside the plane z = 0 m of arm rrr; give x,y,theta`.
   std::string fault(const std::string& what) const;
   /// The error of the same fault, which also names the task that ignores height and tilt.

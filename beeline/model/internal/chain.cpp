@@ -6,9 +6,23 @@
 namespace beeline::internal {
 namespace {
 
+// An arm keeps at most 64 kB: the seeds of a search take 48 kB, the closed forms some hundred
+// bytes.
+constexpr std::size_t max_bytes_of_arm = 56 * 1024;
+constexpr std::size_t max_bytes_of_geometry = 7 * 1024;
+constexpr std::size_t max_bytes_of_links = 1024;
+
 bool slides(const Joint& joint) { return kind(joint) == JointKind::prismatic; }
 
 }  // namespace
+
+ArmMemory::ArmMemory(Chain arm_chain, ChainAngles chain_angles)
+    : chain(std::move(arm_chain)),
+      angles(std::move(chain_angles)),
+      of_arm(max_bytes_of_arm,
+             sizeof(ArmMemory) + heap_bytes(chain.links) + 3 * heap_bytes(angles.cos_offset)),
+      of_geometry(std::make_shared<KeptObjects>(max_bytes_of_geometry, sizeof(KeptObjects))),
+      of_links(std::make_shared<KeptObjects>(max_bytes_of_links, sizeof(KeptObjects))) {}
 
 Pose constant_transform(const Chain::Link& link) {
   Pose pose = Pose::Identity();

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <vector>
 
 #include <beeline/model/arm.h>
+#include <beeline/model/internal/kept_objects.h>
 
 namespace beeline::internal {
 
@@ -46,17 +49,31 @@ struct ChainAngles {
 };
 ChainAngles angles_of(const Chain& chain);
 
-/// The data of an arm for the kernels.
-struct ArmChain {
+/// What follows from an arm, see Arm::Memory: its data for the kernels, and what other layers keep.
+struct ArmMemory {
+  ArmMemory(Chain arm_chain, ChainAngles chain_angles);
+
   Chain chain;
   ChainAngles angles;
+  KeptObjects of_arm;
+  /// What does not depend on limits, and what does not depend on the tool either. Arms that differ
+  /// in these share it.
+  std::shared_ptr<KeptObjects> of_geometry, of_links;
+  std::atomic<int> arms = 1;  ///< number of copies of the arm
 
-  static const ArmChain& of(const Arm& arm) { return *arm.kernel_form_.chain; }
+  static ArmMemory& of(const Arm& arm) { return *arm.memory_; }
+
+  /// Shares what the arm has in common with `other`, from which it differs in its tool or, if
+  /// `same_tool`, in limits only.
+  static void share(const Arm& other, bool same_tool, Arm& arm) {
+    of(arm).of_links = of(other).of_links;
+    if (same_tool) of(arm).of_geometry = of(other).of_geometry;
+  }
 };
 
 /// Returns the chain of the arm. Both give the same poses, to rounding.
-inline const Chain& chain_of(const Arm& arm) { return ArmChain::of(arm).chain; }
-inline const ChainAngles& chain_angles_of(const Arm& arm) { return ArmChain::of(arm).angles; }
+inline const Chain& chain_of(const Arm& arm) { return ArmMemory::of(arm).chain; }
+inline const ChainAngles& chain_angles_of(const Arm& arm) { return ArmMemory::of(arm).angles; }
 
 /// Computes the chain of an arm under construction.
 Chain make_chain(const Arm& arm);

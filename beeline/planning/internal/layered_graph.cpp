@@ -48,13 +48,13 @@ std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double s
 /// it.
 void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
            const GraphOptions& options, BudgetMeter& budget) {
-  InverseSolver solver(arm, {.task = options.task,
-                             .all = true,
-                             .every_turn = false,
-                             .grid = options.grid,
-                             .tolerance = 1e-9,
-                             .max_restarts = 4 * options.grid,
-                             .budget = budget.part()});
+  const InverseOptions all{.task = options.task,
+                           .all = true,
+                           .every_turn = false,
+                           .grid = options.grid,
+                           .tolerance = 1e-9,
+                           .max_restarts = 4 * options.grid,
+                           .budget = budget.part()};
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
   // The start is not on the grid: its continuation is added to the solutions of each layer.
@@ -64,7 +64,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
     if (r == 0 && options.start) {
       solutions = {*options.start};
     } else {
-      const int count = solver.solve(layers[r].pose, middle, columns);
+      const int count = inverse_kinematics(arm, layers[r].pose, middle, columns, all);
       for (int i = 0; i < count; ++i) solutions.emplace_back(columns.col(i));
     }
     if (r > 0 && continuation) {

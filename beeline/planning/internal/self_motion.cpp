@@ -22,7 +22,8 @@ using Node = RedundantConfiguration;
 
 SelfMotion::SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds,
                        std::vector<bool> cyclic, double step)
-    : task_(task),
+    : arm_(arm),
+      task_(task),
       bounds_(bounds),
       cyclic_(std::move(cyclic)),
       step_(step),
@@ -40,7 +41,7 @@ bool SelfMotion::solve(const Pose& pose, Node& q) {
     return true;
   }
   const NumericalResult found =
-      levenberg_marquardt(problem_.arm, pose, task_, problem_.bounds, Configuration(q),
+      levenberg_marquardt(arm_, pose, task_, problem_.bounds, Configuration(q),
                           {.tolerance = solved_to, .max_iterations = max_solver_steps});
   if (found.converged) q = found.q;
   return found.converged;
@@ -68,8 +69,7 @@ Node SelfMotion::difference(const Node& b, const Node& a) const {
 /// The last column of Q in J^T = Q R.
 bool SelfMotion::tangent(const Node& q, Node& direction) const {
   using Transposed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 6>;
-  const Transposed j =
-      task_jacobian(problem_.arm, Configuration(q), task_, problem_.length).transpose();
+  const Transposed j = task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose();
   const Eigen::HouseholderQR<Transposed> qr(j);
   Node null = Node::Unit(q.size(), q.size() - 1);
   null.applyOnTheLeft(qr.householderQ());

@@ -64,6 +64,7 @@ class SelfMotion {
                 const RedundantConfiguration& outside, RedundantConfiguration& at_limit);
   SelfMotionCurve traced(const Pose& pose, const RedundantConfiguration& q, bool limited);
 
+  Arm arm_;
   Task task_;
   Bounds bounds_;
   std::vector<bool> cyclic_;

@@ -85,9 +85,9 @@ void add_inside(const Arm& arm, const Pose& pose, const SelfMotion& unlimited,
 }  // namespace
 
 InverseMethod method_for_few_poses(const Arm& arm, const Task& task) {
-  const InverseMethod chosen = InverseSolver(arm, {.task = task}).chosen_method();
-  return chosen == InverseMethod::numerical && arm.dof() > task.size() ? chosen
-                                                                       : InverseMethod::automatic;
+  const bool redundant = arm.dof() > task.size();
+  return redundant && !has_closed_form(arm, {.task = task}) ? InverseMethod::numerical
+                                                            : InverseMethod::automatic;
 }
 
 std::vector<Node> self_motion_starts(const Arm& arm, const Task& task, const Pose& pose,

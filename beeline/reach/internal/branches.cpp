@@ -33,8 +33,7 @@ void check_in_scene(const ReachGrid& grid) {
 
 /// Whether a pose is solved by all its solutions, and there are finitely many.
 bool has_all_solutions(const Arm& arm) {
-  return arm.dof() <= default_task(arm).size() &&
-         InverseSolver(arm, {.all = true}).chosen_method() == InverseMethod::closed_form;
+  return arm.dof() <= default_task(arm).size() && has_closed_form(arm, {.all = true});
 }
 
 }  // namespace

@@ -39,13 +39,11 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by)
     : arm_(arm),
-      any_(arm, {.task = default_task(arm)}),
+      any_{.task = default_task(arm)},
+      any_free_{.task = default_task(arm), .blocked_by = blocked_by},
       redundant_(redundant_joint(arm)),
       seed_(middle_configuration(arm)),
       blocked_by_(std::move(blocked_by)) {
-  if (blocked_by_) {
-    any_free_.emplace(arm, InverseOptions{.task = default_task(arm), .blocked_by = blocked_by_});
-  }
   if (redundant_) {
     values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
     form_ = PieperSolver::make(arm, default_task(arm));
@@ -55,8 +53,8 @@ PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_b
     const Bounds bounds = bounds_of(arm);
     loop_ = form_->request(seed_, Configuration::Ones(arm.dof()), bounds.lower, bounds.upper);
   } else {
-    InverseSolver all(arm, {.task = default_task(arm), .all = true, .lock = redundant_});
-    if (all.chosen_method() == InverseMethod::closed_form) all_.emplace(all);
+    const InverseOptions all{.task = default_task(arm), .all = true, .lock = redundant_};
+    if (has_closed_form(arm, all)) all_ = all;
   }
   const auto passes = static_cast<Eigen::Index>(values_.size());
   found_.resize(arm.dof(), (passes + 1) * most_at_once);
@@ -101,9 +99,10 @@ void PoseSolver::keep_free(Eigen::Index first) {
   branches_ = std::max(branches_, static_cast<int>(count_ - first));
 }
 
-void PoseSolver::add_all(const Pose& world_T_tool, InverseSolver& solver) {
+void PoseSolver::add_all(const Pose& world_T_tool, const InverseOptions& options) {
   const Eigen::Index first = count_;
-  count_ += solver.solve(world_T_tool, seed_, found_.middleCols(first, most_at_once));
+  count_ += inverse_kinematics(arm_, world_T_tool, seed_, found_.middleCols(first, most_at_once),
+                               options);
   keep_free(first);
 }
 
@@ -118,7 +117,7 @@ void PoseSolver::solve(const Pose& world_T_tool) {
   if (all_ && !redundant_) {
     add_all(world_T_tool, *all_);
     // Along a self-motion, each branch is represented by one of its solutions.
-    if (has_solution_ && count_ == 0) add_all(world_T_tool, *any_free_);
+    if (has_solution_ && count_ == 0) add_all(world_T_tool, any_free_);
     return;
   }
   const Configuration middle = seed_;
@@ -133,7 +132,7 @@ void PoseSolver::solve(const Pose& world_T_tool) {
   seed_ = middle;
   if (has_solution_) return;
   add_all(world_T_tool, any_);
-  if (has_solution_ && count_ == 0) add_all(world_T_tool, *any_free_);
+  if (has_solution_ && count_ == 0) add_all(world_T_tool, any_free_);
 }
 
 }  // namespace beeline::internal

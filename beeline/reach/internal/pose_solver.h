@@ -35,18 +35,18 @@ class PoseSolver {
  private:
   /// Counts the solutions from column `first` on, found together, and keeps those that are free.
   void keep_free(Eigen::Index first);
-  void add_all(const Pose& world_T_tool, InverseSolver& solver);
+  void add_all(const Pose& world_T_tool, const InverseOptions& options);
   /// Adds the branches within limits at a value of the redundant joint.
   void add_branches(const Pose& world_T_tool, double value);
   bool is_new(const ConfigurationRef& q, Eigen::Index first) const;
 
   Arm arm_;
-  InverseSolver any_;  ///< one solution
-  /// One that is free; slower where there is none. Only if solutions can be blocked.
-  std::optional<InverseSolver> any_free_;
-  std::optional<InverseSolver> all_;  ///< all solutions, if the arm has a closed form;
-  std::optional<int> redundant_;      ///< then with this coordinate locked
-  std::vector<double> values_;        ///< at each of these
+  InverseOptions any_;  ///< for one solution
+  /// For one that is free; slower where there is none. Only if solutions can be blocked.
+  InverseOptions any_free_;
+  std::optional<InverseOptions> all_;  ///< for all solutions, if the arm has a closed form;
+  std::optional<int> redundant_;       ///< then with this coordinate locked
+  std::vector<double> values_;         ///< at each of these
   /// The closed form of three axes that meet, which takes the value of the redundant joint.
   std::optional<PieperSolver> form_;
   PieperRequest loop_;

@@ -75,7 +75,7 @@ TEST(PieperSolver, IsDescribedForTheBuiltInArms) {
       {"iiwa14", "closed form: three axes meet (joints 1, 2, 3)"},
       {"scara", "closed form: three parallel axes (joints 1, 2, 3)"}};
   for (const auto& [name, family] : families) {
-    EXPECT_EQ(InverseSolver(built_in(name)).method(), family) << name;
+    EXPECT_EQ(inverse_method(built_in(name)), family) << name;
   }
 }
 

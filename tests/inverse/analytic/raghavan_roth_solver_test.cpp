@@ -98,6 +98,10 @@ void expect_solutions(const Arm& arm, const Pose& pose, const Columns& q, int co
   }
 }
 
+RaghavanRothSolver solver_of(const Arm& arm) {
+  return {chain_of(arm), choose_eliminations(chain_of(arm))};
+}
+
 /// The number of random configurations that are not among the solutions of their pose.
 int misses(Random& random, const Arm& arm, const RaghavanRothSolver& solver, int poses) {
   int missed = 0;
@@ -113,8 +117,9 @@ int misses(Random& random, const Arm& arm, const RaghavanRothSolver& solver, int
 }
 
 void expect_found(Random& random, const Arm& arm, int poses) {
-  const RaghavanRothSolver solver(chain_of(arm));
-  EXPECT_TRUE(solver.reliable());
+  const EliminationChoice choice = choose_eliminations(chain_of(arm));
+  const RaghavanRothSolver solver(chain_of(arm), choice);
+  EXPECT_TRUE(choice.reliable);
   EXPECT_EQ(misses(random, arm, solver, poses), 0);
 }
 
@@ -182,8 +187,9 @@ TEST(RaghavanRothSolver, FindsSixteenSolutions) {
                            {1.5, one, 0},
                            {0, pi / 2, 0},
                            {1.1353, one, 0}}});
-  const RaghavanRothSolver solver(chain_of(arm));
-  EXPECT_TRUE(solver.reliable());
+  const EliminationChoice choice = choose_eliminations(chain_of(arm));
+  const RaghavanRothSolver solver(chain_of(arm), choice);
+  EXPECT_TRUE(choice.reliable);
   const Configuration from{{-2.074, 2.120, 0.517, 2.688, 0.178, 3.085}};
   const Pose pose = forward_kinematics(arm, from);
   Columns q(6, 16);
@@ -219,7 +225,7 @@ TEST(RaghavanRothSolver, FindsEverySolutionThatASearchFinds) {
   int found_by_search = 0, found = 0;
   for (int i = 0; i < cases(40); ++i) {
     const Arm arm = arm_of(i % 4 == 0 ? disturbed(random, ur5, 1e-4) : random_rows(random));
-    const RaghavanRothSolver solver(chain_of(arm));
+    const RaghavanRothSolver solver = solver_of(arm);
     const Pose pose = forward_kinematics(arm, anywhere(random));
     const int count = solver.solve(pose, q).count;
     found += count;
@@ -236,7 +242,7 @@ TEST(RaghavanRothSolver, SolutionsComeInPairs) {
   Columns q(6, 16);
   for (int i = 0; i < cases(10); ++i) {
     const Arm arm = arm_of(random_rows(random));
-    const RaghavanRothSolver solver(chain_of(arm));
+    const RaghavanRothSolver solver = solver_of(arm);
     for (int k = 0; k < 200; ++k) {
       const int count = solver.solve(forward_kinematics(arm, anywhere(random)), q).count;
       EXPECT_GE(count, 2);
@@ -266,7 +272,7 @@ TEST(RaghavanRothSolver, FindsDoubleSolutions) {
     }
     ++tried;
     const Pose pose = forward_kinematics(arm, from);
-    const RaghavanRothSolver solver(chain_of(arm));
+    const RaghavanRothSolver solver = solver_of(arm);
     const int count = solver.solve(pose, q).count;
     expect_solutions(arm, pose, q, count);
     EXPECT_TRUE(holds(q, count, from, 1e-4)) << from.transpose();
@@ -279,7 +285,7 @@ TEST(RaghavanRothSolver, FindsNothingOutOfReach) {
   Columns q(6, 16);
   for (int i = 0; i < example_size(20); ++i) {
     const Arm arm = arm_of(random_rows(random));
-    const RaghavanRothSolver solver(chain_of(arm));
+    const RaghavanRothSolver solver = solver_of(arm);
     Pose pose = random.pose();
     pose.translation() = arm.reach().centre + 1.01 * arm.reach().radius * random.direction();
     const auto result = solver.solve(pose, q);
@@ -288,11 +294,11 @@ TEST(RaghavanRothSolver, FindsNothingOutOfReach) {
 }
 
 TEST(RaghavanRothSolver, RefusesOtherArms) {
-  EXPECT_THROW(RaghavanRothSolver(chain_of(built_in("panda"))), Error);
-  EXPECT_THROW(RaghavanRothSolver(chain_of(built_in("stanford"))), Error);
+  EXPECT_THROW(choose_eliminations(chain_of(built_in("panda"))), Error);
+  EXPECT_THROW(choose_eliminations(chain_of(built_in("stanford"))), Error);
   Columns few(6, 15);
   const Arm arm = arm_of(ur5);
-  EXPECT_THROW(RaghavanRothSolver(chain_of(arm)).solve(Pose::Identity(), few), Error);
+  EXPECT_THROW(solver_of(arm).solve(Pose::Identity(), few), Error);
 }
 
 }  // namespace

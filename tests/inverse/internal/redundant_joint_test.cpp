@@ -98,9 +98,9 @@ TEST(LockedJoint, OutsideItsLimitsIsRefused) {
     seed[k] = arm.limits(k).upper + 0.1;
     const InverseOptions options{.seed = seed, .lock = k};
     EXPECT_REFUSED(inverse_kinematics(arm, pose, options), arm.joint_of(k).name);
-    InverseSolver solver(arm, {.lock = k});
     Eigen::MatrixXd solutions(7, 1);
-    EXPECT_REFUSED(solver.solve(pose, seed, solutions), arm.joint_of(k).name);
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, seed, solutions, {.lock = k}),
+                   arm.joint_of(k).name);
   }
 }
 
@@ -126,14 +126,13 @@ TEST(LockedJoint, IsNotTurnedAround) {
 std::vector<Configuration> sweep(const Arm& arm, const Pose& pose, const Configuration& seed,
                                  int count) {
   std::vector<Configuration> found;
-  InverseSolver solver(arm, {.all = true, .lock = 6});
   Eigen::MatrixXd solutions(7, 8);
   const Limits& limits = arm.limits(6);
   Configuration start = seed;
   for (int i = 0; i < count; ++i) {
     const double fraction = static_cast<double>(i) / (count - 1);
     start[6] = (1 - fraction) * limits.lower + fraction * limits.upper;
-    const int solved = solver.solve(pose, start, solutions);
+    const int solved = inverse_kinematics(arm, pose, start, solutions, {.all = true, .lock = 6});
     for (int k = 0; k < solved; ++k) found.emplace_back(solutions.col(k));
   }
   return found;
@@ -184,14 +183,14 @@ TEST(LockedJoint, APoseThatIsRefusedHasNoSolutionAtAnyValue) {
   int refused = 0, searched = 0;
   for (const char* name : {"panda", "iiwa14"}) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm);
     Eigen::MatrixXd column(7, 1);
     for (int i = 0; i < cases(150); ++i) {
       Pose pose = forward_kinematics(arm, random.configuration(arm));
       pose.linear() = random.pose().linear();
       const Configuration seed = random.configuration(arm);
-      const InverseResult result = solver.solve(pose, seed);
-      EXPECT_EQ(solver.solve(pose, seed, column), static_cast<int>(result.solutions.size()));
+      const InverseResult result = inverse_kinematics(arm, pose, {.seed = seed});
+      EXPECT_EQ(inverse_kinematics(arm, pose, seed, column),
+                static_cast<int>(result.solutions.size()));
       if (result) continue;
       ++refused;
       searched += result.restarts > 0;

@@ -16,20 +16,21 @@ namespace {
 using namespace internal;
 
 /// A run from a nearby start, and what must hold when it converges.
-bool arrives(const NumericalProblem& problem, const Configuration& q, const Configuration& start,
-             const LaneOptions& options, double tolerance, GaussNewtonState& near) {
-  const Pose pose = forward_kinematics(problem.arm, q);
+bool arrives(const Arm& arm, const NumericalProblem& problem, const Configuration& q,
+             const Configuration& start, const LaneOptions& options, double tolerance,
+             GaussNewtonState& near) {
+  const Pose pose = forward_kinematics(arm, q);
   if (!gauss_newton(problem, pose, start.data(), options, near)) return false;
   Configuration at(q.size());
   for (Eigen::Index k = 0; k < at.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     at[k] = near.q[i] * problem.coordinates[i].unit;
   }
-  EXPECT_TRUE(within(problem.bounds, at)) << problem.arm.name() << ' ' << at.transpose();
-  const Pose seen = forward_kinematics(problem.arm, at);
+  EXPECT_TRUE(within(problem.bounds, at)) << arm.name() << ' ' << at.transpose();
+  const Pose seen = forward_kinematics(arm, at);
   const Deviation left = task_deviation(Task::spatial(), pose, seen);
-  EXPECT_LE(left.position, tolerance) << problem.arm.name();
-  EXPECT_LE(left.orientation, tolerance) << problem.arm.name();
+  EXPECT_LE(left.position, tolerance) << arm.name();
+  EXPECT_LE(left.orientation, tolerance) << arm.name();
   const Vector3 said(near.error[0], near.error[1], near.error[2]);
   EXPECT_NEAR(said.norm() * problem.length, left.position, 1e-11 * problem.length);
   return true;
@@ -51,7 +52,8 @@ TEST(DescentNear, TracksEveryBuiltInArm) {
     for (int i = 0; i < 500; ++i) {
       const Configuration q = random.configuration(arm);
       const Configuration start = nearby(q, 0.1, random);
-      if (arrives(problem, q, start, {.tolerance = 1e-6, .polish = false}, 1e-6 + 1e-12, near)) {
+      if (arrives(arm, problem, q, start, {.tolerance = 1e-6, .polish = false}, 1e-6 + 1e-12,
+                  near)) {
         ++arrived;
         steps += near.iterations;
       }
@@ -70,7 +72,7 @@ TEST(DescentNear, PolishesToRoundingLevel) {
     int arrived = 0;
     for (int i = 0; i < 200; ++i) {
       const Configuration q = random.configuration(arm);
-      arrived += arrives(problem, q, nearby(q, 0.02, random), {.tolerance = 1e-9}, 1e-9, near);
+      arrived += arrives(arm, problem, q, nearby(q, 0.02, random), {.tolerance = 1e-9}, 1e-9, near);
     }
     EXPECT_GE(arrived, 190) << name;
   }
@@ -85,7 +87,7 @@ TEST(DescentNear, TracksJointsOfAllKindsAndFollowers) {
     int arrived = 0;
     for (int i = 0; i < 20; ++i) {
       const Configuration q = random.configuration(arm);
-      arrived += arrives(problem, q, nearby(q, 0.01, random), {.tolerance = 1e-8}, 1e-8, near);
+      arrived += arrives(arm, problem, q, nearby(q, 0.01, random), {.tolerance = 1e-8}, 1e-8, near);
     }
     EXPECT_GE(arrived, 14) << joints;
   }
@@ -101,8 +103,8 @@ TEST(DescentNear, SaysNoWhereItDoesNotFitAndNeverArrivesWrongly) {
   const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
   for (int i = 0; i < 2000; ++i) {
     const double far = std::pow(10.0, random.uniform(-3, 6));
-    arrives(problem, random.configuration(arm), nearby(random.configuration(arm), far, random), {},
-            1e-10 + 1e-13, near);
+    arrives(arm, problem, random.configuration(arm), nearby(random.configuration(arm), far, random),
+            {}, 1e-10 + 1e-13, near);
     const Pose beyond = random.pose(far + 3);
     if (beyond.translation().norm() < 2) continue;
     EXPECT_FALSE(gauss_newton(problem, beyond, q.data(), {}, near));
@@ -116,10 +118,11 @@ TEST(DescentNear, EveryMachineArrivesAlike) {
   GaussNewtonState first, other;
   for (int i = 0; i < 100; ++i) {
     const Configuration q = random.configuration(arm), start = nearby(q, 0.02, random);
-    const bool arrived = arrives(problem, q, start, {}, 1e-10, first);
+    const bool arrived = arrives(arm, problem, q, start, {}, 1e-10, first);
     for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
       hwy::SetSupportedTargetsForTest(target);
-      EXPECT_EQ(arrives(problem, q, start, {}, 1e-10, other), arrived) << hwy::TargetName(target);
+      EXPECT_EQ(arrives(arm, problem, q, start, {}, 1e-10, other), arrived)
+          << hwy::TargetName(target);
       hwy::SetSupportedTargetsForTest(0);
       if (!arrived) continue;
       for (std::size_t k = 0; k < first.q.size(); ++k) EXPECT_NEAR(other.q[k], first.q[k], 1e-7);

@@ -10,7 +10,7 @@ using namespace internal;
 
 inline Configuration found(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
                            int lane) {
-  Configuration q(problem.arm.dof());
+  Configuration q(problem.coordinates.size());
   lane_configuration(problem, lanes, lane, q.data());
   return q;
 }

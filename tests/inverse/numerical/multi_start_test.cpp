@@ -17,23 +17,26 @@ using namespace internal;
 
 /// An arm with its problem, seeds and buffers.
 struct Solver {
+  Arm arm;
   NumericalProblem problem;
   SeedTable seeds;
   MultiStartBuffers buffers;
   SearchResult result;
 
   Solver(const Arm& arm, const Task& task, const Bounds& bounds)
-      : problem(numerical_problem(arm, task, bounds)), seeds(seed_table(problem, 7, 32)) {}
+      : arm(arm),
+        problem(numerical_problem(arm, task, bounds)),
+        seeds(seed_table(problem, 7, 32)) {}
 
   const SearchResult& operator()(const Pose& pose, const Configuration& start,
                                  const MultiStartOptions& options = {}) {
-    multi_start(problem, seeds, pose, start, options, buffers, result);
+    multi_start({arm, problem, seeds}, pose, start, options, buffers, result);
     return result;
   }
 };
 
 void expect_solved(const Solver& solver, const Pose& pose, double tolerance) {
-  const Arm& arm = solver.problem.arm;
+  const Arm& arm = solver.arm;
   ASSERT_FALSE(solver.result.solutions.empty()) << arm.name();
   for (const Configuration& q : solver.result.solutions) {
     EXPECT_TRUE(within(solver.problem.bounds, q)) << arm.name() << ' ' << q.transpose();
@@ -183,7 +186,7 @@ TEST(MultiStart, RefusesWhatDoesNotFit) {
   EXPECT_THROW(solve(Pose::Identity(), q, {.tolerance = -1}), Error);
   EXPECT_THROW(solve(Pose::Identity(), q, {.max_iterations = -1}), Error);
   EXPECT_THROW(solve(Pose::Identity(), q, {.max_restarts = -1}), Error);
-  solve.seeds = {.blocks = 1, .q = {}, .tool = {}};
+  solve.seeds = {.blocks = 1, .tool = {}};
   EXPECT_THROW(solve(Pose::Identity(), q), Error);
 }
 

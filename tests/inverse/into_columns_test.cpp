@@ -21,13 +21,12 @@ using testing::Random;
 const char* const six_joints[] = {"puma560", "ur5", "ur5e", "stanford"};
 const char* const seven_joints[] = {"panda", "iiwa14"};
 
-TEST(InverseSolver, IntoColumnsGivesWhatInverseKinematicsGives) {
+TEST(IntoColumns, GivesWhatAResultHas) {
   Random random;
   for (const char* name : six_joints) {
     const Arm arm = built_in(name);
     for (const bool ignore_limits : {false, true}) {
       const InverseOptions options{.all = true, .ignore_limits = ignore_limits};
-      InverseSolver solver(arm, options);
       for (int i = 0; i < 500; ++i) {
         const Configuration seed = random.configuration(arm);
         const Pose pose = forward_kinematics(arm, random.configuration(arm));
@@ -35,7 +34,7 @@ TEST(InverseSolver, IntoColumnsGivesWhatInverseKinematicsGives) {
         with_seed.seed = seed;
         const auto expected = inverse_kinematics(arm, pose, with_seed).solutions;
         Eigen::MatrixXd columns(6, 8);
-        const int count = solver.solve(pose, seed, columns);
+        const int count = inverse_kinematics(arm, pose, seed, columns, options);
         ASSERT_EQ(static_cast<std::size_t>(count), expected.size()) << name;
         for (int k = 0; k < count; ++k) {
           EXPECT_LT((columns.col(k) - expected[k]).norm(), 1e-7) << name;
@@ -45,38 +44,37 @@ TEST(InverseSolver, IntoColumnsGivesWhatInverseKinematicsGives) {
   }
 }
 
-TEST(InverseSolver, IntoFewColumnsWritesTheNearestOnly) {
+TEST(IntoColumns, IntoFewColumnsWritesTheNearestOnly) {
   Random random;
   for (const char* name : six_joints) {
     const Arm arm = built_in(name);
-    InverseSolver all(arm, {.all = true}), one(arm);
+    const InverseOptions all{.all = true};
     for (int i = 0; i < 300; ++i) {
       const Configuration seed = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
       Eigen::MatrixXd eight(6, 8), two(6, 2), single(6, 1);
-      const int count = all.solve(pose, seed, eight);
+      const int count = inverse_kinematics(arm, pose, seed, eight, all);
       ASSERT_GE(count, 1);
-      EXPECT_EQ(all.solve(pose, seed, two), std::min(count, 2));
+      EXPECT_EQ(inverse_kinematics(arm, pose, seed, two, all), std::min(count, 2));
       EXPECT_EQ(two.leftCols(std::min(count, 2)), eight.leftCols(std::min(count, 2)));
-      EXPECT_EQ(one.solve(pose, seed, single), 1);
+      EXPECT_EQ(inverse_kinematics(arm, pose, seed, single), 1);
       EXPECT_LT((single - eight.col(0)).norm(), 1e-7) << name;
     }
   }
 }
 
 /// Whatever the arm, what comes back reaches the pose within limits.
-TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
+TEST(IntoColumns, SolvesEveryBuiltInArm) {
   Random random;
   for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm);
     Eigen::MatrixXd column(arm.dof(), 1);
     int missed = 0;
     for (int i = 0; i < 1000; ++i) {
       const Configuration seed = random.configuration(arm);
       const Configuration from = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, from);
-      if (solver.solve(pose, seed, column) != 1) {
+      if (inverse_kinematics(arm, pose, seed, column) != 1) {
         // A few poses in a million are missed where a redundant joint has to be searched for.
         EXPECT_EQ(arm.dof(), 7) << name << ' ' << from.transpose();
         ++missed;
@@ -91,21 +89,21 @@ TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
     Pose away = Pose::Identity();
     away.translation().x() = 100;
     if (arm.reach().radius < 90) {
-      EXPECT_EQ(solver.solve(away, middle_configuration(arm), column), 0);
+      EXPECT_EQ(inverse_kinematics(arm, away, middle_configuration(arm), column), 0);
     }
   }
 }
 
-TEST(InverseSolver, IntoColumnsKeepsALockedCoordinate) {
+TEST(IntoColumns, KeepsALockedCoordinate) {
   Random random;
   for (const char* name : seven_joints) {
     const Arm arm = built_in(name);
-    InverseSolver solver(arm, {.all = true, .lock = 6});
+    const InverseOptions options{.all = true, .lock = 6};
     Eigen::MatrixXd columns(7, 8);
     for (int i = 0; i < 300; ++i) {
       const Configuration from = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, from);
-      const int count = solver.solve(pose, from, columns);
+      const int count = inverse_kinematics(arm, pose, from, columns, options);
       ASSERT_GE(count, 1) << name;
       EXPECT_LT((columns.col(0) - from).norm(), 1e-6);
       for (int k = 0; k < count; ++k) EXPECT_EQ(columns(6, k), from[6]);
@@ -115,7 +113,7 @@ TEST(InverseSolver, IntoColumnsKeepsALockedCoordinate) {
   }
 }
 
-TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
+TEST(IntoColumns, DoesNotAllocateInTheOrdinaryCourse) {
 #if !BEELINE_COUNTS_ALLOCATIONS
   GTEST_SKIP() << "allocations cannot be counted here";
 #endif
@@ -124,14 +122,14 @@ TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
     const Arm arm = built_in(name);
     if (default_task(arm) == Task::planar()) continue;
     const bool spare = arm.dof() == 7;
-    InverseSolver solver(arm, {.all = !spare});
+    const InverseOptions options{.all = !spare};
     Eigen::MatrixXd columns(arm.dof(), spare ? 1 : 8);
     int allocating = 0, poses = 500;
     for (int i = 0; i < poses; ++i) {
       const Configuration seed = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
       const long before = allocations;
-      const int count = solver.solve(pose, seed, columns);
+      const int count = inverse_kinematics(arm, pose, seed, columns, options);
       // The first call may fill buffers, and what needs a second look is out of the ordinary.
       if (allocations != before && i > 0) ++allocating;
       EXPECT_GE(count, 1);
@@ -145,69 +143,54 @@ TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
   EXPECT_GT(matrix.size(), 0);
 }
 
-TEST(InverseSolver, CopiesAnswerAlike) {
-  Random random;
+TEST(InverseMethod, IsTheClosedFormOrNumerical) {
   for (const char* name : {"puma560", "ur5", "panda", "scara", "rrr"}) {
     const Arm arm = built_in(name);
-    std::optional<InverseSolver> solver(std::in_place, arm, InverseOptions{.all = true, .grid = 8});
-    InverseSolver copy(*solver);
-    EXPECT_EQ(copy.method(), solver->method());
-    EXPECT_EQ(solver->chosen_method(), InverseMethod::closed_form);
-    const InverseSolver searching(arm, {.method = InverseMethod::numerical});
-    EXPECT_EQ(searching.chosen_method(), InverseMethod::numerical);
-    EXPECT_EQ(searching.method(), "numerical");
-    std::vector<Pose> poses;
-    std::vector<std::vector<Configuration>> answers;
-    for (int i = 0; i < 30; ++i) {
-      poses.push_back(forward_kinematics(arm, random.configuration(arm)));
-      answers.push_back(solver->solve(poses.back()).solutions);
-      EXPECT_EQ(answers.back(),
-                inverse_kinematics(arm, poses.back(), {.all = true, .grid = 8}).solutions);
-    }
-    solver.reset();
-    InverseSolver second(copy);
-    for (std::size_t i = poses.size(); i-- > 0;) {
-      EXPECT_EQ(copy.solve(poses[i]).solutions, answers[i]) << name;
-      EXPECT_EQ(second.solve(poses[i]).solutions, answers[i]) << name;
-    }
+    EXPECT_TRUE(has_closed_form(arm));
+    EXPECT_EQ(inverse_method(arm).substr(0, 13), "closed form: ");
+    EXPECT_FALSE(has_closed_form(arm, {.method = InverseMethod::numerical}));
+    EXPECT_EQ(inverse_method(arm, {.method = InverseMethod::numerical}), "numerical");
   }
+  EXPECT_FALSE(has_closed_form(built_in("crx10ia")));  // for one solution a search takes less time
+  EXPECT_TRUE(has_closed_form(built_in("crx10ia"), {.all = true}));
 }
 
-TEST(InverseSolver, RefusesWhatDoesNotFit) {
+TEST(IntoColumns, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("puma560");
-  InverseSolver solver(arm, {.all = true});
+  const InverseOptions all{.all = true};
   const Configuration seed = Configuration::Zero(6);
   const Pose pose = forward_kinematics(arm, Configuration::Constant(6, 0.3));
   Eigen::MatrixXd columns(6, 8), narrow(5, 8), wide(7, 8), none(6, 0);
-  EXPECT_EQ(testing::refusal([&] { solver.solve(pose, seed, columns); }), "accepted");
+  EXPECT_EQ(testing::refusal([&] { inverse_kinematics(arm, pose, seed, columns, all); }),
+            "accepted");
   for (Eigen::MatrixXd* each : {&narrow, &wide, &none}) {
-    EXPECT_REFUSED(solver.solve(pose, seed, *each), "6 rows");
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, seed, *each, all), "6 rows");
   }
   for (const int size : {0, 5, 7}) {
     const Configuration other = Configuration::Zero(size);
-    EXPECT_REFUSED(solver.solve(pose, other, columns), "6");
-    EXPECT_REFUSED(solver.solve(pose, other), "6");
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, other, columns, all), "6");
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, {.seed = other}), "6");
   }
   for (const double bad : {std::nan(""), Limits::none}) {
     Configuration wrong = seed;
     wrong[2] = bad;
-    EXPECT_REFUSED(solver.solve(pose, wrong, columns), "finite");
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, wrong, columns, all), "finite");
     Pose broken = pose;
     broken.translation().y() = bad;
-    EXPECT_REFUSED(solver.solve(broken, seed, columns), "finite");
-    EXPECT_REFUSED(solver.solve(broken), "finite");
+    EXPECT_REFUSED(inverse_kinematics(arm, broken, seed, columns, all), "finite");
+    EXPECT_REFUSED(inverse_kinematics(arm, broken), "finite");
   }
   Pose scaled = pose;
   scaled.linear() *= 1.1;
-  EXPECT_REFUSED(solver.solve(scaled, seed, columns), "rigid");
-  EXPECT_REFUSED(InverseSolver(arm, {.every_turn = true}), "all");
-  EXPECT_REFUSED(InverseSolver(arm, {.lock = 6}), "0 to 5");
-  EXPECT_REFUSED(InverseSolver(arm, {.grid = 1}), "grid");
-  EXPECT_REFUSED(InverseSolver(arm, {.budget = {.time_limit = -1e-9}}), "time_limit");
-  EXPECT_REFUSED(InverseSolver(arm, {.budget = {.max_work = -1}}), "max_work");
+  EXPECT_REFUSED(inverse_kinematics(arm, scaled, seed, columns, all), "rigid");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.every_turn = true}), "all");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.lock = 6}), "0 to 5");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.grid = 1}), "grid");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.budget = {.time_limit = -1e-9}}), "time_limit");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.budget = {.max_work = -1}}), "max_work");
 }
 
-TEST(InverseSolver, ATimeLimitEndsASearch) {
+TEST(IntoColumns, ATimeLimitEndsASearch) {
   Random random;
   std::vector<testing::Axis> axes(30);
   for (testing::Axis& axis : axes) axis = testing::random_axis(random, false, 0.1);
