@@ -41,17 +41,14 @@ void bind_exemptions(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle links, nb::handle scene, nb::handle pairs,
          const nb::kwargs& keywords) {
-        const auto asked = options<ExemptionOptions>(keywords);
+        auto asked = options<ExemptionOptions>(keywords);
         const auto shapes = Value<std::vector<LinkShapes>>::from(links, "links");
         const auto around = Value<std::optional<Scene>>::from(scene, "scene").value_or(Scene());
         const auto given = Value<std::optional<std::vector<NamedPair>>>::from(pairs, "pairs");
-        std::vector<Exemption> found;
-        {
-          const LockRelease release;
-          found =
-              examine_exemptions(arm, shapes, around, given.value_or(around.exempted_pairs), asked);
-        }
-        return Value<std::vector<Exemption>>::to(found);
+        const std::vector<NamedPair> examined = given.value_or(around.exempted_pairs);
+        return Value<std::vector<Exemption>>::to(unlocked(asked.budget, [&] {
+          return examine_exemptions(arm, shapes, around, examined, asked);
+        }));
       },
       signature, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(),
       nb::arg("pairs") = nb::none(), nb::arg("keywords"));
