@@ -95,7 +95,7 @@ void bind_motion_figures(nb::module_& m) {
              .overloaded(),
          nb::arg("model"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
          nb::arg("options"));
-  define(m, &motion_picture<Arm>, figure("arm", "Arm", "The arm.", comment("motion_figure")),
+  define(m, &motion_picture<Arm>, figure("arm", arm_like, "The arm.", comment("motion_figure")),
          nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
          nb::arg("options"));
   const auto moving = [&](const char* name, const char* type, const char* doc) {
@@ -112,13 +112,13 @@ void bind_motion_figures(nb::module_& m) {
   define(m, &played_motion<CollisionModel>,
          moving("model", "CollisionModel", model_doc).overloaded(), nb::arg("model"),
          nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
-  define(m, &played_motion<Arm>, moving("arm", "Arm", "The arm."), nb::arg("arm"),
+  define(m, &played_motion<Arm>, moving("arm", arm_like, "The arm."), nb::arg("arm"),
          nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
 }
 
 void bind_charts(nb::module_& m) {
   Signature timing("timing_figure", "Picture", comment("timing_figure"));
-  timing.takes("arm", "Arm", "The arm.")
+  timing.takes_arm()
       .takes("motion", "Trajectory | PathMotion", "Of this arm's joints.")
       .keywords()
       .member<&TimingFigureOptions::title>()
@@ -190,13 +190,13 @@ void bind_pictures(nb::module_& m) {
                 "distance beyond its clearance.")
              .overloaded(),
          nb::arg("model"), nb::arg("q") = nb::none(), nb::arg("options"));
-  define(m, &arm_picture<Arm>, figure("arm", "Arm", "The arm.", comment("arm_figure")),
+  define(m, &arm_picture<Arm>, figure("arm", arm_like, "The arm.", comment("arm_figure")),
          nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
   Signature shown(
       "display_configuration", array_type,
       "Returns a configuration (n,) that shows the arm well: the middle of the position limits or, "
       "where the arm is singular there, one far from singularities.");
-  shown.takes("arm", "Arm", "The arm.");
+  shown.takes_arm();
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
       nb::arg("arm"));
