@@ -26,7 +26,8 @@ std::string cure(const std::string& type, nb::handle value) {
 const Arm* arm_of(nb::handle value) {
   const Arm* arm = nullptr;
   if (!nb::isinstance<nb::str>(value)) return nb::try_cast<const Arm*>(value, arm) ? arm : nullptr;
-  static auto& kept = *new std::map<std::string, Arm, std::less<>>;  // threads may outlive others
+  // Never destroyed: another thread may use an arm while the process ends.
+  static auto& kept = *new std::map<std::string, Arm, std::less<>>;
   const std::string name = Value<std::string>::from(value, "arm");
   const auto found = kept.find(name);
   if (found != kept.end()) return &found->second;

@@ -133,11 +133,10 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, nb::handle see
   return {{results.finish()}, result.ending, result.computed, result.solved};
 }
 
-/// Whether a keyword is one of many poses only.
+/// Whether a keyword has a result of many poses, also for one.
 bool has_batch_keyword(const nb::kwargs& keywords) {
   if (keywords.size() == 0) return false;
-  return keywords.contains("layout") || keywords.contains("threads") ||
-         keywords.contains("progress");
+  return keywords.contains("layout") || keywords.contains("threads");
 }
 
 /// One pose or many.
@@ -201,8 +200,8 @@ void bind_inverse_kinematics(nb::module_& m) {
 
   add(many_signature("inverse_kinematics",
                      "For many poses: computes one solution for each, as batch_inverse() does. "
-                     "Which one it is follows from the shape of the poses; with `layout`, "
-                     "`threads` or `progress` one pose too has such a result."));
+                     "Which result it is follows from the shape of the poses; with `layout` or "
+                     "`threads` one pose too has this one."));
 
   define(m, &batch,
          many_signature(
