@@ -15,7 +15,7 @@ namespace {
 
 /// The options. Throws Error for a model of another arm.
 InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
-  if (keywords.size() == 0) return {};
+  if (keywords.empty()) return {};
   check_model_of(arm, keywords);
   return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
 }
@@ -135,7 +135,7 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, nb::handle see
 
 /// Whether a keyword has a result of many poses, also for one.
 bool has_batch_keyword(const nb::kwargs& keywords) {
-  if (keywords.size() == 0) return false;
+  if (keywords.empty()) return false;
   return keywords.contains("layout") || keywords.contains("threads");
 }
 
