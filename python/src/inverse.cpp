@@ -198,10 +198,12 @@ void bind_inverse_kinematics(nb::module_& m) {
       .returns("The number of solutions written.");
   add(into);
 
-  add(many_signature("inverse_kinematics",
-                     "For many poses: computes one solution for each, as batch_inverse() does. "
-                     "Which result it is follows from the shape of the poses; with `layout` or "
-                     "`threads` one pose too has this one."));
+  add(many_signature(
+      "inverse_kinematics",
+      "For many poses: computes one solution for each, as batch_inverse() does; `all` "
+      "and `every_turn` are ignored. "
+      "Which result it is follows from the shape of the poses; with `layout` or "
+      "`threads` one pose too has this one."));
 
   define(m, &batch,
          many_signature(
