@@ -31,7 +31,7 @@ nb::object faults_of(nb::handle path) {
 void bind_exemptions(nb::module_& m) {
   bind_record<Exemption>(m);
   Signature signature("examine_exemptions", "list[Exemption]", comment("examine_exemptions"));
-  signature.takes("arm", "Arm", "The arm.")
+  signature.takes_arm()
       .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.")
       .takes("scene", "Scene | None", "The obstacles.", "None")
       .takes("pairs", argument_type<std::vector<NamedPair>>() + " | None",
@@ -83,7 +83,9 @@ void bind_doctor(nb::module_& m) {
   define(m, &faults_of, faults, nb::arg("path"));
 
   Signature two("compare_arms", "ArmComparison", comment("compare_arms"));
-  two.takes("a", "Arm", "One arm.").takes("b", "Arm", "The other.").options<ComparisonOptions>();
+  two.takes("a", arm_like, "One arm.")
+      .takes("b", arm_like, "The other.")
+      .options<ComparisonOptions>();
   define(
       m,
       [](const Arm& a, const Arm& b, const nb::kwargs& keywords) {

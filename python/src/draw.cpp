@@ -112,7 +112,7 @@ void bind_chapter(nb::module_& m) {
 /// The arguments of a picture of a motion, of an arm or of a model.
 Signature& takes_motion(Signature& signature, bool among_obstacles) {
   signature
-      .takes(among_obstacles ? "model" : "arm", among_obstacles ? "CollisionModel" : "Arm",
+      .takes(among_obstacles ? "model" : "arm", among_obstacles ? "CollisionModel" : arm_like,
              among_obstacles ? model_doc : "The arm.")
       .takes("trajectory", "Trajectory", "Of this arm's joints.")
       .takes("waypoints", std::string(arm_poses_like) + " | None",
@@ -158,7 +158,7 @@ void bind_motion_figures(nb::module_& m) {
 
 void bind_charts(nb::module_& m) {
   Signature timing("timing_figure", "Picture", comment("timing_figure"));
-  timing.takes("arm", "Arm", "The arm.")
+  timing.takes_arm()
       .takes("motion", "Trajectory | PathMotion", "Of this arm's joints.")
       .keywords()
       .member<&TimingFigureOptions::title>()
@@ -230,13 +230,13 @@ void bind_pictures(nb::module_& m) {
                 "distance beyond its clearance.")
              .overloaded(),
          nb::arg("model"), nb::arg("q") = nb::none(), nb::arg("options"));
-  define(m, &arm_picture<Arm>, figure("arm", "Arm", "The arm.", comment("arm_figure")),
+  define(m, &arm_picture<Arm>, figure("arm", arm_like, "The arm.", comment("arm_figure")),
          nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
   Signature shown(
       "display_configuration", array_type,
       "Returns a configuration (n,) that shows the arm well: the middle of the position limits or, "
       "where the arm is singular there, one far from singularities.");
-  shown.takes("arm", "Arm", "The arm.");
+  shown.takes_arm();
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
       nb::arg("arm"));
