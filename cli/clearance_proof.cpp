@@ -6,13 +6,20 @@
 namespace beeline::command {
 namespace {
 
+/// Sets the configuration at which a motion is refused.
+void set_configuration(const CheckedScene& scene, const Trajectory& motion,
+                       ClearanceReport& report) {
+  const ClearanceProof& proof = report.proof;
+  if (proof || proof.pair.names[0].empty()) return;
+  report.q = sample(matched_to(scene.model.arm(), motion), proof.time).position;
+}
+
 /// Sets the pairs that are too close at the time of a collision.
-void set_too_close(const CheckedScene& scene, const Trajectory& motion, ClearanceReport& report) {
+void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
   if (report.proof.status != ClearanceStatus::collides) return;
   constexpr std::size_t most_listed = 100;
   report.too_close.push_back(report.proof.pair.names);
-  for (const BodyDistance& pair :
-       pairs_too_close(scene.model, sample(motion, report.proof.time).position)) {
+  for (const BodyDistance& pair : pairs_too_close(scene.model, report.q)) {
     const auto& names = pair.names;
     const bool known = std::find(report.too_close.begin(), report.too_close.end(), names) !=
                        report.too_close.end();
@@ -35,7 +42,8 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
                          .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, proof_options(budget))};
   warn_if_unchecked(scene);
-  set_too_close(scene, motion, report);
+  set_configuration(scene, motion, report);
+  set_too_close(scene, report);
   return report;
 }
 
@@ -50,9 +58,10 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
             prove_clearance(scene.model, motion, program, followed.arrivals, proof_options(budget)),
         .attachments = program.attachments,
         .attached = attached_parts(scene.model, motion, program, followed.arrivals)};
+    set_configuration(scene, motion, report);
     if (report.attached.empty()) {
       warn_if_unchecked(scene);
-      set_too_close(scene, motion, report);
+      set_too_close(scene, report);
     } else if (report.proof.status == ClearanceStatus::collides) {
       report.too_close.push_back(report.proof.pair.names);
     }

@@ -291,6 +291,9 @@ std::string ClearanceReport::text() const {
         fmt::format("closest       {}: {} m at {} s, {} m are required\n", names_text(proof.pair),
                     shown(proof.pair.upper), shown(proof.time), shown(proof.pair.clearance));
   }
+  if (!picture.empty()) {
+    text += fmt::format("picture       {}: the arm at {} s\n", picture, shown(proof.time));
+  }
   const std::string bodies = number_of_bodies(*scene);
   const std::size_t apart = scene->model.apart_count();
   if (!attached.empty()) {
@@ -325,6 +328,7 @@ Json ClearanceReport::document() const {
       {"normal", has_pair ? Json(Eigen::VectorXd(proof.pair.normal)) : Json()},
       {"begin", undecided ? Json(proof.begin) : Json()},
       {"end", undecided ? Json(proof.end) : Json()}};
+  document.add("picture", picture.empty() ? Json() : Json(picture));
   document.add("too_close", json_pairs(too_close));
   document.add("nothing_checked", checks_nothing());
   document.add("pairs", proof.pairs);

@@ -10,6 +10,7 @@
 #include <beeline/io/text/urdf.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "command/streams.h"
 #include "exemption_report.h"
 #include "format.h"
@@ -25,6 +26,7 @@ struct DoctorArguments {
   ComparisonOptions comparison;
   UnitArgument unit;
   SceneArgument scene;
+  BudgetArgument budget;
 };
 
 /// One line of a report: where, what, and what to do about it.
@@ -185,7 +187,7 @@ Answer diagnose_one(const DoctorArguments& arguments) {
   if (!arm.group.empty()) ends = group_ends(read_srdf(arm.srdf), arm.group, arm.text);
   const Diagnosis diagnosis = diagnose(arm.text, ends);
   const ExemptionReport exemptions =
-      report_on_exemptions(arm, *read, arguments.scene, arguments.unit);
+      report_on_exemptions(arm, *read, arguments.scene, arguments.unit, arguments.budget);
   const std::string verdict = exemptions.with_verdict(verdict_on(diagnosis), !diagnosis);
   std::string text = arm.text + ": " + verdict + "\n";
   Json list = Json::list();
@@ -205,13 +207,15 @@ Answer diagnose_one(const DoctorArguments& arguments) {
     json.add("remedy", finding.remedy);
     list.append(json);
   }
-  const bool clear = diagnosis && exemptions.collisions == 0;
-  Json document{{"status", clear ? "clear" : "suspicious"}, {"findings", list}};
+  const bool found_nothing = diagnosis && exemptions.collisions == 0;
+  const bool clear = found_nothing && exemptions.ending.empty();
+  const std::string status = clear ? "clear" : found_nothing ? exemptions.ending : "suspicious";
+  Json document{{"status", status}, {"findings", list}};
   if (!exemptions.text.empty()) document.add("exemptions", exemptions.document);
   return {.text = text + exemptions.text,
           .document = document,
           .yes = clear,
-          .reason = arm.text + " has " + verdict};
+          .reason = found_nothing ? exemptions.unfinished() : arm.text + " has " + verdict};
 }
 
 Answer compare(const DoctorArguments& arguments) {
@@ -267,7 +271,9 @@ Verb doctor_verb() {
           "collision matrix of MoveIt's scene, exempts from collision checks: which of them "
           "collide "
           "within the position limits, with a configuration; which are proved never to touch; and "
-          "for which a search found no collision, which proves nothing.\n\n"
+          "for which a search found no collision, which proves nothing. --time-limit and Ctrl-C "
+          "end "
+          "the search; the pairs that remain are counted as not finished.\n\n"
           "With two, compares two descriptions of an arm: are they the same, and if not, what is "
           "different? The sequence of the joints' axes in space determines an arm up to its base, "
           "its tool, and the zeros and signs of its joints; so a difference is named as what it "
@@ -295,6 +301,7 @@ Verb doctor_verb() {
                    &arguments->other_base),
             Option("--other-tip LINK", "--tip of B.", &arguments->other_tip)},
            arguments->scene.body_options(),
+           arguments->budget.options(),
            arguments->arm.options()}),
       .examples = {{"Is anything suspicious in a model? (exit code 0: nothing)",
                     "beeline doctor panda"},

@@ -1,11 +1,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
+#include <span>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/figure.h>
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/planning/program.h>
 
 #include "animation_argument.h"
 #include "arm_argument.h"
@@ -39,16 +42,43 @@ ArmFigureOptions figure_options(const DrawArguments& arguments) {
   return options;
 }
 
-/// The poses of --through, in the world.
-std::vector<Pose> waypoints(const DrawArguments& arguments, const Arm& arm) {
-  if (arguments.through.empty()) return {};
-  const std::string text = read_file(arguments.through);
-  if (is_program(text)) {
-    throw FileError(arguments.through, 0, "is a program; --through of draw takes a file of poses");
+/// What --through adds to a picture.
+struct Followed {
+  std::vector<Pose> waypoints = {};       ///< in the world
+  std::vector<ProgramScene> scenes = {};  ///< of a program that carries parts, with --scene
+};
+
+Followed followed_by(const DrawArguments& arguments, const Arm& arm, const Trajectory& motion,
+                     const CollisionModel* model) {
+  const std::string& file = arguments.through;
+  if (file.empty()) return {};
+  const std::string text = read_file(file);
+  if (!is_program(text)) {
+    return {waypoints_from(text, file, arm, arguments.task, arguments.work, arguments.unit).poses};
   }
-  return waypoints_from(text, arguments.through, arm, arguments.task, arguments.work,
-                        arguments.unit)
-      .poses;
+  const Program program =
+      program_from(text, file, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
+                   {}, forward_kinematics(arm, motion.positions.front()));
+  Followed followed{.waypoints = waypoints_of(arm, program)};
+  if (model == nullptr || program.attachments.empty()) return followed;
+  at_rows(program, file, [&] {
+    const Verification found = verify(arm, motion, program);
+    if (found.arrivals.size() < program.moves.size()) {
+      throw FileError(file, 0,
+                      "attaches parts, and " + arguments.motion +
+                          " is no motion of this program: " + sentence(found.reason));
+    }
+    followed.scenes = program_scenes(*model, motion, program, found.arrivals);
+  });
+  return followed;
+}
+
+/// Draws or animates a motion, by motion_figure() or motion_animation().
+template <class Draw>
+auto drawn_motion(const Draw& draw, const Arm& arm, const CollisionModel* model,
+                  const Followed& followed) {
+  if (!followed.scenes.empty()) return draw(std::span<const ProgramScene>(followed.scenes));
+  return model != nullptr ? draw(*model) : draw(arm);
 }
 
 void draw_motion(const DrawArguments& arguments, const Arm& arm, const CollisionModel* model) {
@@ -57,16 +87,21 @@ void draw_motion(const DrawArguments& arguments, const Arm& arm, const Collision
   ArmFigureOptions options = figure_options(arguments);
   const Trajectory trajectory =
       arguments.recording.read_unwrapped(arguments.motion, arm, arguments.unit).trajectory;
-  const std::vector<Pose> poses = waypoints(arguments, arm);
+  if (trajectory.size() == 0) throw FileError(arguments.motion, 0, "has no samples");
+  const Followed followed = followed_by(arguments, arm, trajectory, model);
   if (!arguments.out.empty()) {
-    const Figure figure = model != nullptr ? motion_figure(*model, trajectory, poses, options)
-                                           : motion_figure(arm, trajectory, poses, options);
-    write_file(arguments.out, render(figure, format_of(arguments.out)));
+    const auto draw = [&](const auto& drawn) {
+      return motion_figure(drawn, trajectory, followed.waypoints, options);
+    };
+    write_file(arguments.out,
+               render(drawn_motion(draw, arm, model, followed), format_of(arguments.out)));
   }
   if (!arguments.animation.wanted()) return;
   options.small_views = false;
-  arguments.animation.write(model != nullptr ? motion_animation(*model, trajectory, poses, options)
-                                             : motion_animation(arm, trajectory, poses, options));
+  const auto animate = [&](const auto& drawn) {
+    return motion_animation(drawn, trajectory, followed.waypoints, options);
+  };
+  arguments.animation.write(drawn_motion(animate, arm, model, followed));
 }
 
 void draw_configuration(const DrawArguments& arguments, const Arm& arm,
@@ -121,8 +156,9 @@ std::vector<Option> draw_options(DrawArguments& arguments) {
                           "is singular, values far from singularities.",
                           &arguments.q),
       Option("--through FILE",
-             "A .csv file of poses (see `beeline help line`) to mark and number in the picture of "
-             "a motion.",
+             "A .csv file of poses or a program (see `beeline help line`), to mark and number its "
+             "waypoints in the picture of a motion. With --scene the parts that a program attaches "
+             "are drawn where they are carried.",
              &arguments.through),
       arguments.work.option(),
       Option("--frames",

@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 
+#include "command/progress.h"
 #include "command/streams.h"
 #include "format.h"
 
@@ -24,11 +25,18 @@ std::string text_of(const std::vector<Exemption>& found, const UnitArgument& uni
     text += fmt::format("  collide             {} and {}, {} m deep at q {}\n", pair.names[0],
                         pair.names[1], shown(pair.depth), shown(unit.shown(arm, pair.q)));
   }
+  for (const Exemption& pair : found) {
+    if (pair.status != ExemptionStatus::always_collides) continue;
+    text += fmt::format("  always collide      {} and {}, up to {} m deep\n", pair.names[0],
+                        pair.names[1], shown(pair.depth));
+  }
   const std::pair<ExemptionStatus, const char*> counts[] = {
-      {ExemptionStatus::always_collides, "always collide     "},
       {ExemptionStatus::never_close, "proved apart       "},
       {ExemptionStatus::no_collision, "no collision found "},
-      {ExemptionStatus::not_checked, "not checked        "}};
+      {ExemptionStatus::not_checked, "not checked        "},
+      {ExemptionStatus::time_limit, "not finished       "},
+      {ExemptionStatus::cancelled, "not finished       "},
+      {ExemptionStatus::work_limit, "not finished       "}};
   for (const auto& [status, label] : counts) {
     const std::int64_t pairs = count_of(found, status);
     if (pairs == 0) continue;
@@ -56,14 +64,19 @@ Json document_of(const std::vector<Exemption>& found, const UnitArgument& unit, 
 
 }  // namespace
 
+std::string ExemptionReport::unfinished() const {
+  return "the search of the exempted pairs is not finished";
+}
+
 std::string ExemptionReport::with_verdict(const std::string& verdict, bool suspicious) const {
-  if (collisions == 0) return verdict;
+  if (collisions == 0) return verdict + (ending.empty() ? "" : "; " + unfinished());
   return (suspicious ? verdict + ", " : "") + counted(collisions, "exempted pair") +
          (collisions == 1 ? " that collides" : " that collide");
 }
 
 ExemptionReport report_on_exemptions(const ArmArgument& arm_argument, const Arm& arm,
-                                     SceneArgument scene, const UnitArgument& unit) {
+                                     SceneArgument scene, const UnitArgument& unit,
+                                     const BudgetArgument& budget) {
   if (arm_argument.srdf.empty() && scene.scenes.empty()) {
     scene.read(arm_argument, arm);  // refuses options that need a scene
     return {};
@@ -86,11 +99,17 @@ ExemptionReport report_on_exemptions(const ArmArgument& arm_argument, const Arm&
   std::vector<NamedPair> pairs = read->srdf_pairs;
   const std::vector<NamedPair>& of_scene = read->exempted_pairs;
   pairs.insert(pairs.end(), of_scene.begin(), of_scene.end());
-  const std::vector<Exemption> found =
-      examine_exemptions(arm, read->model.links(), read->model.scene(), pairs);
-  return {.text = text_of(found, unit, arm),
-          .document = document_of(found, unit, arm),
-          .collisions = count_of(found, ExemptionStatus::collides)};
+  Progress progress;
+  const std::vector<Exemption> found = examine_exemptions(
+      arm, read->model.links(), read->model.scene(), pairs, {.budget = progress.of(budget.next())});
+  ExemptionReport report{.text = text_of(found, unit, arm),
+                         .document = document_of(found, unit, arm),
+                         .collisions = count_of(found, ExemptionStatus::collides)};
+  for (const ExemptionStatus ended :
+       {ExemptionStatus::time_limit, ExemptionStatus::cancelled, ExemptionStatus::work_limit}) {
+    if (count_of(found, ended) > 0) report.ending = name(ended);
+  }
+  return report;
 }
 
 }  // namespace beeline::command

@@ -259,18 +259,25 @@ Answer line(const LineArguments& arguments) {
     prove_clearance_of(report, arguments, *scene, frame);
   }
   const bool reached = report.status == MotionStatus::reached;
+  const Program& program = report.program;
+  const std::vector<std::size_t> arrivals = program_of(report, arguments).arrivals;
+  const bool carries = report.clearance && !program.attachments.empty();
+  std::vector<ProgramScene> scenes;
+  if (carries && !arguments.files.draw.empty()) {
+    scenes = program_scenes(scene->model, report.trajectory, program, arrivals);
+  }
+  if (report.clearance) arguments.files.draw_refusal(*report.clearance, scenes);
   if (reached) {
     TimingFigureOptions plot{.path = report.path};
-    for (const PlannedMove& move : report.moves) {
-      plot.waypoint_times.push_back(report.trajectory.times[move.end]);
+    for (const std::size_t end : arrivals) {
+      plot.waypoint_times.push_back(report.trajectory.times[end]);
     }
-    if (scene && !arguments.files.plot.empty() && !report.program.attachments.empty()) {
-      plot.clearance =
-          clearance_over_time(scene->model, report.trajectory, report.program,
-                              program_of(report, arguments).arrivals, arguments.budget.next());
+    if (carries && !arguments.files.plot.empty()) {
+      plot.clearance = clearance_over_time(scene->model, report.trajectory, program, arrivals,
+                                           arguments.budget.next());
     }
     arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm,
-                          scene ? &scene->model : nullptr);
+                          scene ? &scene->model : nullptr, scenes);
   }
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),
@@ -329,22 +336,6 @@ std::vector<Option> control_options(LineArguments& arguments) {
                &control.intermediate, {.range = {1, 100'000}, .methods = {kinematics}})}});
 }
 
-constexpr const char* of_programs =
-    "A program is a file whose rows also have some of these columns, so that a whole pick is "
-    "one certified trajectory. motion: joint (a straight line in joint space), line (also "
-    "for an empty item), screw, arc after a row via with a position on it, spline "
-    "(consecutive rows are one curve, which stops only where it turns back). relative: "
-    "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
-    "row (a retreat); next, in the tool frame of the next waypoint that is not relative (an "
-    "approach). "
-    "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
-    "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
-    "joint move to a pose ends on the branch that the rows up to the next joint move need. "
-    "For each move it prints its duration, the tool's speed and the proved deviation. Rows "
-    "with the motion attach or detach move nothing: the obstacle of --scene in the column "
-    "part is carried by the tool from the waypoint before the one to the waypoint before the "
-    "other, and may touch the links and obstacles of the column touch, in quotes.\n\n";
-
 }  // namespace
 
 Verb line_verb() {
@@ -360,9 +351,10 @@ Verb line_verb() {
           "that is used; and the smallest margins to position limits and singularities. If the "
           "path cannot be followed, it prints where and why, and nearby paths that can; exit code "
           "1.\n\n" +
-          std::string(of_programs) +
+          std::string(program_help) +
           "With --scene or --self the planned motion must keep a clearance, see `beeline help "
-          "check`; otherwise nothing is written, and the status is collides or not_decided. "
+          "check`; otherwise no motion is written, the status is collides or not_decided, "
+          "and --draw shows the arm where it collides. "
           "Without --from the best branch that keeps it is taken, and those that do not are "
           "listed as blocked, with what they hit and where or why they end early; a program has "
           "one motion. The path is not planned around obstacles.\n\n"

@@ -140,6 +140,7 @@ Answer move_between(const MoveArguments& arguments) {
     clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next());
     motion.status = clearance->refusal();
     if (!clearance->proof) motion.reason = clearance->proof.reason;
+    arguments.files.draw_refusal(*clearance);
   }
   const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);

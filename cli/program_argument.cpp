@@ -49,6 +49,22 @@ void blend_lines(double blend, std::size_t first, std::vector<ProgramRow>& rows)
 
 }  // namespace
 
+const char* const program_help =
+    "A program is a file whose rows also have some of these columns, so that a whole pick is "
+    "one certified trajectory. motion: joint (a straight line in joint space), line (also "
+    "for an empty item), screw, arc after a row via with a position on it, spline "
+    "(consecutive rows are one curve, which stops only where it turns back). relative: "
+    "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
+    "row (a retreat); next, in the tool frame of the next waypoint that is not relative (an "
+    "approach). "
+    "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
+    "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
+    "joint move to a pose ends on the branch that the rows up to the next joint move need. "
+    "For each move it prints its duration, the tool's speed and the proved deviation. Rows "
+    "with the motion attach or detach move nothing: the obstacle of --scene in the column "
+    "part is carried by the tool from the waypoint before the one to the waypoint before the "
+    "other, and may touch the links and obstacles of the column touch, in quotes.\n\n";
+
 Program program_from(const std::string& text, const std::string& file, const Arm& arm,
                      const ProgramContext& context, const PathArgument& path,
                      const std::optional<Pose>& start) {

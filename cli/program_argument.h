@@ -10,6 +10,9 @@
 
 namespace beeline::command {
 
+/// What --help says of program files, a paragraph.
+extern const char* const program_help;
+
 /// What the waypoints of a program file depend on besides its text.
 struct ProgramContext {
   const ArmArgument& arm_argument;

@@ -141,6 +141,7 @@ Answer replay_file(const ReplayArguments& arguments) {
     clearance = arguments.scene.prove(*scene, played.trajectory, arguments.budget.next());
     played.status = clearance->refusal();
     if (!clearance->proof) played.reason = clearance->proof.reason;
+    arguments.files.draw_refusal(*clearance);
   }
   const bool reached(played);
   if (reached) {
@@ -155,9 +156,9 @@ Answer replay_file(const ReplayArguments& arguments) {
       .yes = reached,
       .reason = clearance && !reached ? clearance->reason_text() : sentence(played.reason)};
   if (clearance) answer.document.add("clearance", clearance->document());
+  if (reached) answer.text += replay_text(played, options.limit_tolerance);
+  if (clearance) answer.text += clearance->text();
   if (!reached) return answer;
-  answer.text +=
-      replay_text(played, options.limit_tolerance) + (clearance ? clearance->text() : "");
   warn_of_limits(played.limits, options.limit_tolerance);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);

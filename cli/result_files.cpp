@@ -40,7 +40,8 @@ std::vector<Option> ResultFiles::options() {
                  "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.",
                  &out, {.arguments = {"path"}}),
           Option("--draw FILE",
-                 "Draw the arm and the path of its tool, and the obstacles: .svg, .png or .pdf.",
+                 "Draw the arm and the path of its tool, and the obstacles: .svg, .png or .pdf. Of "
+                 "a motion that collides: the arm where it does.",
                  &draw),
           plot_option(&plot)};
 }
@@ -63,12 +64,14 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints, const TimingFigureOptions& plot_options,
-                        const std::optional<Arm>& plotted, const CollisionModel* model) const {
+                        const std::optional<Arm>& plotted, const CollisionModel* model,
+                        std::span<const ProgramScene> scenes) const {
   std::vector<NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
-    const Figure figure = model != nullptr ? motion_figure(*model, trajectory, waypoints)
-                                           : motion_figure(arm, trajectory, waypoints);
+    const Figure figure = !scenes.empty()    ? motion_figure(scenes, trajectory, waypoints)
+                          : model != nullptr ? motion_figure(*model, trajectory, waypoints)
+                                             : motion_figure(arm, trajectory, waypoints);
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {
@@ -79,6 +82,19 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     files.push_back({plot, render(picture, format_of(plot))});
   }
   write_files(files);
+}
+
+void ResultFiles::draw_refusal(ClearanceReport& report,
+                               std::span<const ProgramScene> scenes) const {
+  if (draw.empty() || report.q.size() == 0) return;
+  const CollisionModel* model = &report.scene->model;
+  for (const ProgramScene& scene : scenes) {
+    if (scene.begin <= report.proof.time) model = &scene.model;
+  }
+  const ArmFigureOptions options{
+      .title = fmt::format("{} at {} s", model->arm().name(), number(report.proof.time))};
+  write_file(draw, render(arm_figure(*model, report.q, options), format_of(draw)));
+  report.picture = draw;
 }
 
 std::string ResultFiles::text() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <beeline/trajectory/trajectory.h>
 
 #include "command/option.h"
+#include "scene_argument.h"
 
 namespace beeline::command {
 
@@ -31,11 +33,16 @@ struct ResultFiles {
   void check(const std::vector<std::string>& inputs) const;
   /// Writes all files or none. The path of `plot_options` is in the world of
   /// `plotted`, which is the arm where it is not given. The pictures show the obstacles of
-  /// `model`, if it is given.
+  /// `model`, if it is given, and the parts that a program carries, of which `scenes` are the
+  /// program_scenes().
   void write(const Arm& arm, const Trajectory& trajectory, const std::vector<Pose>& waypoints,
              const TimingFigureOptions& plot_options = {},
              const std::optional<Arm>& plotted = std::nullopt,
-             const CollisionModel* model = nullptr) const;
+             const CollisionModel* model = nullptr,
+             std::span<const ProgramScene> scenes = {}) const;
+  /// Draws where a motion is refused by its clearance, with --draw, and says so in the report.
+  /// `scenes`: as for write().
+  void draw_refusal(ClearanceReport& report, std::span<const ProgramScene> scenes = {}) const;
   /// The names of the files, one a line.
   std::string text() const;
   void add_to(Json& document) const;

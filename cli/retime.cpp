@@ -90,6 +90,7 @@ Answer retime_file(const RetimeArguments& arguments) {
   std::optional<ClearanceReport> clearance;
   if (scene && retimed) {
     clearance = arguments.scene.prove(*scene, retimed.trajectory, arguments.budget.next());
+    arguments.files.draw_refusal(*clearance);
   }
   const bool refused = clearance && !clearance->proof;
   const bool found = retimed && !refused;

@@ -82,7 +82,9 @@ struct ClearanceReport {
   const CheckedScene* scene = nullptr;
   double clearance = 0;  ///< distance to keep, m, except from obstacles with their own
   ClearanceProof proof = {};
-  std::vector<NamedPair> too_close = {};     ///< at the time of a collision, at most 100
+  Configuration q = {};                   ///< of a motion that is refused, at the time of `proof`
+  std::string picture = {};               ///< the file that shows it, see draw_refusal()
+  std::vector<NamedPair> too_close = {};  ///< at the time of a collision, at most 100
   std::vector<Attachment> attachments = {};  ///< of the program; the times and poses of each:
   std::vector<AttachedPart> attached = {};
 

@@ -3,6 +3,7 @@
 Usage: stubs.py EXTENSION STUB"""
 
 import importlib.util
+import re
 import sys
 from pathlib import Path
 
@@ -21,6 +22,9 @@ def main(extension: str, stub: str) -> None:
     generator.put(module)
     text = generator.get().replace("__all__: list =", "__all__: list[str] =")
     text = text.replace("__hash__: None = None", "__hash__: None  # type: ignore[assignment]")
+    # One pose or many: their types do not differ, so the first signatures stand for one pose.
+    shapes = re.compile(r"^( *def inverse_kinematics\(.*\) -> (?:InverseResult|int):)", re.MULTILINE)
+    text = shapes.sub(r"\1  # type: ignore[overload-overlap]", text)
     # The dtype of an array for results.
     real = '_Real = TypeVar("_Real", numpy.float32, numpy.float64, default=numpy.float64)'
     private = f"from typing import Any\n\nfrom typing_extensions import TypeVar\n\n{real}\n\n__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/collision/scene.h>
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
@@ -66,7 +67,10 @@ enum class ExemptionStatus {
   collides,         ///< they collide at some configurations: motions into them would be accepted
   always_collides,  ///< they collide at all configurations that were tried
   no_collision,     ///< the search found no collision, which proves nothing
-  not_checked       ///< they share a joint or never move relative to each other
+  not_checked,      ///< they share a joint or never move relative to each other
+  time_limit,       ///< the budget ended the search before it found a collision
+  cancelled,        ///< likewise
+  work_limit,       ///< likewise
 };
 std::string name(ExemptionStatus status);
 
@@ -80,6 +84,7 @@ struct Exemption {
 
 struct ExemptionOptions {
   int configurations = 200;  ///< number of random configurations that are tried for each pair
+  Budget budget = {};        ///< of all pairs
 };
 
 /// Examines pairs of bodies that a file exempts: those that are proved never to touch are rightly

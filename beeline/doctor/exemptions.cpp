@@ -6,6 +6,7 @@
 
 #include <beeline/collision/collision_model.h>
 #include <beeline/doctor/diagnosis.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/inverse/numerical/bounds.h>
 
@@ -34,10 +35,10 @@ Approach approach(const CollisionModel& pair, Configuration q) {
 }
 
 /// Descends along the gradient of the distance. Shorter steps follow one that leads away.
-Approach descend(const CollisionModel& pair, Approach at) {
+Approach descend(const CollisionModel& pair, Approach at, internal::BudgetMeter& budget) {
   const internal::Bounds limits = internal::bounds_of(pair.arm());
   double step = 0.2;  // of the largest coordinate, rad or m
-  for (int i = 0; i < max_steps && step > 1e-4; ++i) {
+  for (int i = 0; i < max_steps && step > 1e-4 && !budget.ended(); ++i) {
     const double steepest = at.distance.gradient.cwiseAbs().maxCoeff();
     if (!(steepest > 0)) break;
     const Configuration q = at.q - step / steepest * at.distance.gradient;
@@ -50,24 +51,31 @@ Approach descend(const CollisionModel& pair, Approach at) {
 }
 
 /// Examines the two bodies of a model.
-void examine(const CollisionModel& pair, int configurations, Exemption& found) {
+void examine(const CollisionModel& pair, int configurations, internal::BudgetMeter& budget,
+             Exemption& found) {
   if (pair.pair_count() == 0) {
     if (pair.apart_count() > 0) found.status = ExemptionStatus::never_close;
     return;
   }
   std::mt19937_64 engine(20240229);
   std::vector<Approach> tried;
-  for (int i = 0; i < configurations; ++i) {
+  for (int i = 0; i < configurations && !budget.ended(); ++i) {
     tried.push_back(approach(pair, random_configuration(pair.arm(), engine)));
   }
-  const bool always = std::all_of(tried.begin(), tried.end(), collides);
+  const auto without_collision = [&budget] {
+    return budget.complete() ? ExemptionStatus::no_collision
+                             : internal::status_of<ExemptionStatus>(budget.ending());
+  };
+  found.status = without_collision();
+  if (tried.empty()) return;
+  const bool always = budget.complete() && std::all_of(tried.begin(), tried.end(), collides);
   const auto kept = std::min<std::ptrdiff_t>(starts, std::ssize(tried));
   std::partial_sort(tried.begin(), tried.begin() + kept, tried.end(), is_deeper);
   for (auto at = tried.begin(); at != tried.begin() + kept; ++at) {
-    *at = descend(pair, std::move(*at));
+    *at = descend(pair, std::move(*at), budget);
   }
   const Approach& deepest = *std::min_element(tried.begin(), tried.begin() + kept, is_deeper);
-  found.status = ExemptionStatus::no_collision;
+  found.status = without_collision();
   if (!collides(deepest)) return;
   found.status = always ? ExemptionStatus::always_collides : ExemptionStatus::collides;
   found.q = deepest.q;
@@ -96,9 +104,12 @@ std::vector<Exemption> examine_exemptions(const Arm& arm, const std::vector<Link
     throw Error("", "configurations",
                 " is " + std::to_string(options.configurations) + "; it must be 1 or more");
   }
+  internal::BudgetMeter budget(options.budget);
   std::vector<Exemption> exemptions;
   std::set<NamedPair> examined;
-  for (const NamedPair& names : pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const NamedPair& names = pairs[i];
+    budget.report(static_cast<double>(i) / static_cast<double>(pairs.size()));
     const NamedPair in_order{std::min(names[0], names[1]), std::max(names[0], names[1])};
     if (!examined.insert(in_order).second) continue;
     const std::vector<LinkShapes> bodies = named(links, names);
@@ -108,7 +119,8 @@ std::vector<Exemption> examine_exemptions(const Arm& arm, const std::vector<Link
     if (!bodies.empty()) {
       // A small clearance, because bodies that only come close may be exempted.
       const CollisionOptions of_pair{.clearance = least_depth};
-      examine(CollisionModel(arm, bodies, obstacles, of_pair), options.configurations, found);
+      const CollisionModel pair(arm, bodies, obstacles, of_pair);
+      examine(pair, options.configurations, budget, found);
     }
     exemptions.push_back(std::move(found));
   }

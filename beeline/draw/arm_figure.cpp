@@ -128,14 +128,16 @@ Figure configuration_figure(const Arm& arm, const CollisionModel* model, const C
 
 /// Adds the obstacles, the shapes of the links at the end and at the closest approach, and the
 /// nearest pair there. Returns its description.
-std::string add_scene_of_motion(Drawing& drawing, const CollisionModel& model,
+std::string add_scene_of_motion(Drawing& drawing, const ModelsOverTime& models,
                                 const Trajectory& trajectory) {
-  add_obstacles(drawing, model);
-  add_link_shapes(drawing, model, trajectory.positions.back());
-  const std::optional<TimedPair> nearest = nearest_sample(model, trajectory);
+  const CollisionModel& last = models.at(trajectory.times.back());
+  add_obstacles(drawing, last);
+  add_link_shapes(drawing, last, trajectory.positions.back());
+  const std::optional<TimedPair> nearest = nearest_sample(models, trajectory);
   if (!nearest) return "";
   if (nearest->time != trajectory.times.back()) {
     const Configuration q = sample(trajectory, nearest->time).position;
+    const CollisionModel& model = models.at(nearest->time);
     add_arm(drawing, model.arm(), q, {.faded = true, .thin = true});
     add_link_shapes(drawing, model, q, true);
   }
@@ -143,21 +145,19 @@ std::string add_scene_of_motion(Drawing& drawing, const CollisionModel& model,
   return "\n" + nearest_text(nearest->pair) + ", at " + number(nearest->time) + " s";
 }
 
-Figure still_motion(const Arm& arm, const CollisionModel* model, const Trajectory& given,
+Figure still_motion(const Arm& arm, const ModelsOverTime& models, const Trajectory& given,
                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
   const Trajectory trajectory = checked(arm, given, options);
   const Configuration& end = trajectory.positions.back();
+  const bool thin = static_cast<bool>(models);
   Drawing drawing;
   for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
-    add_arm(drawing, arm, sample(trajectory, t).position,
-            {.faded = true, .thin = model != nullptr});
+    add_arm(drawing, arm, sample(trajectory, t).position, {.faded = true, .thin = thin});
   }
   add_arm(drawing, arm, end,
-          {.frames = options.frames,
-           .tool = waypoints.empty() && !options.jacobian,
-           .thin = model != nullptr});
+          {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian, .thin = thin});
   std::string caption = motion_caption(arm, trajectory);
-  if (model != nullptr) caption += add_scene_of_motion(drawing, *model, trajectory);
+  if (models) caption += add_scene_of_motion(drawing, models, trajectory);
   add_trail(drawing, arm, trajectory, {.dots = options.dots});
   add_poses(drawing, waypoints);
   if (options.jacobian) add_jacobian_arrows(drawing, arm, end, jacobian_arrow_scale(arm, end));
@@ -165,27 +165,30 @@ Figure still_motion(const Arm& arm, const CollisionModel* model, const Trajector
   return views_of(std::move(drawing), arm, caption, options);
 }
 
-Animation moving_arm(const Arm& arm, const CollisionModel* model, const Trajectory& given,
+Animation moving_arm(const Arm& arm, const ModelsOverTime& models, const Trajectory& given,
                      const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
   const Trajectory trajectory = checked(arm, given, options);
+  const bool thin = static_cast<bool>(models);
   Drawing drawing;
   if (options.ghosts > 0)
-    add_arm(drawing, arm, trajectory.positions.front(), {.faded = true, .thin = model != nullptr});
-  if (model != nullptr) add_obstacles(drawing, *model);
+    add_arm(drawing, arm, trajectory.positions.front(), {.faded = true, .thin = thin});
+  if (models && !models.change()) add_obstacles(drawing, models.at(0));
   add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
   add_poses(drawing, waypoints);
   double arrow_scale = 0;
-  Animation animation = motion_frames(trajectory, [&](Drawing& frame, const Configuration& q) {
-    add_arm(frame, arm, q,
-            {.frames = options.frames, .tool = !options.jacobian, .thin = model != nullptr});
-    if (model != nullptr) {
-      add_link_shapes(frame, *model, q);
-      if (has_pairs(*model, q)) add_nearest_pair(frame, beeline::nearest_pair(*model, q), false);
+  const auto draw = [&](Drawing& frame, double time, const Configuration& q) {
+    add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian, .thin = thin});
+    if (models) {
+      const CollisionModel& model = models.at(time);
+      if (models.change()) add_obstacles(frame, model);
+      add_link_shapes(frame, model, q);
+      if (has_pairs(model, q)) add_nearest_pair(frame, beeline::nearest_pair(model, q), false);
     }
     if (!options.jacobian) return;
     if (arrow_scale == 0) arrow_scale = jacobian_arrow_scale(arm, q);
     add_jacobian_arrows(frame, arm, q, arrow_scale);
-  });
+  };
+  Animation animation = motion_frames(trajectory, draw);
   const std::string caption =
       options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
   animation.figure = views_of(std::move(drawing), arm, caption, options);
@@ -231,22 +234,34 @@ Figure arm_figure(const CollisionModel& model, const ConfigurationRef& q,
 
 Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  return still_motion(arm, nullptr, trajectory, waypoints, options);
+  return still_motion(arm, {}, trajectory, waypoints, options);
 }
 
 Figure motion_figure(const CollisionModel& model, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  return still_motion(model.arm(), &model, trajectory, waypoints, options);
+  return still_motion(model.arm(), model, trajectory, waypoints, options);
+}
+
+Figure motion_figure(std::span<const ProgramScene> scenes, const Trajectory& trajectory,
+                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  const ModelsOverTime models(scenes);
+  return still_motion(scenes.front().model.arm(), models, trajectory, waypoints, options);
 }
 
 Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  return moving_arm(arm, nullptr, trajectory, waypoints, options);
+  return moving_arm(arm, {}, trajectory, waypoints, options);
 }
 
 Animation motion_animation(const CollisionModel& model, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  return moving_arm(model.arm(), &model, trajectory, waypoints, options);
+  return moving_arm(model.arm(), model, trajectory, waypoints, options);
+}
+
+Animation motion_animation(std::span<const ProgramScene> scenes, const Trajectory& trajectory,
+                           const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  const ModelsOverTime models(scenes);
+  return moving_arm(scenes.front().model.arm(), models, trajectory, waypoints, options);
 }
 
 }  // namespace beeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <beeline/draw/figure.h>
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/planning/program.h>
 #include <beeline/pose/se2.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -85,6 +87,11 @@ Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
 Figure motion_figure(const CollisionModel& model, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 
+/// Draws the motion of a program in the same way, with the parts that it carries. `scenes`:
+/// program_scenes(); the picture has the obstacles of the last one. Throws Error for no scenes too.
+Figure motion_figure(std::span<const ProgramScene> scenes, const Trajectory& trajectory,
+                     const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
+
 /// Draws a motion as an animation in real time: the arm moves and leaves the trail of its tool.
 /// There is one frame each 1/50 s, and at most 1000 frames.
 Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
@@ -94,6 +101,11 @@ Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
 /// Draws a motion as an animation among the obstacles of a model, with the shapes of the links and
 /// the line between the nearest points at each time.
 Animation motion_animation(const CollisionModel& model, const Trajectory& trajectory,
+                           const std::vector<Pose>& waypoints = {},
+                           const ArmFigureOptions& options = {});
+
+/// Draws the motion of a program as an animation in the same way, with the parts that it carries.
+Animation motion_animation(std::span<const ProgramScene> scenes, const Trajectory& trajectory,
                            const std::vector<Pose>& waypoints = {},
                            const ArmFigureOptions& options = {});
 

@@ -182,7 +182,8 @@ Animation chapter_animation(std::string_view number) {
   const Arm arm = built_in("rrr");
   const FigureMotion motion = number == "1.7" ? motion_1_7(arm) : motion_1_9(arm);
   Animation animation = motion_frames(
-      motion.trajectory, [&](Drawing& frame, const Configuration& q) { add_arm(frame, arm, q); });
+      motion.trajectory,
+      [&](Drawing& frame, double, const Configuration& q) { add_arm(frame, arm, q); });
   animation.figure.columns = {{still_panel(arm, motion, true)}};
   return animation;
 }

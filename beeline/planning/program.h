@@ -206,6 +206,18 @@ std::vector<AttachedPart> attached_parts(const CollisionModel& model, const Traj
                                          const Program& program,
                                          std::span<const std::size_t> arrivals);
 
+/// The arm with the parts that it carries, among the other obstacles, at some times of a motion.
+struct ProgramScene {
+  double begin = 0;      ///< time from which it is so, up to the next one, s
+  CollisionModel model;  ///< arm and obstacles
+};
+
+/// Returns the scenes of a trajectory, at its beginning and from each time at which parts are
+/// attached or detached. Throws Error as prove_clearance() with a program does.
+std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Trajectory& trajectory,
+                                         const Program& program,
+                                         std::span<const std::size_t> arrivals);
+
 /// Proves or refutes prove_clearance() for a trajectory that is a motion of the program, section by
 /// section: from one waypoint where a part is attached or detached to the next, against the scene
 /// and with the bodies of the arm that there are in between. `model` is the arm in the scene

@@ -17,16 +17,21 @@ from peers import PEERS, urdf_of
 ROUNDS, ROWS, BATCH, SEED = 9, 300, 1_000_000, 20240229
 BEELINE = {
     "forward": "forward(arm, q)",
+    "forward_list": "forward(arm, q)",
+    "forward_name": "forward(name, q)",
     "jacobian": "jacobian(arm, q)",
     "inverse": "inverse(arm, T)",
     "inverse_into": "inverse(arm, T, seed=middle, out=out)",
 }
 TITLES = {
     "forward": "forward kinematics",
+    "forward_list": "forward kinematics, q a list",
+    "forward_name": "forward kinematics, the arm's name",
     "jacobian": "Jacobian",
     "inverse": "`inverse_kinematics`",
     "inverse_into": "`inverse_kinematics`, `out=`",
 }
+CPP = {"forward_list": "forward", "forward_name": "forward"}  # the same call in C++
 
 
 class Case:
@@ -82,10 +87,11 @@ def solved(case, forward, poses):
 
 def cases_of(library, arm, q, left_out):
     poses = np.ascontiguousarray(beeline.forward_kinematics(arm, q))
-    own = {"arm": arm, "forward": beeline.forward_kinematics, "jacobian": beeline.jacobian, "middle": arm.middle,
+    own = {"arm": arm, "name": arm.name, "forward": beeline.forward_kinematics, "jacobian": beeline.jacobian, "middle": arm.middle,
            "inverse": beeline.inverse_kinematics, "out": np.empty(arm.dof)}
-    cases = {(what, "Beeline"): Case(call, own, q, poses) for what, call in BEELINE.items()}
-    cases |= {(what, "C++"): CppCase(library, arm, what, q, poses) for what in BEELINE}
+    cases = {(what, "Beeline"): Case(call, own, q.tolist() if what == "forward_list" else q, poses)
+             for what, call in BEELINE.items()}
+    cases |= {(what, "C++"): CppCase(library, arm, CPP.get(what, what), q, poses) for what in BEELINE}
     urdf, shares = urdf_of(arm), {}
     for name, peer in PEERS.items():
         try:

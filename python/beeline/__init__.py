@@ -1,6 +1,7 @@
 """Motion of serial-link robot arms: kinematics, inverse kinematics, lines that are proved straight.
 
 Radians, metres, seconds. Configurations are arrays (n,), or (N, n) for many; poses are 4 x 4 arrays.
+An argument `arm` is an Arm, or the name of a built-in one, such as "panda".
 Twists and rows of Jacobians have the linear part first: [vx vy vz wx wy wz]. A negative answer is a
 result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """

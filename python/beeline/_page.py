@@ -61,7 +61,7 @@ class Page:
 
 
 def view(
-    arm: Arm | CollisionModel, q: ArrayLike | None = None, trajectory: Any = None, section: str | None = None
+    arm: Arm | CollisionModel | str, q: ArrayLike | None = None, trajectory: Any = None, section: str | None = None
 ) -> Page:
     """Shows an arm in the page that `beeline view` serves: sliders, the tool dragged by hand, control, lines.
 
@@ -70,8 +70,8 @@ def view(
 
     Parameters
     ----------
-    arm : Arm or CollisionModel
-        The arm, or the arm among obstacles: the page has them, and the shapes of the links.
+    arm : Arm or CollisionModel or str
+        The arm, or the name of a built-in one, or the arm among obstacles: the page has them, and the shapes of the links.
     q : array_like, default None
         Configuration (n,) that the page begins with. Default: `display_configuration(arm)`. A motion in its place is
         the trajectory.

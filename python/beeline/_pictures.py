@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-def draw(arm: Arm | CollisionModel, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Picture:
+def draw(arm: Arm | CollisionModel | str, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Picture:
     """Draws an arm, or its motion.
 
     Parameters
     ----------
-    arm : Arm or CollisionModel
-        The arm, or the arm among obstacles.
+    arm : Arm or CollisionModel or str
+        The arm, or the name of a built-in one, or the arm among obstacles.
     shown : array_like, Trajectory, or a result that has a `trajectory`, default None
         A configuration (n,), or a motion. Default: `display_configuration(arm)`.
     waypoints : array_like, default None
@@ -53,14 +53,14 @@ def draw(arm: Arm | CollisionModel, shown: Any = None, *, waypoints: ArrayLike |
 
 
 def animate(
-    arm: Arm | CollisionModel, motion: Any, *, waypoints: ArrayLike | None = None, small_views: bool = False, **options: Any
+    arm: Arm | CollisionModel | str, motion: Any, *, waypoints: ArrayLike | None = None, small_views: bool = False, **options: Any
 ) -> Animation:
     """Draws the motion of an arm as an animation.
 
     Parameters
     ----------
-    arm : Arm or CollisionModel
-        The arm, or the arm among obstacles.
+    arm : Arm or CollisionModel or str
+        The arm, or the name of a built-in one, or the arm among obstacles.
     motion : Trajectory, or a result that has a `trajectory`
         The motion.
     waypoints : array_like, default None

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._core import Arm, CollisionModel, ReachSlice, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
+from ._core import _arm_of
 from ._core import jacobian as _jacobian
 from ._matplotlib import AMBER, GREY, LINK, arrow, axes_of, dots, draw_arm, draw_ghost, extent, fit, line, pyplot
 from ._matplotlib import skeleton
@@ -29,7 +30,7 @@ __all__ = ["animation", "arm", "joints", "motion", "reach", "trail"]
 
 
 def arm(
-    arm: Arm | CollisionModel,
+    arm: Arm | CollisionModel | str,
     q: ArrayLike | None = None,
     ax: Any = None,
     *,
@@ -43,8 +44,8 @@ def arm(
 
     Parameters
     ----------
-    arm : Arm or CollisionModel
-        The arm, or the arm among obstacles.
+    arm : Arm or CollisionModel or str
+        The arm, or the name of a built-in one, or the arm among obstacles.
     q : array_like, default None
         Configuration (n,). Default: `display_configuration(arm)`.
     ax : matplotlib axes, default None
@@ -82,7 +83,7 @@ def arm(
 
 
 def trail(
-    arm: Arm,
+    arm: Arm | str,
     motion: Any,
     ax: Any = None,
     *,
@@ -95,8 +96,8 @@ def trail(
 
     Parameters
     ----------
-    arm : Arm
-        The arm.
+    arm : Arm or str
+        The arm, or the name of a built-in one.
     motion : Trajectory, a result that has a `trajectory`, or array_like
         A motion, drawn between its samples too; or configurations (N, n).
     ax : matplotlib axes, default None
@@ -112,6 +113,7 @@ def trail(
     -------
     axes
     """
+    arm = _arm_of(arm)
     ax = axes_of(arm, ax)
     positions = forward_kinematics(arm, _configurations(arm, motion, samples))[:, :3, 3]
     line(arm, ax, positions, color=color, linewidth=1.5, label=label, zorder=4)
@@ -125,7 +127,7 @@ def trail(
 
 
 def motion(
-    arm: Arm | CollisionModel,
+    arm: Arm | CollisionModel | str,
     motion: Any,
     ax: Any = None,
     *,
@@ -163,9 +165,9 @@ def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 200
 
     Parameters
     ----------
-    arm : Arm
-        Its limits are drawn dashed in the joints' colours, where they are near the curves; dotted where they
-        are not known and motions assume them. `joints(motion)` draws no limits, `joints(motion, arm)` the same.
+    arm : Arm or str
+        The arm, or the name of a built-in one. Its limits are drawn dashed in the joints' colours, where they are near
+        the curves; dotted where they are not known and motions assume them. `joints(motion)` draws no limits, `joints(motion, arm)` the same.
     motion : Trajectory, or a result that has a `trajectory`
         The motion, drawn between its samples too.
     axes : three matplotlib axes, default None
@@ -177,10 +179,11 @@ def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 200
     -------
     array of three axes
     """
-    if not isinstance(arm, Arm):
+    if not isinstance(arm, (Arm, str)):
         arm, motion = motion, arm
     trajectory = _trajectory(motion)
     if arm is not None:
+        arm = _arm_of(arm)
         trajectory = trajectory.matched_to(arm)
     if axes is None:
         _, axes = pyplot().subplots(3, 1, sharex=True, figsize=(7, 7), layout="constrained")
@@ -210,7 +213,7 @@ def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 200
 
 
 def animation(
-    arm: Arm | CollisionModel,
+    arm: Arm | CollisionModel | str,
     motion: Any,
     ax: Any = None,
     *,
@@ -223,8 +226,8 @@ def animation(
 
     Parameters
     ----------
-    arm : Arm or CollisionModel
-        The arm, or the arm among obstacles, which stand still.
+    arm : Arm or CollisionModel or str
+        The arm, or the name of a built-in one, or the arm among obstacles, which stand still.
     motion : Trajectory, or a result that has a `trajectory`
         The motion.
     ax : matplotlib axes, default None
@@ -312,8 +315,8 @@ def reach(slice: ReachSlice, ax: Any = None, *, colorbar: bool = True, **options
     return ax
 
 
-def _arm_and_model(drawn: Arm | CollisionModel) -> tuple[Arm, CollisionModel | None]:
-    return (drawn.arm, drawn) if isinstance(drawn, CollisionModel) else (drawn, None)
+def _arm_and_model(drawn: Arm | CollisionModel | str) -> tuple[Arm, CollisionModel | None]:
+    return (drawn.arm, drawn) if isinstance(drawn, CollisionModel) else (_arm_of(drawn), None)
 
 
 def _dashes(joint: int) -> Any:

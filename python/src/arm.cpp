@@ -14,7 +14,7 @@ namespace {
 
 /// Records, or the rows of an array.
 std::vector<DhRow> dh_rows(nb::handle value) {
-  const bool records = nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value);
+  const bool records = is_list(value);
   if (records && (nb::len(value) == 0 || nb::isinstance<DhRow>(value[0]))) {
     return Value<std::vector<DhRow>>::from(value, "rows");
   }
@@ -339,11 +339,11 @@ void bind_arms(nb::module_& m) {
   m.def(
       "_arm_of",
       [](nb::handle value) {
-        object_of<Arm>(value, "arm");
-        return nb::borrow(value);
+        const Arm& found = object_of<Arm>(value, "arm");
+        return nb::isinstance<Arm>(value) ? nb::borrow(value) : nb::cast(found);
       },
       nb::arg().none(), nb::sig("def _arm_of(value: object, /) -> Arm"),
-      "Returns the arm. Raises TypeError where the value is none.");
+      "Returns the arm that the value is or names. Raises TypeError where it is none.");
   const Signature built_in("built_in_arms", "list[BuiltInArm]", "The built-in arms, by name.");
   define(
       m, [] { return Value<std::vector<BuiltInArm>>::to(built_in_arms()); }, built_in);

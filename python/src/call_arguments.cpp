@@ -8,10 +8,6 @@
 
 namespace beeline::python {
 
-void CallNames::pass_on() const {
-  if (overloaded_) throw nb::next_overload();
-}
-
 void CallNames::refuse_missing(std::size_t i) const {
   if (overloaded_) throw nb::next_overload();
   throw nb::type_error((function_ + "() needs the argument " + all_[i]).c_str());

@@ -28,9 +28,7 @@ class CallNames {
         overloaded_(overloaded) {}
 
   const char* name(std::size_t i) const { return all_[i]; }
-  /// Leaves a call whose first argument is of another class to the function of the name that
-  /// follows, if there is one.
-  void pass_on() const;
+  bool overloaded() const { return overloaded_; }
   [[noreturn]] void refuse_missing(std::size_t i) const;
   [[noreturn]] void refuse_positional(std::size_t accepted, std::size_t further) const;
   [[noreturn]] void refuse_keywords(const nb::kwargs& keywords) const;
@@ -152,8 +150,9 @@ auto strict_call(Function function, const CallNames* names, std::index_sequence<
     if (!Shape::has_keywords && !keywords.empty()) names->refuse_keywords(keywords);
     (check_given(first, *names, A), ...);
     (check_given(rest, *names, split + B), ...);
-    if (!((A > 0 || is_of_class<CallParameter<Shape, unnamed + A>>(first)) && ... && true)) {
-      names->pass_on();
+    if (names->overloaded() &&
+        !((A > 0 || is_of_class<CallParameter<Shape, unnamed + A>>(first)) && ... && true)) {
+      throw nb::next_overload();
     }
     const auto call = [&](auto&&... own) -> decltype(auto) {
       return function(

@@ -33,7 +33,7 @@ void bind_verify(nb::module_& m) {
       "and jerk between the samples too. Limits of velocity and acceleration that are not known "
       "count as assumed; a jerk limit that is not known is not checked. Of a program also its "
       "waypoints, dwells and tool speeds.");
-  proof.takes("arm", "Arm", "The arm.")
+  proof.takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("along", std::string("Route | Program | ") + arm_poses_like + " | None",
              "A route; a program; or waypoints (N, 4, 4), world_T_tool, of straight lines from the "
@@ -48,7 +48,7 @@ void bind_verify(nb::module_& m) {
                   "Returns the first fault in time of a trajectory's joints: limits, flip, "
                   "velocity, acceleration, jerk or moving; None if there is none, or where the "
                   "budget ends the search before it.");
-  fault.takes("arm", "Arm", "The arm.")
+  fault.takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("moving", argument_type<MovingEnds>(), "The ends at which the joints may move.",
              "(False, False)")
@@ -69,7 +69,7 @@ void bind_verify(nb::module_& m) {
 
 void bind_path_deviation(nb::module_& m) {
   Signature bound("path_deviation", "PathDeviation", comment("path_deviation"));
-  bound.takes("arm", "Arm", "The arm.")
+  bound.takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .takes("path_parameters", array_like, "Path parameter of each sample, (N,).")
       .takes("path", "ToolPath", "Path.")
@@ -93,7 +93,7 @@ void bind_path_deviation(nb::module_& m) {
 
 void bind_path_parameters(nb::module_& m) {
   Signature parameters("path_parameters_along", array_type, comment("path_parameters_along"));
-  parameters.takes("arm", "Arm", "The arm.")
+  parameters.takes_arm()
       .takes("samples", array_like, "Configurations (N, n).")
       .takes("path", "ToolPath", "Path.")
       .takes("arrivals", array_like, "The sample at the end of each segment.")

@@ -1,6 +1,7 @@
 #include "class_argument.h"
 
-#include <algorithm>
+#include <functional>
+#include <map>
 #include <string>
 
 #include <beeline/model/catalog.h>
@@ -17,14 +18,22 @@ std::string cure(const std::string& type, nb::handle value) {
   if (type == "Trajectory" && nb::hasattr(value, "trajectory")) return "; take its trajectory";
   if (type != "Arm") return "";
   if (!nb::isinstance<nb::str>(value)) return "; beeline.arms.panda() makes one";
-  const std::string text = Value<std::string>::from(value, "arm");
-  const std::vector<std::string> names = built_in_names();
-  const bool built_in = std::find(names.begin(), names.end(), text) != names.end();
-  return built_in ? "; beeline.arms." + text + "() makes one"
-                  : "; beeline.Arm.load(" + std::string(nb::repr(value).c_str()) + ") makes one";
+  return "; beeline.Arm.load(" + std::string(nb::repr(value).c_str()) + ") makes one";
 }
 
 }  // namespace
+
+const Arm* arm_of(nb::handle value) {
+  const Arm* arm = nullptr;
+  if (!nb::isinstance<nb::str>(value)) return nb::try_cast<const Arm*>(value, arm) ? arm : nullptr;
+  // Never destroyed: another thread may use an arm while the process ends.
+  static auto& kept = *new std::map<std::string, Arm, std::less<>>;
+  const std::string name = Value<std::string>::from(value, "arm");
+  const auto found = kept.find(name);
+  if (found != kept.end()) return &found->second;
+  if (name.find_first_of("./\\:") != std::string::npos) return nullptr;
+  return &kept.emplace(name, built_in(name)).first->second;
+}
 
 void raise_class(const char* name, nb::handle type, nb::handle value) {
   const std::string expected = name_of(type);

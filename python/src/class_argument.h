@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <beeline/model/arm.h>
+
 #include <nanobind/nanobind.h>
 
 /// Arguments of the module's classes. nanobind answers an object of another class with the
@@ -32,11 +34,21 @@ auto parameters_of() {
 /// Throws TypeError: the argument, the class that it needs, what it is, and how to make one.
 [[noreturn]] void raise_class(const char* name, nb::handle type, nb::handle value);
 
+/// The arm that the object is, or the built-in arm that the text names; null for another object and
+/// for a path or a joint string. An arm of a name is made once and kept. Throws Error, which
+/// suggests a name, for any other text.
+const Arm* arm_of(nb::handle value);
+
 /// The object of the class that the argument is.
 template <class T>
 const T& object_of(nb::handle value, const char* name) {
   const T* found = nullptr;
-  if (nb::try_cast<const T*>(value, found) && found != nullptr) return *found;
+  if constexpr (std::is_same_v<T, Arm>) {
+    found = arm_of(value);
+  } else {
+    if (!nb::try_cast<const T*>(value, found)) found = nullptr;
+  }
+  if (found != nullptr) return *found;
   raise_class(name, nb::type<T>(), value);
 }
 
@@ -50,7 +62,8 @@ inline constexpr bool is_object =
 template <class P, class Value>
 bool is_of_class(const Value& value) {
   if constexpr (is_object<P> && std::is_same_v<Value, nb::handle>) {
-    return nb::isinstance<std::remove_cvref_t<P>>(value);
+    using T = std::remove_cvref_t<P>;
+    return nb::isinstance<T>(value) || (std::is_same_v<T, Arm> && nb::isinstance<nb::str>(value));
   } else {
     return true;
   }

@@ -1,5 +1,6 @@
 #include "bindings.h"
 #include "collision_fields.h"
+#include "followed_program.h"
 #include "interruption.h"
 #include "program_fields.h"
 #include "warning_category.h"
@@ -7,37 +8,15 @@
 namespace beeline::python {
 namespace {
 
-constexpr const char* of_program =
-    "The program that the trajectory follows: the parts that it attaches are carried, and each "
-    "section is proved against the scene that there is then.";
-constexpr const char* of_arrivals =
-    "The sample at which each move ends, PlannedMove.end or Verification.arrivals; with a program.";
-
-/// A program with the samples at which its moves end.
-struct FollowedProgram {
-  const Program* program = nullptr;
-  std::vector<std::size_t> arrivals = {};
-};
-
-std::optional<FollowedProgram> followed_from(nb::handle program, nb::handle arrivals) {
-  if (program.is_none() != arrivals.is_none()) {
-    throw Error("program and arrivals are given together, or neither");
-  }
-  if (program.is_none()) return std::nullopt;
-  FollowedProgram followed;
-  if (!nb::try_cast<const Program*>(program, followed.program) || followed.program == nullptr) {
-    raise_type("program", "a Program", program);
-  }
-  followed.arrivals = Value<std::vector<std::size_t>>::from(arrivals, "arrivals");
-  return followed;
-}
-
 /// Adds the arguments of a motion among obstacles, and of the program that it follows.
 Signature& takes_motion(Signature& signature) {
   return signature.takes("model", "CollisionModel", "The arm among obstacles.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("program", "Program | None", of_program, "None")
-      .takes("arrivals", "Sequence[int] | None", of_arrivals, "None");
+      .takes("program", "Program | None",
+             "The program that the trajectory follows: the parts that it attaches are carried, and "
+             "each section is proved against the scene that there is then.",
+             "None")
+      .takes("arrivals", "Sequence[int] | None", arrivals_doc, "None");
 }
 
 void bind_clearance(nb::module_& m) {

@@ -127,8 +127,8 @@ void bind_other_shape_files(nb::module_& m) {
       "read_arm_shapes() read from a file. A body at only one of its link's joints "
       "is written as attached: it must then keep its clearance from both neighbours. Raises Error "
       "for a link that the arm does not have, and for two bodies of one name.");
-  written.takes("arm", "Arm", "The arm.")
-      .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.");
+  written.takes_arm().takes("links", argument_type<std::vector<LinkShapes>>(),
+                            "Shapes of its links.");
   define(
       m,
       [](const Arm& arm, nb::handle links) {
@@ -141,7 +141,8 @@ void bind_other_shape_files(nb::module_& m) {
       "read_tool_shapes", "LinkShapes",
       "Reads the shapes of a tool from a JSON file, posed in the arm's tool frame. Raises "
       "FileError for an invalid file.");
-  tool.takes("path", path_like, "The file.").takes("arm", "Arm", "The arm that carries the tool.");
+  tool.takes("path", path_like, "The file.")
+      .takes("arm", arm_like, "The arm that carries the tool.");
   define(
       m,
       [](nb::handle path, const Arm& arm) {
@@ -193,7 +194,7 @@ void bind_model(nb::module_& m) {
       "Prepares an arm with the shapes of its links in a scene. Raises Error for a shape, "
       "a name or a clearance that is not valid.");
   made.takes("self")
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.")
       .takes("scene", "Scene | None", "The obstacles.", "None")
       .options<CollisionOptions>();

@@ -17,7 +17,7 @@ void bind_joint_control(nb::module_& m) {
       "Manipulators*, eq. 1.3). With kp alone the motion is a straight line in joint space, which "
       "is a curve of the tool. Joint values are plain numbers; angles are not wrapped. A goal "
       "outside the limits has the status `outside_limits`.");
-  joints.takes("arm", "Arm", "The arm.")
+  joints.takes_arm()
       .takes("start", array_like, "Configuration (n,) within the limits.")
       .takes("goal", array_like, "Configuration (n,).")
       .options<PidGains>()
@@ -37,11 +37,11 @@ void bind_joint_control(nb::module_& m) {
 
 void bind_joint_moves(nb::module_& m) {
   Signature moved("move_joints", "ControlledMotion", comment("move_joints"));
-  moved.takes("arm", "Arm", "The arm.")
+  moved.takes_arm()
       .takes("start", array_like, "Configuration (n,).")
       .takes("goal", array_like, "Configuration (n,).")
       .options<JointMoveOptions>();
-  define(
+  define_on_arm(
       m,
       [](const Arm& arm, nb::handle start, nb::handle goal, const nb::kwargs& keywords) {
         const Configuration from = configuration_from(start, "start");
@@ -54,7 +54,7 @@ void bind_joint_moves(nb::module_& m) {
 
 void bind_cartesian_control(nb::module_& m) {
   Signature lines("control_in_lines", "ControlledMotion", comment("control_in_lines"));
-  lines.takes("arm", "Arm", "The arm.")
+  lines.takes_arm()
       .takes("start", array_like, "Configuration (n,) within the limits.")
       .takes("waypoints", arm_poses_like, arm_poses_doc)
       .options<CartesianOptions>()
@@ -104,7 +104,7 @@ void bind_control(nb::module_& m) {
   bind_record<Replay>(m);
   Signature replayed("replay", "Replay", comment("replay"));
   replayed.summary_has_motions()
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("recording", "Trajectory", "Its joints are matched by name.")
       .options<ReplayOptions>();
   define(

@@ -31,7 +31,7 @@ void bind_controller_file(nb::module_& m) {
                           "arm is refused: the file is false, and its reason says why.");
   of_trajectory.overloaded()
       .summary_has_motions()
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .choice<ControllerForm>("form", "")
       .options<ControllerFileOptions>();
@@ -46,7 +46,7 @@ void bind_controller_file(nb::module_& m) {
   Signature of_program(
       "controller_file", "ControllerFile",
       "Returns a planned program as moves for a controller, which plans all motions again.");
-  of_program.takes("arm", "Arm", "The arm.")
+  of_program.takes_arm()
       .takes("program", "Program", "Program.")
       .takes("motion", "ProgramMotion", "What move_program() returned for it.")
       .choice<ControllerForm>("form", "")

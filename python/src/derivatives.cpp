@@ -14,7 +14,7 @@ const std::string optional_array = std::string(array_type) + " | None";
 
 Signature row_signature(const char* name, const char* summary) {
   Signature signature(name, array_type, summary);
-  signature.takes("arm", "Arm", "The arm.").takes("q", array_like, configurations_doc);
+  signature.takes_arm().takes("q", array_like, configurations_doc);
   return signature;
 }
 

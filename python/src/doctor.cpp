@@ -31,7 +31,7 @@ nb::object faults_of(nb::handle path) {
 void bind_exemptions(nb::module_& m) {
   bind_record<Exemption>(m);
   Signature signature("examine_exemptions", "list[Exemption]", comment("examine_exemptions"));
-  signature.takes("arm", "Arm", "The arm.")
+  signature.takes_arm()
       .takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of its links.")
       .takes("scene", "Scene | None", "The obstacles.", "None")
       .takes("pairs", argument_type<std::vector<NamedPair>>() + " | None",
@@ -41,17 +41,14 @@ void bind_exemptions(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle links, nb::handle scene, nb::handle pairs,
          const nb::kwargs& keywords) {
-        const auto asked = options<ExemptionOptions>(keywords);
+        auto asked = options<ExemptionOptions>(keywords);
         const auto shapes = Value<std::vector<LinkShapes>>::from(links, "links");
         const auto around = Value<std::optional<Scene>>::from(scene, "scene").value_or(Scene());
         const auto given = Value<std::optional<std::vector<NamedPair>>>::from(pairs, "pairs");
-        std::vector<Exemption> found;
-        {
-          const LockRelease release;
-          found =
-              examine_exemptions(arm, shapes, around, given.value_or(around.exempted_pairs), asked);
-        }
-        return Value<std::vector<Exemption>>::to(found);
+        const std::vector<NamedPair> examined = given.value_or(around.exempted_pairs);
+        return Value<std::vector<Exemption>>::to(unlocked(asked.budget, [&] {
+          return examine_exemptions(arm, shapes, around, examined, asked);
+        }));
       },
       signature, nb::arg("arm"), nb::arg("links"), nb::arg("scene") = nb::none(),
       nb::arg("pairs") = nb::none(), nb::arg("keywords"));
@@ -86,7 +83,9 @@ void bind_doctor(nb::module_& m) {
   define(m, &faults_of, faults, nb::arg("path"));
 
   Signature two("compare_arms", "ArmComparison", comment("compare_arms"));
-  two.takes("a", "Arm", "One arm.").takes("b", "Arm", "The other.").options<ComparisonOptions>();
+  two.takes("a", arm_like, "One arm.")
+      .takes("b", arm_like, "The other.")
+      .options<ComparisonOptions>();
   define(
       m,
       [](const Arm& a, const Arm& b, const nb::kwargs& keywords) {

@@ -20,9 +20,8 @@ struct Fields<Exemption>
     : Members<&Exemption::names, &Exemption::status, &Exemption::q, &Exemption::depth> {};
 
 template <>
-inline constexpr bool reports<ExemptionOptions> = false;
-template <>
-struct Fields<ExemptionOptions> : Members<&ExemptionOptions::configurations> {};
+struct Fields<ExemptionOptions>
+    : Members<&ExemptionOptions::configurations, &ExemptionOptions::budget> {};
 
 template <>
 struct Fields<ModelDifference>

@@ -3,6 +3,7 @@
 #include "bindings.h"
 #include "collision_fields.h"
 #include "draw_fields.h"
+#include "followed_program.h"
 #include "plane_poses.h"
 #include "planning_fields.h"
 
@@ -25,21 +26,56 @@ Picture arm_picture(const Drawn& drawn, nb::handle q, const nb::kwargs& keywords
   return without_lock([&] { return compose(arm_figure(drawn, at, given)); });
 }
 
-template <class Drawn>
-Picture motion_picture(const Drawn& drawn, const Trajectory& trajectory, nb::handle waypoints,
+Picture motion_picture(const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
                        const nb::kwargs& keywords) {
-  const std::vector<Pose> marked = waypoints_from(arm_of(drawn), waypoints);
+  const std::vector<Pose> marked = waypoints_from(arm, waypoints);
   const auto given = options<ArmFigureOptions>(keywords);
-  return without_lock([&] { return compose(motion_figure(drawn, trajectory, marked, given)); });
+  return without_lock([&] { return compose(motion_figure(arm, trajectory, marked, given)); });
 }
 
-template <class Drawn>
-PlayedAnimation played_motion(const Drawn& drawn, const Trajectory& trajectory,
-                              nb::handle waypoints, const nb::kwargs& keywords) {
-  const std::vector<Pose> marked = waypoints_from(arm_of(drawn), waypoints);
+/// Draws a motion by `draw` with the model, or with the scenes of the program that it follows.
+template <class Draw>
+auto drawn_among(const CollisionModel& model, const Trajectory& trajectory,
+                 const std::optional<FollowedProgram>& followed, const Draw& draw) {
+  if (!followed) return draw(model);
+  const std::vector<ProgramScene> scenes =
+      program_scenes(model, trajectory, *followed->program, followed->arrivals);
+  return draw(std::span<const ProgramScene>(scenes));
+}
+
+Picture motion_picture_among(const CollisionModel& model, const Trajectory& trajectory,
+                             nb::handle waypoints, nb::handle program, nb::handle arrivals,
+                             const nb::kwargs& keywords) {
+  const std::vector<Pose> marked = waypoints_from(model.arm(), waypoints);
+  const std::optional<FollowedProgram> followed = followed_from(program, arrivals);
+  const auto given = options<ArmFigureOptions>(keywords);
+  return without_lock([&] {
+    return drawn_among(model, trajectory, followed, [&](const auto& drawn) {
+      return compose(motion_figure(drawn, trajectory, marked, given));
+    });
+  });
+}
+
+PlayedAnimation played_motion(const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
+                              const nb::kwargs& keywords) {
+  const std::vector<Pose> marked = waypoints_from(arm, waypoints);
   const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
   Animation animation =
-      without_lock([&] { return motion_animation(drawn, trajectory, marked, std::get<0>(given)); });
+      without_lock([&] { return motion_animation(arm, trajectory, marked, std::get<0>(given)); });
+  return PlayedAnimation(std::move(animation), std::get<1>(given));
+}
+
+PlayedAnimation played_motion_among(const CollisionModel& model, const Trajectory& trajectory,
+                                    nb::handle waypoints, nb::handle program, nb::handle arrivals,
+                                    const nb::kwargs& keywords) {
+  const std::vector<Pose> marked = waypoints_from(model.arm(), waypoints);
+  const std::optional<FollowedProgram> followed = followed_from(program, arrivals);
+  const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
+  Animation animation = without_lock([&] {
+    return drawn_among(model, trajectory, followed, [&](const auto& drawn) {
+      return motion_animation(drawn, trajectory, marked, std::get<0>(given));
+    });
+  });
   return PlayedAnimation(std::move(animation), std::get<1>(given));
 }
 
@@ -73,52 +109,56 @@ void bind_chapter(nb::module_& m) {
       moving, nb::arg("number"), nb::arg("playback"));
 }
 
+/// The arguments of a picture of a motion, of an arm or of a model.
+Signature& takes_motion(Signature& signature, bool among_obstacles) {
+  signature
+      .takes(among_obstacles ? "model" : "arm", among_obstacles ? "CollisionModel" : arm_like,
+             among_obstacles ? model_doc : "The arm.")
+      .takes("trajectory", "Trajectory", "Of this arm's joints.")
+      .takes("waypoints", std::string(arm_poses_like) + " | None",
+             "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta "
+             "each.",
+             "None");
+  if (!among_obstacles) return signature;
+  return signature
+      .takes("program", "Program | None",
+             "The program that the trajectory follows, whose parts are drawn where they are "
+             "carried.",
+             "None")
+      .takes("arrivals", "Sequence[int] | None", arrivals_doc, "None");
+}
+
 void bind_motion_figures(nb::module_& m) {
-  constexpr const char* trajectory_doc = "Of this arm's joints.";
-  constexpr const char* waypoints_doc =
-      "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta each.";
-  const std::string poses = std::string(arm_poses_like) + " | None";
-  const auto figure = [&](const char* name, const char* type, const char* doc,
-                          const char* summary) {
-    Signature signature("motion_figure", "Picture", summary);
-    signature.takes(name, type, doc)
-        .takes("trajectory", "Trajectory", trajectory_doc)
-        .takes("waypoints", poses, waypoints_doc, "None")
-        .options<ArmFigureOptions>();
-    return signature;
-  };
-  define(m, &motion_picture<CollisionModel>,
-         figure("model", "CollisionModel", model_doc,
-                "Draws a motion among the obstacles of a model, with the shapes of "
-                "the links at the end and at the closest approach of 201 times, where it draws the "
-                "line between the nearest points.")
-             .overloaded(),
-         nb::arg("model"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
-         nb::arg("options"));
-  define(m, &motion_picture<Arm>, figure("arm", "Arm", "The arm.", comment("motion_figure")),
-         nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
-         nb::arg("options"));
-  const auto moving = [&](const char* name, const char* type, const char* doc) {
+  Signature among("motion_figure", "Picture",
+                  "Draws a motion among the obstacles of a model, with the shapes of the links at "
+                  "the end and at the closest approach of 201 times, where it draws the line "
+                  "between the nearest points.");
+  takes_motion(among, true).options<ArmFigureOptions>();
+  define(m, &motion_picture_among, among.overloaded(), nb::arg("model"), nb::arg("trajectory"),
+         nb::arg("waypoints") = nb::none(), nb::arg("program") = nb::none(),
+         nb::arg("arrivals") = nb::none(), nb::arg("options"));
+  Signature figure("motion_figure", "Picture", comment("motion_figure"));
+  takes_motion(figure, false).options<ArmFigureOptions>();
+  define(m, &motion_picture, figure, nb::arg("arm"), nb::arg("trajectory"),
+         nb::arg("waypoints") = nb::none(), nb::arg("options"));
+
+  const auto moving = [](bool among_obstacles) {
     Signature signature(
         "motion_animation", "Animation",
         "Draws the same in motion: the arm moves and leaves the trail of its tool.");
-    signature.takes(name, type, doc)
-        .takes("trajectory", "Trajectory", trajectory_doc)
-        .takes("waypoints", poses, waypoints_doc, "None")
-        .options<ArmFigureOptions>()
-        .options<PlaybackOptions>();
+    takes_motion(signature, among_obstacles).options<ArmFigureOptions>().options<PlaybackOptions>();
     return signature;
   };
-  define(m, &played_motion<CollisionModel>,
-         moving("model", "CollisionModel", model_doc).overloaded(), nb::arg("model"),
-         nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
-  define(m, &played_motion<Arm>, moving("arm", "Arm", "The arm."), nb::arg("arm"),
-         nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("options"));
+  define(m, &played_motion_among, moving(true).overloaded(), nb::arg("model"),
+         nb::arg("trajectory"), nb::arg("waypoints") = nb::none(), nb::arg("program") = nb::none(),
+         nb::arg("arrivals") = nb::none(), nb::arg("options"));
+  define(m, &played_motion, moving(false), nb::arg("arm"), nb::arg("trajectory"),
+         nb::arg("waypoints") = nb::none(), nb::arg("options"));
 }
 
 void bind_charts(nb::module_& m) {
   Signature timing("timing_figure", "Picture", comment("timing_figure"));
-  timing.takes("arm", "Arm", "The arm.")
+  timing.takes_arm()
       .takes("motion", "Trajectory | PathMotion", "Of this arm's joints.")
       .keywords()
       .member<&TimingFigureOptions::title>()
@@ -190,13 +230,13 @@ void bind_pictures(nb::module_& m) {
                 "distance beyond its clearance.")
              .overloaded(),
          nb::arg("model"), nb::arg("q") = nb::none(), nb::arg("options"));
-  define(m, &arm_picture<Arm>, figure("arm", "Arm", "The arm.", comment("arm_figure")),
+  define(m, &arm_picture<Arm>, figure("arm", arm_like, "The arm.", comment("arm_figure")),
          nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
   Signature shown(
       "display_configuration", array_type,
       "Returns a configuration (n,) that shows the arm well: the middle of the position limits or, "
       "where the arm is singular there, one far from singularities.");
-  shown.takes("arm", "Arm", "The arm.");
+  shown.takes_arm();
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
       nb::arg("arm"));

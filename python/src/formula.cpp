@@ -36,7 +36,7 @@ void bind_symbolic_arm(nb::module_& m) {
   Signature named("symbolic_arm", "SymbolicArm",
                   "Names the dimensions of an arm. The transforms are compared with the arm's at "
                   "random configurations.");
-  named.takes("arm", "Arm", "The arm.").options<SymbolicOptions>();
+  named.takes_arm().options<SymbolicOptions>();
   define(
       m,
       [](const Arm& arm, const nb::kwargs& values) {
@@ -45,14 +45,14 @@ void bind_symbolic_arm(nb::module_& m) {
       named, nb::arg("arm"), nb::arg("options"));
 }
 
-constexpr const char* arm_doc = "The arm; an Arm is named with default options.";
-constexpr const char* named_type = "SymbolicArm | Arm";
+constexpr const char* named_doc = "The arm; an Arm is named with default options.";
+constexpr const char* named_type = "SymbolicArm | Arm | str";
 
 /// A formula of the whole arm.
 template <class Derive>
 void whole(nb::module_& m, const char* name, const char* doc, Derive derive) {
   Signature signature(name, "ExpressionMatrix", doc);
-  signature.takes("arm", named_type, arm_doc);
+  signature.takes("arm", named_type, named_doc);
   define(
       m,
       [derive](nb::handle value) {
@@ -70,7 +70,7 @@ void bind_derivations(nb::module_& m) {
         &tool_offset_formula);
   Signature link("link_formula", "ExpressionMatrix",
                  "Returns the pose of link i in link k, 4 x 4; link 0 is the base.");
-  link.takes("arm", named_type, arm_doc)
+  link.takes("arm", named_type, named_doc)
       .takes("i", "int", "From 0 to the number of joints.")
       .takes("k", "int", "From 0 to i.");
   define(
@@ -88,7 +88,7 @@ void bind_derivations(nb::module_& m) {
   Signature columns("jacobian_formula", "ExpressionMatrix",
                     "Returns the Jacobian in symbols, 6 x n, rows [vx vy vz wx wy wz]: the matrix "
                     "that jacobian() has.");
-  columns.takes("arm", named_type, arm_doc)
+  columns.takes("arm", named_type, named_doc)
       .takes("frame", Value<Frame>::type(), "Its frame.", "'base'");
   define(
       m,
@@ -121,8 +121,7 @@ bool same_arm(const NamedArm& a, const NamedArm& b) {
 SharedArm named_arm(nb::handle value, const char* name) {
   SharedArm named;
   if (nb::try_cast(value, named) && named) return named;
-  const Arm* arm = nullptr;
-  if (nb::try_cast<const Arm*>(value, arm) && arm) return name_arm(*arm, {});
+  if (const Arm* arm = arm_of(value)) return name_arm(*arm, {});
   raise_type(name, "an Arm or a SymbolicArm", value);
 }
 

@@ -96,7 +96,7 @@ void bind_document(nb::module_& m) {
   Signature made("formula_document", "FormulaDocument",
                  "Derives and writes formulas: by default the transform of each link and the pose "
                  "of the tool.");
-  made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
+  made.takes("arm", "SymbolicArm | Arm | str", "The arm; an Arm is named with default options.")
       .keywords()
       .takes("task", task_type, task_rows_doc, "None")
       .options<FormulaContent>()
@@ -106,7 +106,7 @@ void bind_document(nb::module_& m) {
   Signature inverse("has_inverse_formula", "bool",
                     "Whether formula_document(inverse=True) has a derivation for the arm: planar "
                     "arms of two and three joints.");
-  inverse.takes("arm", "SymbolicArm | Arm", "The arm.");
+  inverse.takes("arm", "SymbolicArm | Arm | str", "The arm.");
   define(
       m, [](nb::handle arm) { return has_inverse_formula(named_arm(arm, "arm")->symbolic); },
       inverse, nb::arg("arm"));
@@ -120,7 +120,7 @@ void bind_code(nb::module_& m) {
                  "Generates code of an arm's formulas, each common subexpression computed once: "
                  "functions ARM_forward(q), ARM_jacobian(q), ARM_jacobian_derivative(q, dq) and "
                  "ARM_determinant(q). `code()` of an ExpressionMatrix writes any other.");
-  made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
+  made.takes("arm", "SymbolicArm | Arm | str", "The arm; an Arm is named with default options.")
       .takes("language", Value<CodeLanguage>::type(), "The language.", "'python'")
       .keywords()
       .takes("task", task_type, task_rows_doc, "None")
@@ -237,7 +237,7 @@ void bind_determinant(nb::module_& m) {
   Signature made("determinant_formula", "DeterminantFormula",
                  "Returns the determinant of the task's Jacobian, which has as many rows as the "
                  "arm has joints.");
-  made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
+  made.takes("arm", "SymbolicArm | Arm | str", "The arm; an Arm is named with default options.")
       .takes("task", task_type, task_rows_doc, "None");
   define(m, &determinant_of, made, nb::arg("arm"), nb::arg("task") = nb::none());
 }

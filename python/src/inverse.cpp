@@ -15,37 +15,9 @@ namespace {
 
 /// The options. Throws Error for a model of another arm.
 InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
-  if (keywords.size() == 0) return {};
+  if (keywords.empty()) return {};
   check_model_of(arm, keywords);
   return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
-}
-
-/// Whether the value is a list of poses: of arrays, of lists of lists, or of objects that are
-/// poses.
-bool is_list_of_poses(nb::handle value) {
-  const auto is_list = [](nb::handle object) {
-    return nb::isinstance<nb::list>(object) || nb::isinstance<nb::tuple>(object);
-  };
-  if (!is_list(value) || nb::len(value) == 0) return false;
-  const nb::object first = value[0];
-  if (!is_list(first)) {
-    return is_array(first) ? InputArray(first, "world_T_tool").dimensions() == 2
-                           : !PyNumber_Check(first.ptr()) && !PyUnicode_Check(first.ptr());
-  }
-  return nb::len(first) > 0 && is_list(nb::object(first[0]));
-}
-
-void check_one_pose(nb::handle pose) {
-  const std::string advice = "; batch_inverse() takes many poses";
-  if (is_array(pose) && InputArray(pose, "world_T_tool").dimensions() > 2) {
-    throw Error("world_T_tool has the shape " +
-                shape_text(InputArray(pose, "world_T_tool").shape()) + "; expected (4, 4)" +
-                advice);
-  }
-  if (is_list_of_poses(pose)) {
-    throw Error("world_T_tool: expected a pose (4, 4), not a list of " +
-                std::to_string(nb::len(pose)) + advice);
-  }
 }
 
 /// Writes solutions into the rows of an array, and NaN into the others. Returns their number.
@@ -69,18 +41,6 @@ int solve_into(const Arm& arm, const Pose& world_T_tool, nb::handle out, Inverse
   return count;
 }
 
-/// `seed` is an option too: named parameters take less time in control loops.
-nb::object inverse(const Arm& arm, nb::handle pose, nb::handle seed, nb::handle out,
-                   const nb::kwargs& keywords) {
-  check_one_pose(pose);
-  InverseOptions with = inverse_options(arm, keywords);
-  with.seed = Value<std::optional<Configuration>>::from(seed, "seed");
-  const Pose world_T_tool = PosePlane(arm).pose(pose, "world_T_tool");
-  if (!out.is_none()) return nb::cast(solve_into(arm, world_T_tool, out, with));
-  return nb::cast(
-      unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); }));
-}
-
 /// Poses of a batch as columns of the layout.
 struct PoseColumns {
   Eigen::MatrixXd values;
@@ -96,14 +56,14 @@ PoseColumns columns_of(const std::vector<Pose>& poses) {
   return columns;
 }
 
-PoseColumns pose_columns(const Arm& arm, nb::handle value, PoseLayout layout) {
+PoseColumns pose_columns(const PosePlane& plane, nb::handle value, PoseLayout layout) {
   constexpr const char* name = "world_T_tool";
   const bool matrix = layout == PoseLayout::matrix;
-  const PosePlane plane(arm);
   if (matrix && !is_array(value)) return columns_of(plane.poses(value, name));
   const InputArray array(value, name);
   const auto shape = array.shape();
   if (matrix && plane.planar_shape(shape)) {
+    check_rows(array);
     PoseColumns columns{Eigen::MatrixXd(16, array.rows(1)), {shape.begin(), shape.end() - 1}};
     for (Index i = 0; i < columns.values.cols(); ++i) {
       columns.values.col(i) = plane.pose_of(array.data() + 3 * i).matrix().reshaped();
@@ -147,7 +107,9 @@ Eigen::MatrixXd seeds_from(const Arm& arm, nb::handle value, const PoseColumns& 
   return Eigen::Map<const Eigen::MatrixXd>(seeds.data(), arm.dof(), seeds.count());
 }
 
-BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwargs& given) {
+/// `seed` and `out` are options too: named parameters take less time in control loops.
+BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, nb::handle seed, nb::handle out,
+                         const nb::kwargs& given) {
   nb::dict keywords = nb::borrow<nb::dict>(given);
   BatchOptions with;
   if (const nb::object threads = taken(keywords, "threads"); !threads.is_none()) {
@@ -156,12 +118,11 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
   if (const nb::object layout = taken(keywords, "layout"); !layout.is_none()) {
     with.layout = Value<PoseLayout>::from(layout, "layout");
   }
-  const nb::object seed = taken(keywords, "seed"), out = taken(keywords, "out");
   const nb::object progress = taken(keywords, "progress");
   InverseOptions inverse = inverse_options(arm, keywords);
   with.budget = std::exchange(inverse.budget, Budget());
   with.budget.progress = progress_of(progress);
-  const PoseColumns poses = pose_columns(arm, world_T_tool, with.layout);
+  const PoseColumns poses = pose_columns(PosePlane(arm), world_T_tool, with.layout);
   const Eigen::MatrixXd seeds = seeds_from(arm, seed, poses);
   std::vector<Index> shape = poses.shape;
   shape.push_back(arm.dof());
@@ -172,34 +133,91 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
   return {{results.finish()}, result.ending, result.computed, result.solved};
 }
 
+/// Whether a keyword has a result of many poses, also for one.
+bool has_batch_keyword(const nb::kwargs& keywords) {
+  if (keywords.empty()) return false;
+  return keywords.contains("layout") || keywords.contains("threads");
+}
+
+/// One pose or many.
+nb::object inverse(const Arm& arm, nb::handle pose, nb::handle seed, nb::handle out,
+                   const nb::kwargs& keywords) {
+  const PosePlane plane(arm);
+  if (has_batch_keyword(keywords) || plane.many(pose)) {
+    return nb::cast(batch(arm, pose, seed, out, keywords));
+  }
+  InverseOptions with = inverse_options(arm, keywords);
+  with.seed = Value<std::optional<Configuration>>::from(seed, "seed");
+  const Pose world_T_tool = plane.pose(pose, "world_T_tool");
+  if (!out.is_none()) return nb::cast(solve_into(arm, world_T_tool, out, with));
+  return nb::cast(
+      unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); }));
+}
+
 Signature& takes_pose(Signature& signature) {
   return signature.takes("world_T_tool", arm_pose_like,
                          "Pose of the tool (4, 4); of a planar arm also [x, y, theta] or a Pose2; "
                          "or an SE3 of pinocchio or spatialmath, or a RigidTransform of scipy.");
 }
 
-void bind_one(nb::module_& m) {
-  Signature one("inverse_kinematics", "InverseResult", comment("inverse_kinematics"));
-  takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
-  one.returns("True when solved.");
-  define_on_arm(m, &inverse, one, nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(),
-                nb::arg("seed") = nb::none(), nb::arg("out") = nb::none(), nb::arg("options"));
+/// The signature of a function that takes many poses.
+Signature many_signature(const char* name, const char* summary) {
+  Signature signature(name, "BatchInverseResult", summary);
+  signature.takes_arm()
+      .takes("world_T_tool", arm_poses_like,
+             "Poses (..., 4, 4), or a list of poses; of a planar arm also (..., 3), x, y, theta "
+             "each, or Pose2. A pose that is not finite has no solution.")
+      .keywords()
+      .takes("layout", Value<PoseLayout>::type(),
+             "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")
+      .member<&BatchOptions::threads>()
+      .takes("out", std::string(array_type) + " | None", "Array for q.", "None")
+      .progress()
+      .options<InverseOptions>();
+  return signature;
+}
 
-  // The same function takes `out`; this adds the annotation.
+void bind_inverse_kinematics(nb::module_& m) {
+  // The same function for each annotation.
+  const auto add = [&](const Signature& signature) {
+    define_on_arm(m, &inverse, signature, nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(),
+                  nb::arg("seed") = nb::none(), nb::arg("out") = nb::none(), nb::arg("options"));
+  };
+  Signature one("inverse_kinematics", "InverseResult", comment("inverse_kinematics"));
+  takes_pose(one.takes_arm()).options<InverseOptions>();
+  add(one.returns("True when solved."));
+
   Signature into(
       "inverse_kinematics", "int",
       "For control loops: writes the solutions, nearest to the seed first, into the rows of `out`, "
       "as many as fit, without a diagnosis of failures. The other rows become NaN.");
-  takes_pose(into.takes("arm", "Arm", "The arm."))
+  takes_pose(into.takes_arm())
       .keywords()
       .takes("out", array_type, "(n,), or (N, n) with the option `all`.")
       .options<InverseOptions>()
       .returns("The number of solutions written.");
-  define_on_arm(m, &inverse, into, nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(),
-                nb::arg("seed") = nb::none(), nb::arg("out") = nb::none(), nb::arg("options"));
+  add(into);
 
+  add(many_signature(
+      "inverse_kinematics",
+      "For many poses: computes one solution for each, as batch_inverse() does; `all` "
+      "and `every_turn` are ignored. "
+      "Which result it is follows from the shape of the poses; with `layout` or "
+      "`threads` one pose too has this one."));
+
+  define(m, &batch,
+         many_signature(
+             "batch_inverse",
+             "Computes one solution for each of many poses, by all cores. It takes the keywords "
+             "of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
+             "`all` and `every_turn` are ignored; the budget is for the whole batch."),
+         nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("seed") = nb::none(),
+         nb::arg("out") = nb::none(), nb::arg("options"));
+}
+
+void bind_inverse_method(nb::module_& m) {
   Signature method("inverse_method", "str", comment("inverse_method"));
-  method.takes("arm", "Arm", "The arm.").options<InverseOptions>();
+  method.takes_arm().options<InverseOptions>();
   define_on_arm(
       m,
       [](const Arm& arm, const nb::kwargs& keywords) {
@@ -242,25 +260,8 @@ void bind_inverse(nb::module_& m) {
       getter("has_solution", "numpy.typing.NDArray[numpy.bool_]"),
       "Which poses have a solution (...).");
 
-  bind_one(m);
-
-  Signature batched(
-      "batch_inverse", "BatchInverseResult",
-      "Computes one solution for each of many poses, by all cores. It takes the keywords "
-      "of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
-      "`all` and `every_turn` are ignored; the budget is for the whole batch.");
-  batched.takes("arm", "Arm", "The arm.")
-      .takes("world_T_tool", arm_poses_like,
-             "Poses (..., 4, 4), or a list of poses; of a planar arm also (..., 3), x, y, theta "
-             "each, or Pose2. A pose that is not finite has no solution.")
-      .keywords()
-      .takes("layout", Value<PoseLayout>::type(),
-             "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")
-      .member<&BatchOptions::threads>()
-      .takes("out", std::string(array_type) + " | None", "Array for q.", "None")
-      .progress()
-      .options<InverseOptions>();
-  define(m, &batch, batched, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
+  bind_inverse_kinematics(m);
+  bind_inverse_method(m);
 }
 
 }  // namespace beeline::python

@@ -194,11 +194,11 @@ constexpr const char* real_array = "numpy.typing.NDArray[_Real]";
 
 Signature batch_signature(const char* name, const char* returns, const char* summary) {
   Signature signature(name, returns, summary);
-  signature.takes("arm", "Arm", "The arm.")
-      .takes("q", array_like,
-             std::string(configurations_doc) +
-                 " float32 is computed in float32; all else in float64. Where a row of a batch is "
-                 "not finite, neither are its results.");
+  signature.takes_arm().takes(
+      "q", array_like,
+      std::string(configurations_doc) +
+          " float32 is computed in float32; all else in float64. Where a row of a batch is "
+          "not finite, neither are its results.");
   return signature;
 }
 

@@ -72,7 +72,7 @@ bool holds_directly(PyArrayObject* array, bool transposed) {
 
 /// numpy takes the values below a mask without a word. Lists are those that it has read as numbers.
 void refuse_masked(nb::handle value, const char* name) {
-  if (nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) {
+  if (is_list(value)) {
     for (const nb::handle item : nb::borrow(value)) {
       if (!PyFloat_CheckExact(item.ptr())) refuse_masked(item, name);
     }
@@ -104,6 +104,35 @@ std::pair<std::uintptr_t, std::uintptr_t> range_of(PyArrayObject* array) {
   return {begin, end};
 }
 
+/// The items of a list or tuple.
+class Items {
+ public:
+  explicit Items(nb::handle list) : list_(list.ptr()), tuple_(PyTuple_Check(list.ptr())) {}
+  std::size_t size() const {
+    return static_cast<std::size_t>(tuple_ ? PyTuple_Size(list_) : PyList_Size(list_));
+  }
+  PyObject* operator[](std::size_t i) const {
+    const auto k = static_cast<Py_ssize_t>(i);
+    return tuple_ ? PyTuple_GetItem(list_, k) : PyList_GetItem(list_, k);
+  }
+
+ private:
+  PyObject* list_;
+  bool tuple_;
+};
+
+/// Reads a float, also one of numpy, or an int that numpy would read as one of its integers.
+bool read_number(PyObject* item, double& number) {
+  if (PyFloat_CheckExact(item) || Py_TYPE(item) == &PyDoubleArrType_Type) {
+    number = PyFloat_AsDouble(item);
+    return true;
+  }
+  if (!PyLong_CheckExact(item)) return false;
+  int overflow = 0;
+  number = static_cast<double>(PyLong_AsLongLongAndOverflow(item, &overflow));
+  return overflow == 0;
+}
+
 }  // namespace
 
 void import_numpy() {
@@ -112,8 +141,40 @@ void import_numpy() {
 
 bool is_array(nb::handle value) { return PyArray_Check(value.ptr()); }
 
+bool is_list(nb::handle value) { return PyList_Check(value.ptr()) || PyTuple_Check(value.ptr()); }
+
+bool FewNumbers::read_row(nb::handle row) {
+  const Items items(row);
+  if (size_ + items.size() > values_.size()) return false;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!read_number(items[i], values_[size_++])) return false;
+  }
+  return true;
+}
+
+bool FewNumbers::read(nb::handle value) {
+  if (!is_list(value)) return false;
+  const Items rows(value);
+  if (rows.size() == 0) return false;
+  rows_ = is_list(rows[0]);
+  const std::size_t columns = Items(rows_ ? rows[0] : value.ptr()).size();
+  shape_ = {static_cast<Index>(rows.size()), static_cast<Index>(columns)};
+  if (columns == 0) return false;
+  if (!rows_) return read_row(value);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!is_list(rows[i]) || Items(rows[i]).size() != columns || !read_row(rows[i])) return false;
+  }
+  return true;
+}
+
 InputArray::InputArray(nb::handle value, const char* name, bool float32)
     : name_(name), real_(Real::float64) {
+  if (few_.read(value)) {
+    dimensions_ = few_.dimensions();
+    shape_ = few_.shape();
+    data_ = few_.data();
+    return;
+  }
   if (value.is_none()) {
     throw nb::type_error((std::string(name) + ": expected numbers, not None").c_str());
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -20,6 +21,27 @@ void import_numpy();
 
 /// Whether the object is a numpy array.
 bool is_array(nb::handle value);
+/// Whether the object is a list or a tuple.
+bool is_list(nb::handle value);
+
+/// The numbers of a list, or of a list of rows of equal length, read without numpy, which takes
+/// several times as long for few.
+class FewNumbers {
+ public:
+  /// Returns whether the object is such a list, of as many numbers as a pose has at most. Another
+  /// one is left to numpy.
+  bool read(nb::handle value);
+  const double* data() const { return values_.data(); }
+  int dimensions() const { return rows_ ? 2 : 1; }
+  const Index* shape() const { return shape_.data(); }
+
+ private:
+  bool read_row(nb::handle row);
+  std::array<double, 16> values_;
+  std::size_t size_ = 0;
+  std::array<Index, 2> shape_;  ///< without rows both are the length
+  bool rows_ = false;
+};
 
 /// An argument as a C-contiguous array of float64, or of float32 where it is one and `float32` is
 /// accepted. Refers to the caller's memory where its dtype and strides allow, else to a copy.
@@ -31,7 +53,7 @@ class InputArray {
   InputArray(nb::handle value, const char* name, bool float32 = false);
   InputArray(const InputArray&) = delete;
   InputArray& operator=(const InputArray&) = delete;
-  ~InputArray() { Py_DECREF(array_); }
+  ~InputArray() { Py_XDECREF(array_); }
 
   const char* name() const { return name_; }
   Real real() const { return real_; }
@@ -47,7 +69,8 @@ class InputArray {
   Index rows(int inner) const;
 
  private:
-  PyObject* array_;
+  FewNumbers few_;
+  PyObject* array_ = nullptr;  ///< null: the numbers are in few_
   const char* name_;
   Real real_;
   int dimensions_;

@@ -83,7 +83,7 @@ namespace {
 Picture picture_from(nb::handle slice) {
   const SliceArray* single = nullptr;
   if (nb::try_cast<const SliceArray*>(slice, single) && single) return picture_of(*single);
-  if (!nb::isinstance<nb::list>(slice) && !nb::isinstance<nb::tuple>(slice)) {
+  if (!is_list(slice)) {
     raise_type("slice", "a ReachSlice or a list of two", slice);
   }
   const auto pair = Value<std::array<SliceArray, 2>>::from(slice, "slice");

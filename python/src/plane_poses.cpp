@@ -7,15 +7,31 @@
 namespace beeline::python {
 namespace {
 
-bool is_list(nb::handle value) {
-  return nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value);
-}
-
 /// Whether a list has poses as objects, not numbers or rows of them.
 bool has_objects(nb::handle value) {
   if (!is_list(value) || nb::len(value) == 0) return false;
   const nb::object first = value[0];
   return !is_array(first) && !is_list(first) && !PyNumber_Check(first.ptr());
+}
+
+/// The number of dimensions of lists and arrays in one another, and the length of the last one. A
+/// pose as an object is a matrix; numpy has 64 dimensions at most.
+struct Form {
+  int dimensions;
+  Index last;
+};
+
+Form form_of(nb::handle value, int outer = 0) {
+  if (is_array(value)) {
+    const auto shape = python::shape_of(value);
+    return {static_cast<int>(shape.size()), shape.empty() ? 0 : shape.back()};
+  }
+  if (!is_list(value)) return PyNumber_Check(value.ptr()) ? Form{0, 0} : Form{2, 4};
+  const auto length = static_cast<Index>(nb::len(value));
+  if (length == 0 || outer == 64) return {3, length};
+  const nb::object first = value[0];
+  const Form inner = form_of(first, outer + 1);
+  return {inner.dimensions + 1, inner.dimensions == 0 ? length : inner.last};
 }
 
 }  // namespace
@@ -43,7 +59,7 @@ Pose PosePlane::pose_of(const double* numbers) const {
 }
 
 Pose PosePlane::pose(nb::handle value, const char* name) const {
-  if (nb::isinstance<Pose2>(value)) {
+  if (!is_array(value) && nb::isinstance<Pose2>(value)) {
     if (!height_) {
       throw Error(std::string(name) + ": a Pose2 is for planar arms; a pose of " + arm_ +
                   " is spatial");
@@ -53,7 +69,14 @@ Pose PosePlane::pose(nb::handle value, const char* name) const {
   const nb::object matrix = matrix_of(value);
   const InputArray array(matrix, name);
   const bool planar = array.dimensions() == 1 && planar_shape(array.shape());
-  return planar ? checked_pose(pose_of(array.data()), name) : Value<Pose>::from(matrix, name);
+  return checked_pose(planar ? pose_of(array.data()) : python::pose_of(array), name);
+}
+
+bool PosePlane::many(nb::handle value) const {
+  const bool plain = is_array(value) || is_list(value);
+  if (!plain && nb::isinstance<Pose2>(value)) return false;
+  const Form form = plain ? form_of(value) : form_of(matrix_of(value));
+  return form.dimensions > (height_ && form.last == 3 ? 1 : 2);
 }
 
 std::vector<Pose> PosePlane::poses(nb::handle value, const char* name) const {
@@ -67,14 +90,19 @@ std::vector<Pose> PosePlane::poses(nb::handle value, const char* name) const {
   const nb::object matrices = matrix_of(value);
   const InputArray array(matrices, name);
   if (array.dimensions() > 2 || !planar_shape(array.shape())) return poses_from(matrices, name);
-  const double* last = array.data() + 6;
-  if (array.rows(1) == 3 && last[0] == 0 && last[1] == 0 && last[2] == 1) {
-    throw Error(std::string(name) + " may be a matrix of SE(2); give [x, y, theta] or a Pose2");
-  }
+  check_rows(array);
   for (Index i = 0; i < array.rows(1); ++i) {
     poses.push_back(checked_pose(pose_of(array.data() + 3 * i), name));
   }
   return poses;
+}
+
+void check_rows(const InputArray& array) {
+  if (array.dimensions() != 2 || array.rows(1) != 3) return;
+  const double* last = array.data() + 6;
+  if (last[0] != 0 || last[1] != 0 || last[2] != 1) return;
+  throw Error(std::string(array.name()) +
+              " may be a matrix of SE(2); give [x, y, theta] or a Pose2");
 }
 
 }  // namespace beeline::python

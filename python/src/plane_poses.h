@@ -36,6 +36,9 @@ class PosePlane {
 
   /// The argument's pose. Throws Error, which names the argument, for what is none.
   Pose pose(nb::handle value, const char* name) const;
+  /// Whether the argument is many poses, none included: an array of more dimensions than a pose, or
+  /// a list of poses.
+  bool many(nb::handle value) const;
   /// One pose or many.
   std::vector<Pose> poses(nb::handle value, const char* name) const;
   /// Whether an array of this shape has x, y and theta in its last dimension.
@@ -49,5 +52,8 @@ class PosePlane {
   std::string arm_;
   std::optional<double> height_;  ///< none: the arm is not planar
 };
+
+/// Throws Error where rows x, y, theta may be a matrix of SE(2).
+void check_rows(const InputArray& array);
 
 }  // namespace beeline::python

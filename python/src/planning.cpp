@@ -53,7 +53,7 @@ BranchOptions branch_options(const Arm& arm, const nb::kwargs& keywords) {
 
 void bind_moves(nb::module_& m) {
   Signature along("move_along", "PathMotion", comment("move_along"));
-  along.takes("arm", "Arm", "The arm.")
+  along.takes_arm()
       .takes("start", start_type(), start_doc)
       .takes("route", "Route", "See route_of().")
       .options<PathMotionOptions>();
@@ -72,12 +72,12 @@ void bind_moves(nb::module_& m) {
       "Moves the tool in straight lines from its pose at `start` through the waypoints, at rest at "
       "each; arrivals[i] belongs to waypoints[i]. Orientations follow the shortest rotation. "
       "Without a start, from the first waypoint. See move_along().");
-  lines.takes("arm", "Arm", "The arm.")
+  lines.takes_arm()
       .takes("start", start_type(),
              "Configuration (n,); None: the best one for the first waypoint.")
       .takes("waypoints", arm_poses_like, arm_poses_doc)
       .options<PathMotionOptions>();
-  define(
+  define_on_arm(
       m,
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
@@ -98,7 +98,7 @@ void bind_branches(nb::module_& m) {
                  "the task follows the shortest path through a layered graph of configurations "
                  "(Ferrentino and Chiacchio 2020); any other arm the best of all branches. If none "
                  "is complete, returns the one that reaches farthest, with its reason.");
-  plan.takes("arm", "Arm", "The arm.")
+  plan.takes_arm()
       .takes("start", start_type(), start_doc)
       .takes("path", "ToolPath", "Path.")
       .options<BranchOptions>();
@@ -112,7 +112,7 @@ void bind_branches(nb::module_& m) {
       plan, nb::arg("arm"), nb::arg("start").none(), nb::arg("path"), nb::arg("keywords"));
 
   Signature map("branch_map", "list[Branch]", comment("branch_map"));
-  map.takes("arm", "Arm", "The arm.").takes("path", "ToolPath", "Path.").options<BranchOptions>();
+  map.takes_arm().takes("path", "ToolPath", "Path.").options<BranchOptions>();
   define(
       m,
       [](const Arm& arm, const ToolPath& path, const nb::kwargs& keywords) {
@@ -123,7 +123,7 @@ void bind_branches(nb::module_& m) {
       map, nb::arg("arm"), nb::arg("path"), nb::arg("keywords"));
 
   Signature nearby("nearby_path", "NearbyPath | None", comment("nearby_path"));
-  nearby.takes("arm", "Arm", "The arm.")
+  nearby.takes_arm()
       .takes("start", start_type(), start_doc)
       .takes("path", "ToolPath", "Path.")
       .takes("rotate", "bool", "Rotate the tool instead of moving the path.", "False")

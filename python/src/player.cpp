@@ -12,7 +12,7 @@ nb::class_<Described<Player>> player_class(nb::module_& m) {
                  "arm or leaves its position limits, and a start outside them.");
   made.summary_has_motions()
       .takes("self")
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("recording", "Trajectory", "Its joints are matched by name.")
       .takes("start", array_like, configuration_doc)
       .options<PlayerOptions>();

@@ -77,7 +77,7 @@ void bind_load(nb::class_<Program>& program) {
       "relative, q, speed, blend, dwell, part, touch. Raises FileError for invalid lines, which it "
       "names.");
   load.takes("path", path_like, "Path.")
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .keywords()
       .takes("angle_unit", Value<AngleUnit>::type(), "Of angles in the file.", "'radians'")
       .takes("states", std::string("dict[str, ") + array_like + "] | None",
@@ -112,7 +112,7 @@ void bind_programs(nb::module_& m) {
       "ends at a configuration from which the moves up to the next joint move are possible; no "
       "other move changes the branch. verify() proves the deviation of all moves but joint moves, "
       "with all pauses. Raises Error for a program that makes no sense, whose move it names.");
-  planned.takes("arm", "Arm", "The arm.")
+  planned.takes_arm()
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "
              "belong to a joint move or a line.")

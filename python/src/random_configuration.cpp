@@ -36,14 +36,23 @@ void bind_random_configurations(nb::module_& m) {
       "Returns a configuration, or `count` of them, uniform within the position limits. A joint "
       "without limits turns within a revolution, from -pi to pi; a slide moves within 2 m, from -1 "
       "to 1; with one limit they are within one revolution or 2 m of it.");
-  drawn.takes("arm", "Arm", "The arm.")
+  drawn.takes_arm()
       .takes("count", "int | None", "Number of rows; None: one configuration.", "None")
       .keywords()
-      .takes("seed", "int | None", "The same seed gives the same numbers; None: others each time.",
+      .takes("seed", "int | None",
+             "The same seed gives the same numbers on every system; None: others each time.",
              "None")
       .returns("(n,), or (count, n).");
   define_on_arm(m, &random_configurations, drawn, nb::arg("arm"), nb::arg("count") = nb::none(),
                 nb::kw_only(), nb::arg("seed") = nb::none());
+
+  Signature brief("random", array_type, "Returns random_configuration(count, seed=seed).");
+  brief.takes("self")
+      .takes("count", "int | None", "Number of rows; None: one configuration.", "None")
+      .takes("seed", "int | None", "The same seed gives the same numbers on every system.", "None");
+  auto type = nb::borrow<nb::class_<Arm>>(m.attr("Arm"));
+  define(type, &random_configurations, brief, nb::arg("count") = nb::none(),
+         nb::arg("seed") = nb::none());
 }
 
 }  // namespace beeline::python

@@ -236,7 +236,7 @@ void bind_cells(nb::module_& m) {
       "turn about the tool's z axis, for azimuths of an arm whose solutions cannot all be "
       "computed, and by sampling for azimuths, one orientation, and a joint without position "
       "limits that is not revolute or that others follow.");
-  cells.takes("arm", "Arm", "The arm.")
+  cells.takes_arm()
       .takes("grid", "ReachGrid", "The cells.")
       .takes("first", "int", "First position.", "0")
       .takes("last", "int | None", "The one after the last position; None: all.", "None")
@@ -300,7 +300,7 @@ void bind_reach(nb::module_& m) {
                  "or azimuths, azimuths of an arm whose first joint does not turn about an axis "
                  "parallel to z, a box that is empty or without bounds, more than a million cells "
                  "along an axis, and more than 2^52 in all.");
-  made.takes("self").takes("arm", "Arm", "The arm.").options<ReachGridOptions>();
+  made.takes("self").takes_arm().options<ReachGridOptions>();
   define(
       grid,
       [](GridOfArm* self, nb::handle arm, const nb::kwargs& keywords) {

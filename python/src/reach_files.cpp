@@ -43,7 +43,7 @@ void bind_merging(nb::module_& m) {
   define(
       m,
       [](nb::handle parts, nb::handle path, nb::handle incomplete) {
-        if (!nb::isinstance<nb::list>(parts) && !nb::isinstance<nb::tuple>(parts)) {
+        if (!is_list(parts)) {
           raise_type("parts", "a list of paths", parts);
         }
         std::vector<std::string> files;
@@ -80,7 +80,7 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
                   "on the size of the map. Raises Error as reach_cells() does, for a shard that "
                   "does not exist, for a folder with parts of another map, ") +
           without_hdf5 + ".");
-  compute.takes("arm", "Arm", "The arm.")
+  compute.takes_arm()
       .takes("grid", "ReachGrid", "The cells.")
       .takes("path", path_like, "The file; it is replaced.")
       .options<ReachOptions>()

@@ -195,7 +195,7 @@ void bind_making(nb::module_& m, nb::class_<ReachMap>& map) {
                  "Makes a map in memory of cells that were computed. Raises Error for cells that "
                  "were not computed to the end or do not cover all positions of the grid.");
   made.takes("self")
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("grid", "ReachGrid", "The cells.")
       .takes("cells", "ReachCells", "Of all positions, as reach_cells() returns them.")
       .options<MapOptions>();
@@ -210,7 +210,7 @@ void bind_making(nb::module_& m, nb::class_<ReachMap>& map) {
                      "Computes the map of an arm in memory: ReachMap of the reach_cells() of all "
                      "positions of a ReachGrid. Raises Error as ReachGrid and reach_cells() do, "
                      "and for a map that the budget ended.");
-  computed.takes("arm", "Arm", "The arm.").options<ReachGridOptions>().options<ReachOptions>();
+  computed.takes_arm().options<ReachGridOptions>().options<ReachOptions>();
   define(
       m,
       [](const Arm& arm, const nb::kwargs& keywords) {

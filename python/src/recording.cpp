@@ -12,7 +12,7 @@ JointMap joint_map_from(const Arm& arm, nb::handle value) {
   if (PyUnicode_Check(value.ptr())) {
     return read_joint_map(Value<std::string>::from(value, "joint_map"), arm);
   }
-  if (!nb::isinstance<nb::list>(value) && !nb::isinstance<nb::tuple>(value)) {
+  if (!is_list(value)) {
     raise_type("joint_map", "a text or a list", value);
   }
   JointMap map;
@@ -75,8 +75,8 @@ void takes_reading(Signature& signature) {
 }
 
 Trajectory loaded(const std::string& file, nb::handle arm, const ReadingKeywords& keywords) {
-  const Arm* known = nullptr;
-  if (!arm.is_none() && !nb::try_cast<const Arm*>(arm, known)) raise_type("arm", "an Arm", arm);
+  const Arm* known = arm_of(arm);
+  if (known == nullptr && !arm.is_none()) raise_type("arm", "an Arm", arm);
   if (known != nullptr) return recording_in(file, *known, keywords.options(*known)).trajectory;
   const bool plain = keywords.joint_map.is_none() && keywords.time_unit.is_none() &&
                      angle_unit_from(keywords.angle_unit, keywords.unit) == AngleUnit::radians;
@@ -121,7 +121,7 @@ void bind_loading(nb::class_<Trajectory>& trajectory) {
                            "read_recording(). Raises FileError for invalid lines, which it names.";
   Signature load("load", "Trajectory", text);
   load.takes("path", path_like, "Its ending determines the format.")
-      .takes("arm", "Arm | None", "The arm.", "None");
+      .takes("arm", "Arm | str | None", "The arm.", "None");
   takes_reading(load);
   define_static(
       trajectory,
@@ -144,8 +144,7 @@ void bind_recordings(nb::module_& m) {
           "notes on how it was read too. A RecordingWarning is issued for each. ") +
       tables + " Raises FileError for invalid lines, which it names.";
   Signature read("read_recording", "Recording", text);
-  read.takes("path", path_like, "Its ending determines the format.")
-      .takes("arm", "Arm", "The arm.");
+  read.takes("path", path_like, "Its ending determines the format.").takes_arm();
   takes_reading(read);
   read.takes("detect_degrees", "bool",
              "Read a recording that gives no unit in degrees if an angle is more than a revolution "

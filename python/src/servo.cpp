@@ -26,7 +26,7 @@ ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
 nb::class_<Described<Servo>> servo_class(nb::module_& m) {
   nb::class_<Described<Servo>> servo(m, "Servo", loop_class_doc("Servo"));
   Signature made("__init__", "None", "Starts a loop of an arm at rest.");
-  made.takes("self").takes("arm", "Arm", "The arm.").options<ServoOptions>();
+  made.takes("self").takes_arm().options<ServoOptions>();
   define(
       servo,
       [](Described<Servo>* self, const Arm& arm, const nb::kwargs& keywords) {

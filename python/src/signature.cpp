@@ -35,7 +35,7 @@ void Signature::refuses(const std::string& name, const std::string& type) {
     names += (names.empty() ? "`" : ", `") + name + "`";
   };
   const auto has = [&](const char* text) { return type.find(text) != std::string::npos; };
-  if (type == "Arm") {
+  if (type == arm_like) {
     has_arm_ = true;
   } else if (has("Trajectory")) {
     among(motions_);
@@ -83,7 +83,8 @@ std::string Signature::raised() const {
 }
 
 Signature Signature::of_arm() const {
-  const std::string parameter = "arm: Arm", documented = "arm : Arm\n    The arm.\n";
+  const std::string like = arm_like, parameter = "arm: " + like,
+                    documented = "arm : " + like + "\n    " + arm_doc + "\n";
   Signature method = *this;
   method.parameters_.replace(0, parameter.size(), "self");
   method.documented_.erase(0, documented.size());

@@ -54,6 +54,10 @@ std::string default_text(const M& value) {
 template <class Options>
 constexpr bool reports = true;
 
+/// The annotation of arms in arguments, and the documentation of the argument `arm`.
+inline constexpr const char* arm_like = "Arm | str";
+inline constexpr const char* arm_doc = "The arm, or the name of a built-in one.";
+
 /// The signature and the docstring, in numpydoc's form, of a function.
 ///
 /// The section "Raises" names the arguments by their types: arrays may have another shape, a
@@ -66,6 +70,8 @@ class Signature {
   /// Adds a parameter. Without `fallback` it is required.
   Signature& takes(const std::string& name, const std::string& type = "",
                    const std::string& doc = "", const std::string& fallback = "");
+  /// Adds the parameter `arm`.
+  Signature& takes_arm() { return takes("arm", arm_like, arm_doc); }
   /// Adds a parameter that sets a member of a struct, with its comment and default.
   template <auto Member>
   Signature& member() {

@@ -57,7 +57,7 @@ void bind_measures(nb::module_& m) {
   Signature gradient("manipulability_gradient", "ManipulabilityGradient",
                      "Returns the manipulability of the task's rows and its gradient, by Jacobi's "
                      "formula for the derivative of det(J J^T).");
-  gradient.takes("arm", "Arm", "The arm.")
+  gradient.takes_arm()
       .takes("q", array_like, "Configuration (n,).")
       .takes("task", "str | None", optional_task_doc, "None");
   define(
@@ -73,13 +73,13 @@ void bind_rates(nb::module_& m) {
   bind_record<RateExcess>(m);
   bind_record<JointRates>(m);
   Signature rates("joint_rates", "JointRates", comment("joint_rates"));
-  rates.takes("arm", "Arm", "The arm.")
+  rates.takes_arm()
       .takes("q", array_like, "Configuration (n,).")
       .takes("velocity", array_like,
              "One number for each row of the task, in the frame: m/s and rad/s, (m,).")
       .options<JointRatesOptions>();
   rates.returns("True when the rates give the velocity, or are damped.");
-  define(
+  define_on_arm(
       m,
       [](const Arm& arm, nb::handle q, nb::handle velocity, const nb::kwargs& keywords) {
         return joint_rates(arm, Value<Configuration>::from(q, "q"),
@@ -149,7 +149,7 @@ void bind_tasks(nb::module_& m) {
   bind_record<ManipulabilityEllipsoids>(m);
   bind_record<ManipulabilityGradient>(m);
   Signature usual("default_task", "str", "Returns `planar` for a planar arm, else `spatial`.");
-  usual.takes("arm", "Arm");
+  usual.takes("arm", arm_like);
   define(
       m, [](const Arm& arm) { return Value<Task>::to(default_task(arm)); }, usual, nb::arg("arm"));
   Signature names("row_names", "list[str]",
@@ -162,7 +162,7 @@ void bind_tasks(nb::module_& m) {
   Signature task("task_jacobian", array_type,
                  "Returns the task's rows of the Jacobian in the task's frame, its linear rows "
                  "divided by `length_unit`: so scaled, metres and radians compare.");
-  task.takes("arm", "Arm", "The arm.")
+  task.takes_arm()
       .takes("q", array_like, configurations_doc)
       .takes("task", "str | None", optional_task_doc, "None")
       .takes("length_unit", "float", "Metres.", "1.0")

@@ -42,10 +42,7 @@ PointToPoint planned(nb::handle arm, nb::handle from, nb::handle to, nb::handle 
   const Configuration end = Value<Configuration>::from(to, "to");
   const PointToPointOptions options{Value<Synchronise>::from(synchronise, "synchronise"),
                                     Value<bool>::from(from_outside, "from_outside")};
-  const Arm* given = nullptr;
-  if (nb::try_cast<const Arm*>(arm, given) && given) {
-    return point_to_point(*given, begin, end, options);
-  }
+  if (const Arm* given = arm_of(arm)) return point_to_point(*given, begin, end, options);
   PointToPoint motion;
   point_to_point(Value<std::vector<Limits>>::from(arm, "arm"), begin, end, motion, options);
   return motion;
@@ -91,7 +88,7 @@ void bind_point_to_point(nb::module_& m) {
                  "Minimises the duration of a motion from rest to rest subject to the joints' "
                  "limits on velocity, acceleration and jerk. Unknown limits of an arm are assumed; "
                  "of a list of limits, infinite limits of acceleration and jerk do not bind.");
-  made.takes("arm", "Arm | collections.abc.Sequence[Limits]",
+  made.takes("arm", "Arm | str | collections.abc.Sequence[Limits]",
              "The arm, or the limits of each coordinate.")
       .takes("from_", array_like, "Configuration (n,).")
       .takes("to", array_like, "Configuration (n,).")
@@ -106,7 +103,7 @@ void bind_point_to_point(nb::module_& m) {
                     "more: the quintics between the samples are within the arm's limits at all "
                     "times. The first sample is exactly `from_`, the last `to`; one sample where "
                     "nothing moves; none where the budget ends it.");
-  samples.takes("arm", "Arm", "The arm.")
+  samples.takes_arm()
       .takes("motion", "PointToPoint", "Of the arm.")
       .takes("rate", "float", "Samples per second, above 0.")
       .options<BudgetOptions>();
@@ -125,7 +122,7 @@ void bind_time_scaling(nb::module_& m) {
   nb::class_<TimeScaling> scaling = bind_record<TimeScaling>(m);
   scaling.def_prop_ro("duration", &TimeScaling::duration, "s.");
   Signature of_arm("path_limits", "PathLimits", comment("path_limits"));
-  of_arm.takes("arm", "Arm", "The arm.").member<&RetimeOptions::speed_scale>();
+  of_arm.takes_arm().member<&RetimeOptions::speed_scale>();
   define(
       m,
       [](const Arm& arm, nb::handle speed_scale) {
@@ -157,7 +154,7 @@ void bind_timing(nb::module_& m) {
   bind_record<Retimed>(m);
   Signature retimed("retime", "Retimed", comment("retime"));
   retimed.summary_has_motions()
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<RetimeOptions>();
   define(

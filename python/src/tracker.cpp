@@ -11,7 +11,7 @@ nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
   Signature made("__init__", "None",
                  "Starts at rest at `start`. Raises Error for a start outside the arm's limits.");
   made.takes("self")
-      .takes("arm", "Arm", "The arm.")
+      .takes_arm()
       .takes("start", array_like, configuration_doc)
       .options<TrackerOptions>();
   define(

@@ -77,7 +77,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
          nb::arg("side") = "after");
 
   Signature matched("matched_to", "Trajectory", comment("matched_to"));
-  matched.takes("self").takes("arm", "Arm", "The arm.");
+  matched.takes("self").takes_arm();
   takes_matching(matched);
   define(
       trajectory,
@@ -93,7 +93,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
                    "values wrap after a revolution. Whole revolutions are taken out of continuous "
                    "joints where only that keeps the velocity limits, known or assumed. Raises "
                    "Error for a trajectory that does not belong to the arm.");
-  turned.takes("self").takes("arm", "Arm", "The arm.");
+  turned.takes("self").takes_arm();
   define(
       trajectory, [](const Trajectory& self, const Arm& arm) { return unwrapped(arm, self); },
       turned, nb::arg("arm"));
@@ -116,14 +116,14 @@ void bind_files(nb::class_<Trajectory>& trajectory) {
 
 void bind_limit_usage(nb::module_& m) {
   Signature rest("at_rest", "Trajectory", comment("at_rest"));
-  rest.takes("arm", "Arm", "The arm.").takes("q", array_like, "Configuration (n,).");
+  rest.takes_arm().takes("q", array_like, "Configuration (n,).");
   define(
       m,
       [](const Arm& arm, nb::handle q) { return at_rest(arm, Value<Configuration>::from(q, "q")); },
       rest, nb::arg("arm"), nb::arg("q"));
 
   Signature usage("limit_usage", "LimitUsage", comment("limit_usage"));
-  usage.takes("arm", "Arm", "The arm.")
+  usage.takes_arm()
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
       .options<BudgetOptions>();
   define(
@@ -168,7 +168,7 @@ void bind_slowdowns(nb::module_& m) {
 
 void bind_comparisons(nb::module_& m) {
   Signature compared("difference", "TrajectoryDifference", comment("difference"));
-  compared.takes("arm", "Arm", "The arm.")
+  compared.takes_arm()
       .takes("a", "Trajectory", "The first trajectory.")
       .takes("b", "Trajectory", "The second one.");
   define(

@@ -17,9 +17,7 @@ std::string name_of_type(nb::handle value) {
               "; expected " + expected);
 }
 
-bool is_array_or_list(nb::handle value) {
-  return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value);
-}
+bool is_array_or_list(nb::handle value) { return is_array(value) || is_list(value); }
 
 }  // namespace
 
@@ -109,6 +107,15 @@ Pose pose_of(const double* rows) {
   return pose;
 }
 
+Pose pose_of(const InputArray& array) {
+  if (array.dimensions() != 2 || array.shape()[0] != 4 || array.shape()[1] != 4) {
+    const bool triple = array.dimensions() == 1 && array.shape()[0] == 3;
+    raise_shape(array, triple ? "a pose (4, 4), which make_pose([x, y, z]) makes of a position"
+                              : "a pose (4, 4), which pose_of() makes of numbers");
+  }
+  return pose_of(array.data());
+}
+
 void write_pose(const Pose& pose, double* rows) {
   Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(rows);
   matrix = pose.matrix();
@@ -123,19 +130,13 @@ nb::object Value<Pose>::to(const Pose& value) {
 Pose Value<Pose>::from(nb::handle value, const char* name) {
   if (nb::isinstance<Pose2>(value)) return checked_pose(to_space(nb::cast<Pose2>(value)), name);
   const nb::object matrix = matrix_of(value);
-  const InputArray array(matrix, name);
-  if (array.dimensions() != 2 || array.shape()[0] != 4 || array.shape()[1] != 4) {
-    const bool triple = array.dimensions() == 1 && array.shape()[0] == 3;
-    raise_shape(array, triple ? "a pose (4, 4), which make_pose([x, y, z]) makes of a position"
-                              : "a pose (4, 4), which pose_of() makes of numbers");
-  }
-  return checked_pose(pose_of(array.data()), name);
+  return checked_pose(pose_of(InputArray(matrix, name)), name);
 }
 
 std::vector<Pose> poses_from(nb::handle value, const char* name) {
   std::vector<Pose> poses;
-  if ((nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) && nb::len(value) > 0 &&
-      !is_array_or_list(value[0]) && !PyNumber_Check(nb::object(value[0]).ptr())) {
+  if (is_list(value) && nb::len(value) > 0 && !is_array_or_list(value[0]) &&
+      !PyNumber_Check(nb::object(value[0]).ptr())) {
     for (nb::handle item : nb::borrow(value)) poses.push_back(Value<Pose>::from(item, name));
     return poses;
   }

@@ -185,6 +185,8 @@ struct Value<Pose> {
 
 /// The pose of a C-ordered 4 x 4 matrix.
 Pose pose_of(const double* rows);
+/// The same of an argument, whose values are not checked. Throws Error for another shape.
+Pose pose_of(const InputArray& array);
 void write_pose(const Pose& pose, double* rows);
 
 /// One pose (4, 4) or many (N, 4, 4), or a list of poses.
@@ -264,7 +266,7 @@ struct Value<std::vector<T>> {
     return list;
   }
   static std::vector<T> from(nb::handle value, const char* name) {
-    if (!nb::isinstance<nb::list>(value) && !nb::isinstance<nb::tuple>(value)) {
+    if (!is_list(value)) {
       raise_type(name, "a list", value);
     }
     std::vector<T> items;

@@ -132,6 +132,42 @@ def test_hostile_rows_are_refused_in_one_line(cell, old, new, line, says):
     assert answer.err.count("\n") == 1
 
 
+def test_a_picture_shows_the_part_where_it_is_carried(cell, beeline, tmp_path):
+    """The whole animation has the box, which the tool lifts over the fence."""
+    assert cell(pick(), "--out", "m.csv", "--draw", "d.svg").code == 0
+    drawn = ("draw", "arm.json", "m.csv", "--degrees", "--scene", "cell.json", "--animate")
+    assert beeline(*drawn, "parts.svg", "--through", "pick.csv").code == 0
+    assert beeline(*drawn, "still.svg").code == 0
+    assert (tmp_path / "parts.svg").read_bytes() != (tmp_path / "still.svg").read_bytes()
+    again = beeline("draw", "arm.json", "m.csv", "--degrees", "--scene", "cell.json", "--out", "e.svg",
+                    "--through", "pick.csv")
+    assert again.code == 0, again.err
+    assert (tmp_path / "e.svg").read_bytes() == (tmp_path / "d.svg").read_bytes()
+
+
+def test_a_program_that_is_not_followed_has_no_picture(cell, beeline, tmp_path, written):
+    assert cell(pick(), "--out", "m.csv").code == 0
+    written("pick.csv", pick().replace("4.4,2.45", "4.6,2.45"))
+    answer = beeline("draw", "arm.json", "m.csv", "--degrees", "--scene", "cell.json", "--through", "pick.csv",
+                     "--out", "d.svg")
+    assert answer.code not in (0, 1) and "m.csv is no motion of this program: " in answer.err
+    assert not (tmp_path / "d.svg").exists()
+
+
+@pytest.mark.parametrize("lift", [-0.8, -0.3])
+def test_a_refusal_is_drawn_where_it_is(cell, tmp_path, lift):
+    """The box hits the fence on a low way; without the exemption it hits the bench where it stands."""
+    answer = cell(pick(lift, touch="bench" if lift == -0.3 else ""), "--out", "m.csv", "--draw", "d.svg",
+                  "--plot", "p.svg", "--json")
+    assert answer.code == 1
+    clearance = answer.json["clearance"]
+    assert clearance["picture"] == "d.svg"
+    assert clearance["pair"] in (["box", "fence"], ["box", "bench"], ["fence", "box"], ["bench", "box"])
+    picture = (tmp_path / "d.svg").read_text()
+    assert "box" in picture and "arm at" not in picture.split("<title>")[0]
+    assert not (tmp_path / "m.csv").exists() and not (tmp_path / "p.svg").exists()
+
+
 def test_a_part_is_not_attached_while_the_tool_passes(cell):
     rows = ("motion,x,y,theta,blend,part\njoint,3,3.2,-90,,\nline,3,3,-90,0.1,\nattach,,,,,box\n"
             "line,4,3,-90,,\n")

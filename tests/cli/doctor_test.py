@@ -228,6 +228,11 @@ def test_exempted_pairs_that_collide_are_named(beeline, written):
     found = {tuple(one["bodies"]): one for one in answer.json["exemptions"]}
     statuses = [found[pair]["status"] for pair in (("post", "link3"), ("far", "link3"), ("link1", "link2"), ("post", "far"))]
     assert statuses == ["collides", "no_collision", "not_checked", "not_checked"]
+    ended = beeline("doctor", "arm.json", "--scene", "cell.json", "--max-work", "0", "--json")
+    assert ended.code == 1 and ended.json["status"] == "work_limit"
+    assert [one["status"] for one in ended.json["exemptions"]] == ["work_limit", "work_limit", "not_checked", "not_checked"]
+    ended = beeline("doctor", "arm.json", "--scene", "cell.json", "--time-limit", "0")
+    assert ended.code == 1 and "not finished        2 pairs" in ended.out and "not finished" in ended.err
     q = ",".join(map(str, found["post", "link3"]["q"]))
     text = beeline("doctor", "arm.json", "--scene", "cell.json").out
     assert "1 exempted pair that collides" in text and "post and link3" in text

@@ -178,8 +178,14 @@ def test_a_motion_that_collides_is_not_written(beeline, arm, written, tmp_path, 
     assert refused.json["code"] in ("bodies_collide", "bodies_too_close")
     assert refused.json["clearance"]["pair"][1] == "post"
     assert not (tmp_path / "out.csv").exists()
-    text = beeline(*command, "--scene", "near.json", "--out", "out.csv")
+    assert refused.json["clearance"]["picture"] is None
+    text = beeline(*command, "--scene", "near.json", "--out", "out.csv", "--draw", "hit.svg")
     assert text.code == 1 and "post" in text.err and not (tmp_path / "out.csv").exists()
+    # The picture is of the time of the collision: the arm's own there, with the pair.
+    time = f"{refused.json['clearance']['time']:.6g}"
+    assert f"picture       hit.svg: the arm at {time} s" in text.out
+    picture = (tmp_path / "hit.svg").read_text()
+    assert f"at {time} s" in picture and "post" in picture
 
 
 @pytest.mark.parametrize("form, out, options", [

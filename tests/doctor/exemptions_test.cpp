@@ -85,5 +85,28 @@ TEST(Exemptions, AreExaminedOnceAndByAtLeastOneConfiguration) {
                  "configurations");
 }
 
+TEST(Exemptions, ThatTheBudgetEndsAreNotCalledFree) {
+  const Row row(0.1);
+  const std::vector<NamedPair> pairs{{"link1", "link3"}, {"link0", "link3"}, {"link1", "link2"}};
+  const auto statuses = [&](const Budget& budget) {
+    std::vector<ExemptionStatus> found;
+    for (const Exemption& one : examine_exemptions(row.arm, row.links, {}, pairs,
+                                                   {.configurations = 200, .budget = budget})) {
+      found.push_back(one.status);
+    }
+    return found;
+  };
+  using enum ExemptionStatus;
+  EXPECT_EQ(statuses({}), (std::vector{collides, collides, not_checked}));
+  EXPECT_EQ(statuses({.max_work = 0}), (std::vector{work_limit, work_limit, not_checked}));
+  const auto first_only = statuses({.max_work = 250});
+  EXPECT_EQ(first_only, (std::vector{collides, work_limit, not_checked}));
+  EXPECT_EQ(statuses({.cancelled = [] { return true; }}),
+            (std::vector{cancelled, cancelled, not_checked}));
+  double last = -1;
+  statuses({.progress = [&last](double fraction) { last = fraction; }});
+  EXPECT_GT(last, 0.6);
+}
+
 }  // namespace
 }  // namespace beeline

@@ -9,6 +9,7 @@
 #include <tests/certificate/random_motion.h>
 #include <tests/collision/random_model.h>
 #include <tests/draw/page.h>
+#include <tests/refusal.h>
 
 namespace beeline {
 using namespace internal;
@@ -118,6 +119,42 @@ TEST(SceneFigure, OfAMotionIsWithinItsPage) {
       }
     }
   }
+}
+
+/// A slide along x takes a cube from 0 to 1 and goes on to 2.
+TEST(SceneFigure, OfAProgramHasThePartWhereItIsCarried) {
+  Joint slide = composite_joint('P', "x").front();
+  slide.limits = {.lower = -1, .upper = 3, .velocity = 1, .acceleration = 4};
+  const Arm arm("slide", {slide});
+  const Pose below = make_pose({0, 0, -0.5}, Rotation::Identity());
+  const CollisionModel model(arm, {{"hand", 1, {{Box{Vector3::Constant(0.1)}}}}},
+                             {.obstacles = {{"part", {{Box{Vector3::Constant(0.2)}, below}}}}});
+  Program program;
+  for (const double x : {0.0, 1.0, 2.0}) {
+    program.moves.push_back({.kind = MoveKind::joint, .q = Configuration{{x}}});
+  }
+  program.attachments = {{.part = "part", .after = 1, .until = 2}};
+  const ProgramMotion motion = move_program(arm, Configuration{{-1}}, program);
+  ASSERT_TRUE(motion) << motion.reason;
+  std::vector<std::size_t> arrivals;
+  for (const PlannedMove& move : motion.moves) arrivals.push_back(move.end);
+  const auto scenes = program_scenes(model, motion.trajectory, program, arrivals);
+  const auto part_at = [](const Drawing& drawing) {
+    for (const Solid& solid : kinds_of<Solid>(drawing)) {
+      const double size = furthest(solid, Vector3::UnitX()) + furthest(solid, -Vector3::UnitX());
+      if (std::abs(size - 0.2) < 1e-9) return furthest(solid, Vector3::UnitX()) - 0.1;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const Animation animation = motion_animation(scenes, motion.trajectory);
+  for (std::size_t i = 0; i < animation.frames.size(); ++i) {
+    const double x = sample(motion.trajectory, animation.times[i]).position[0];
+    EXPECT_NEAR(part_at(animation.frames[i]), std::clamp(x, 0.0, 1.0), 1e-9) << animation.times[i];
+  }
+  const Figure figure = motion_figure(scenes, motion.trajectory);
+  EXPECT_NEAR(part_at(figure.columns[0][0].drawing), 1, 1e-9);
+  testing::expect_within_page(compose(figure), "program");
+  EXPECT_REFUSED(motion_figure(std::span<const ProgramScene>(), motion.trajectory), "scene");
 }
 
 TEST(SceneFigure, HasThePairsThatCountOnlyOutsideTheLimits) {

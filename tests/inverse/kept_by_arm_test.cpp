@@ -7,7 +7,6 @@
 #endif
 
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/internal/chain.h>
@@ -176,9 +175,6 @@ TEST(KeptByArm, AnArmKeepsAtMost64Kilobytes) {
   testing::Random random;
   std::vector<Arm> arms;
   for (const std::string& name : built_in_names()) arms.push_back(fresh(built_in(name)));
-  for (const char* name : {"gen3", "px150", "rank_deficient"}) {
-    arms.push_back(read_arm(std::string("tests/inverse/arms/") + name + ".json"));
-  }
   arms.push_back(testing::random_arm(random, 12, 4));
   if (testing::slow_build) arms.erase(arms.begin() + 3, arms.end());
   std::size_t most = 0;

@@ -92,6 +92,31 @@ TEST(Attachments, ThePartIsSweptAndNamedByTheRefusal) {
   EXPECT_TRUE(answer(0.2, false)) << "the same program without its attachment";
 }
 
+TEST(Attachments, TheScenesOfAProgramHaveThePartWhereItIs) {
+  const Gantry gantry;
+  const CollisionModel model = gantry.model();
+  const Program program = gantry.pick(0.45, {"table"});
+  const Moved motion = moved(gantry.arm, gantry.above, program);
+  const auto scenes = program_scenes(model, motion.trajectory, program, motion.arrivals);
+  ASSERT_EQ(scenes.size(), 3U);
+  EXPECT_EQ(scenes[0].begin, 0);
+  EXPECT_EQ(scenes[1].begin, motion.trajectory.times[motion.arrivals[0]]);
+  EXPECT_EQ(scenes[2].begin, motion.trajectory.times[motion.arrivals[3]]);
+  EXPECT_EQ(digest(scenes[0].model), digest(model));
+  const auto part_in = [](const CollisionModel& at) -> Vector3 {
+    for (const Obstacle& one : at.scene().obstacles) {
+      if (one.name == "part") return one.shapes.front().pose.translation();
+    }
+    return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  };
+  EXPECT_EQ(part_in(scenes[0].model), Vector3(0, 0, 0.1));
+  EXPECT_TRUE(part_in(scenes[1].model).hasNaN());
+  ASSERT_EQ(scenes[1].model.links().size(), 2U);
+  EXPECT_EQ(scenes[1].model.links()[1].name, "part");
+  EXPECT_LT((part_in(scenes[2].model) - Vector3(1, 0, 0.1)).norm(), 1e-12);
+  EXPECT_REFUSED(program_scenes(model, motion.trajectory, program, {}), "arrivals");
+}
+
 TEST(Attachments, TouchExemptsOnlyWhatItNames) {
   const Gantry gantry;
   const CollisionModel model = gantry.model();

@@ -54,7 +54,7 @@ def test_the_argument_is_named():
         (lambda: beeline.chapter_figures(1), "chapter_figures() takes no positional arguments, not 1"),
         (lambda: beeline.chapter_figures(a=1), "chapter_figures() takes no arguments"),
         (lambda: beeline.Program.load("x.csv"), "load() needs the argument arm"),
-        (lambda: beeline.Program.load("x.csv", "panda"), "arm: expected an Arm, not str"),
+        (lambda: beeline.Program.load("x.csv", 3), "arm: expected an Arm, not int; beeline.arms.panda() makes one"),
         (lambda: beeline.retime(ARM, 3), "trajectory: expected a Trajectory, not int"),
         (lambda: beeline.Arm("RRR:1,1,1"), "Arm() needs the argument joints; Arm.load('RRR:1,1,1') reads a built-in arm, a joint string or a file"),
         (lambda: beeline.Arm(Path("robot.urdf")), "Arm() needs the argument joints; Arm.load('robot.urdf') reads"),

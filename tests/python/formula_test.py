@@ -147,7 +147,7 @@ def test_copies_pickles_and_equality():
         (lambda arm, x: x.lambdify()([1, 2, 3], [1, 2, 3]), TypeError, "q alone"),
         (lambda arm, x: x.code("java"), beeline.Error, "known: python"),
         (lambda arm, x: x.code(name="a b"), beeline.Error, "not a name"),
-        (lambda arm, x: beeline.tool_formula("panda"), TypeError, "Arm or a SymbolicArm"),
+        (lambda arm, x: beeline.tool_formula("my.urdf"), TypeError, "Arm or a SymbolicArm"),
         (lambda arm, x: beeline.tool_formula(arm)[4, 0], IndexError, "bounds"),
         (lambda arm, x: beeline.tool_formula(arm)[0], beeline.Error, "part of a matrix"),
         (lambda arm, x: beeline.link_formula(arm, 4, 0), beeline.Error, "i must be a whole number from 0 to 3"),

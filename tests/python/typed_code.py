@@ -40,6 +40,19 @@ def solutions_of_both_forms(arm: beeline.Arm) -> None:
     result: beeline.InverseResult = beeline.inverse_kinematics(arm, pose, seed=arm.middle)
     count: int = arm.inverse_kinematics(pose, out=numpy.empty(arm.dof))
     assert result and count == 1
+    many: beeline.BatchInverseResult = beeline.inverse_kinematics(arm, numpy.stack([pose, pose]), threads=1)
+    assert many.solved == 2
+    flat = [beeline.Pose2(x=4, y=2, theta=1), beeline.Pose2(x=5, y=1, theta=0.5)]
+    of_list: beeline.BatchInverseResult = beeline.inverse_kinematics("rrr", flat)
+    assert of_list.q.shape == (2, 3)
+
+
+def calls_by_name() -> None:
+    q: Array = beeline.arms.ur5().random(seed=1)
+    pose: Array = beeline.forward_kinematics("ur5", q.tolist())
+    motion: beeline.ControlledMotion = beeline.move_joints("ur5", q, numpy.zeros(6))
+    same: beeline.ControlledMotion = beeline.arms.ur5().move_joints(q, numpy.zeros(6))
+    assert pose.shape == (4, 4) and motion == same and motion.duration > 0
 
 
 def line_down(arm: beeline.Arm, q: Array, depth: float) -> beeline.Trajectory:
@@ -97,6 +110,7 @@ def main() -> None:
     panda = beeline.arms.panda()
     jacobians_of_both_dtypes(panda)
     solutions_of_both_forms(panda)
+    calls_by_name()
     placement = reach(beeline.arms.puma560())
     assert placement is not None and placement.margin > 0
     retimed(panda, line_down(panda, numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785]), 0.1))

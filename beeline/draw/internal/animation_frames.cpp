@@ -35,16 +35,17 @@ Timeline timeline_of(const Animation& animation, const PlaybackOptions& options)
   return timeline;
 }
 
-Animation motion_frames(const Trajectory& trajectory,
-                        const std::function<void(Drawing& frame, const Configuration& q)>& draw) {
+Animation motion_frames(
+    const Trajectory& trajectory,
+    const std::function<void(Drawing& frame, double time, const Configuration& q)>& draw) {
   constexpr double rate = 50, max_steps = 999;
   const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
   const int steps = static_cast<int>(std::min(max_steps, std::ceil(rate * duration)));
   Animation animation;
   for (int k = 0; k <= steps; ++k) {
-    const double since = steps == 0 ? 0 : duration * k / steps;
+    const double since = steps == 0 ? 0 : duration * k / steps, time = begin + since;
     animation.times.push_back(since);
-    draw(animation.frames.emplace_back(), sample(trajectory, begin + since).position);
+    draw(animation.frames.emplace_back(), time, sample(trajectory, time).position);
   }
   return animation;
 }

@@ -15,8 +15,9 @@ Timeline timeline_of(const Animation& animation, const PlaybackOptions& options)
 double fraction_at(const Animation& animation, const PlaybackOptions& options, double t);
 
 /// Returns the frames of a motion, one each 1/50 s, at most 1000. `draw` adds the moving items to a
-/// frame.
-Animation motion_frames(const Trajectory& trajectory,
-                        const std::function<void(Drawing& frame, const Configuration& q)>& draw);
+/// frame at a time of the trajectory.
+Animation motion_frames(
+    const Trajectory& trajectory,
+    const std::function<void(Drawing& frame, double time, const Configuration& q)>& draw);
 
 }  // namespace beeline::internal

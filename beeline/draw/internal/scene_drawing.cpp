@@ -219,13 +219,28 @@ std::string nearest_text(const BodyDistance& pair) {
   return text + "; " + distance_text(pair.clearance) + " are required";
 }
 
-std::optional<TimedPair> nearest_sample(const CollisionModel& model, const Trajectory& trajectory) {
+ModelsOverTime::ModelsOverTime(std::span<const ProgramScene> scenes) {
+  if (scenes.empty()) throw Error("a motion of a program has at least one scene; none is given");
+  for (const ProgramScene& scene : scenes) from_.emplace_back(scene.begin, &scene.model);
+}
+
+const CollisionModel& ModelsOverTime::at(double time) const {
+  const CollisionModel* model = from_.front().second;
+  for (const auto& [begin, next] : from_) {
+    if (begin <= time) model = next;
+  }
+  return *model;
+}
+
+std::optional<TimedPair> nearest_sample(const ModelsOverTime& models,
+                                        const Trajectory& trajectory) {
   constexpr int steps = 200;
   const double begin = trajectory.times.front(), end = trajectory.times.back();
   std::optional<TimedPair> nearest;
   for (int i = 0; i <= steps; ++i) {
     const double time = i == steps ? end : begin + (end - begin) * i / steps;
     const Configuration q = sample(trajectory, time).position;
+    const CollisionModel& model = models.at(time);
     if (!has_pairs(model, q)) continue;
     BodyDistance pair = beeline::nearest_pair(model, q);
     const auto excess = [](const BodyDistance& of) { return shown_distance(of) - of.clearance; };

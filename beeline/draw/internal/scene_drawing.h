@@ -1,10 +1,15 @@
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <beeline/collision/collision_model.h>
 #include <beeline/draw/drawing.h>
+#include <beeline/planning/program.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -30,8 +35,29 @@ struct TimedPair {
   BodyDistance pair;
 };
 
+/// The arm among obstacles at each time of a motion: none, one model, or the scenes of a program.
+/// They must outlive the object.
+class ModelsOverTime {
+ public:
+  ModelsOverTime() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a model is the same at all times.
+  ModelsOverTime(const CollisionModel& model)
+      : from_{{-std::numeric_limits<double>::infinity(), &model}} {}
+  /// Throws Error for no scenes.
+  explicit ModelsOverTime(std::span<const ProgramScene> scenes);
+
+  explicit operator bool() const { return !from_.empty(); }
+  /// Whether there is more than one.
+  bool change() const { return from_.size() > 1; }
+  /// The model of a time. Requires one.
+  const CollisionModel& at(double time) const;
+
+ private:
+  std::vector<std::pair<double, const CollisionModel*>> from_ = {};
+};
+
 /// Returns the pair with the least distance beyond its clearance at 201 times of a motion; nothing
 /// if no pair counts at any of them.
-std::optional<TimedPair> nearest_sample(const CollisionModel& model, const Trajectory& trajectory);
+std::optional<TimedPair> nearest_sample(const ModelsOverTime& models, const Trajectory& trajectory);
 
 }  // namespace beeline::internal

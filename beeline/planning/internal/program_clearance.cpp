@@ -68,15 +68,11 @@ class ProgramScenes {
 
   /// Returns the attachments with their times and poses.
   std::vector<AttachedPart> attached() const {
-    CarriedParts parts(model_, program_);
     std::vector<AttachedPart> attached;
     for (const Attachment& attachment : program_.attachments) {
       attached.push_back({.part = attachment.part, .touch = attachment.touch});
     }
-    for (std::size_t moves = 0; moves <= program_.moves.size(); ++moves) {
-      if (!has_change(moves)) continue;
-      const std::size_t at = sample_after(moves);
-      parts.change(moves, trajectory_.positions[at]);
+    for_each_change([&](std::size_t moves, std::size_t at, const CarriedParts& parts) {
       for (const std::size_t i : parts.changed()) {
         if (program_.attachments[i].after != moves) {
           attached[i].detached = trajectory_.times[at];
@@ -85,8 +81,19 @@ class ProgramScenes {
         attached[i].attached = trajectory_.times[at];
         attached[i].tool_T_part = parts.pose_in_tool(i);
       }
-    }
+    });
     return attached;
+  }
+
+  std::vector<ProgramScene> scenes() const {
+    std::vector<ProgramScene> scenes;
+    const auto add = [&](std::size_t at, const CarriedParts& parts) {
+      scenes.push_back({trajectory_.times[at], parts.model()});
+    };
+    if (!has_change(0)) add(0, CarriedParts(model_, program_));
+    for_each_change(
+        [&](std::size_t, std::size_t at, const CarriedParts& parts) { add(at, parts); });
+    return scenes;
   }
 
   /// Adds the move at a time to the reason of a pair.
@@ -100,6 +107,18 @@ class ProgramScenes {
  private:
   std::size_t sample_after(std::size_t moves) const {
     return moves == 0 ? 0 : arrivals_[moves - 1];
+  }
+
+  /// Calls `visit` with the number of moves before each change, its sample and the parts after it.
+  template <class Visit>
+  void for_each_change(const Visit& visit) const {
+    CarriedParts parts(model_, program_);
+    for (std::size_t moves = 0; moves <= program_.moves.size(); ++moves) {
+      if (!has_change(moves)) continue;
+      const std::size_t at = sample_after(moves);
+      parts.change(moves, trajectory_.positions[at]);
+      visit(moves, at, parts);
+    }
   }
 
   bool has_change(std::size_t moves) const {
@@ -211,6 +230,12 @@ std::vector<AttachedPart> attached_parts(const CollisionModel& model, const Traj
                                          const Program& program,
                                          std::span<const std::size_t> arrivals) {
   return ProgramScenes(model, trajectory, program, arrivals).attached();
+}
+
+std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Trajectory& trajectory,
+                                         const Program& program,
+                                         std::span<const std::size_t> arrivals) {
+  return ProgramScenes(model, trajectory, program, arrivals).scenes();
 }
 
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
