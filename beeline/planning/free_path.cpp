@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <random>
 #include <utility>
 
@@ -16,7 +17,7 @@ using namespace internal;
 
 namespace {
 
-constexpr double node_spacing = 0.5;  // along an edge of a tree, as the norm of the difference
+constexpr double node_spacing = 0.5;    // along an edge of a tree, as the norm of the difference
 constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
 // A tree stops before the place where the proof of an edge ends, because every motion from there is
 // as near to a body.
@@ -57,7 +58,7 @@ class JointSpace {
 class TreeSearch {
  public:
   TreeSearch(const CollisionModel& model, const FreePathOptions& options, FreeEdges& edges,
-         JointSpace space)
+             JointSpace space)
       : options_(options),
         edges_(edges),
         space_(std::move(space)),
@@ -70,7 +71,9 @@ class TreeSearch {
   /// Returns the path from the start to a goal and the index of the goal among those added; empty
   /// if the trees do not meet.
   std::pair<std::vector<Configuration>, std::size_t> path(BudgetMeter& budget) {
-    for (std::size_t a = 0; edges_.count() < options_.max_edges && budget.complete(); a = 1 - a) {
+    for (std::size_t a = 0;
+         edges_.count() < static_cast<std::size_t>(options_.max_edges) && budget.complete();
+         a = 1 - a) {
       const std::size_t b = 1 - a;
       const std::size_t grown = advance(trees_[a], space_.random(engine_)).first;
       if (grown == none) continue;
@@ -166,8 +169,8 @@ FreePath refused(const Reason& why, ReasonCode which, std::size_t goals) {
 
 /// Searches a path to one of these goals; leaves the path without waypoints if there is none.
 void search_path(const CollisionModel& model, const Configuration& start,
-            std::span<const Configuration> goals, const std::vector<std::size_t>& free_goals,
-            const FreePathOptions& options, BudgetMeter& budget, FreePath& path) {
+                 std::span<const Configuration> goals, const std::vector<std::size_t>& free_goals,
+                 const FreePathOptions& options, BudgetMeter& budget, FreePath& path) {
   FreeEdges edges(model, budget);
   for (const std::size_t i : free_goals) {
     if (!edges.is_free(start, goals[i])) continue;
@@ -191,10 +194,23 @@ void search_path(const CollisionModel& model, const Configuration& start,
 
 }  // namespace
 
+std::ostream& operator<<(std::ostream& out, const FreePath& path) {
+  out << path.status;
+  if (!path) return out << ": " << path.reason;
+  return out << ", " << path.waypoints.size() << " waypoints, length " << number(path.length);
+}
+
 FreePath find_free_path(const CollisionModel& model, const Configuration& start,
                         std::span<const Configuration> goals, const FreePathOptions& options) {
   if (goals.empty()) throw Error("a path needs a goal; none is given");
-  if (options.max_edges < 1) throw Error::of("max_edges", "max_edges must be 1 or more, not 0");
+  if (options.max_edges < 1) {
+    throw Error("", "max_edges",
+                " is " + std::to_string(options.max_edges) + "; it must be 1 or more");
+  }
+  if (options.shortcuts < 0) {
+    throw Error("", "shortcuts",
+                " is " + std::to_string(options.shortcuts) + "; it must be 0 or more");
+  }
   if (const Reason reason = refusal(model, start)) {
     return refused(reason, ReasonCode::start_not_free, 0);
   }

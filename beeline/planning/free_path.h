@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +18,9 @@ namespace beeline {
 struct FreePathOptions {
   std::uint64_t random_seed = 1;  ///< seed of the configurations that the search draws
   /// Max number of straight joint motions that the search examines, 1 or more.
-  std::size_t max_edges = 20'000;
-  /// Number of shortcuts that are tried on the path that is found.
-  std::size_t shortcuts = 100;
-  Budget budget = {};  ///< a straight joint motion is a unit of work
+  int max_edges = 20'000;
+  int shortcuts = 100;  ///< number of shortcuts that are tried on the path, 0 or more
+  Budget budget = {};   ///< a straight joint motion is a unit of work
 };
 
 /// A path of straight joint motions.
@@ -37,6 +38,9 @@ struct FreePath {
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
+/// Prints the status with its reason, or the number of waypoints and the length.
+std::ostream& operator<<(std::ostream& out, const FreePath& path);
+
 /// Searches a path in joint space, from a configuration to one of the goals, that keeps the
 /// clearance of the model: the straight joint motions to the goals first, then two trees of random
 /// configurations that grow towards each other from both ends (RRT-Connect, Kuffner and LaValle
@@ -44,8 +48,9 @@ struct FreePath {
 /// Equal arguments give equal paths.
 ///
 /// The status is `outside_limits` for a start or goals outside the position limits, and `collides`
-/// or `not_decided` for a start or goals that are not proved to keep the clearance; the reason names
-/// the two bodies. It is `not_found` if the trees do not meet: there may be a path nevertheless.
+/// or `not_decided` for a start or goals that are not proved to keep the clearance; the reason
+/// names the two bodies. It is `not_found` if the trees do not meet: there may be a path
+/// nevertheless.
 ///
 /// Throws Error for configurations that do not fit the arm, for no goals, and for options out of
 /// their range.
@@ -53,12 +58,24 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
                         std::span<const Configuration> goals, const FreePathOptions& options = {});
 
 struct FreeMotionOptions {
-  FreePathOptions path = {};  ///< of the search; its budget is not used
+  std::uint64_t random_seed = 1;  ///< see FreePathOptions
+  int max_edges = 20'000;         ///< see FreePathOptions
+  int shortcuts = 100;            ///< see FreePathOptions
   /// Largest distance from a waypoint, the norm of the difference, at which the motion leaves the
   /// straight line to pass it without a stop; 0: the arm stops at each waypoint.
-  double blend = Limits::none;
-  RetimeOptions timing = {};  ///< of the motion; its budget is not used
-  Budget budget = {};         ///< budget of search, timing and proof
+  double joint_blend = Limits::none;
+  /// Profile of the time scaling from stop to stop; default: `jerk`. See RetimeOptions.
+  std::optional<Profile> profile = std::nullopt;
+  Interpolation interpolation = Interpolation::quintic;  ///< interpolation of the trajectory
+  double speed_scale = 1;                                ///< see RetimeOptions
+  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
+  /// Samples per second, at times k / rate. 0: as many as the interpolation needs.
+  double rate = 0;
+  /// Duration to which the quickest motion is slowed down, s, without a rate; default: the
+  /// shortest.
+  std::optional<double> duration = std::nullopt;
+  int max_samples = default_max_samples;  ///< max samples of the motion, 2 or more
+  Budget budget = {};                     ///< budget of search, timing and proof
 };
 
 /// A motion from rest to rest that keeps the clearance of a model.
@@ -77,11 +94,14 @@ struct FreeMotion {
   double duration() const { return trajectory.duration(); }
 };
 
+/// Prints the status with its reason, or the duration, the samples and the proof.
+std::ostream& operator<<(std::ostream& out, const FreeMotion& motion);
+
 /// Plans a motion to one of the goals that keeps the clearance of the model: the path of
 /// find_free_path(), with a blend at each inner waypoint, in minimum time as retime() does. The
 /// finished trajectory is proved by prove_clearance(). A blend that is not proved is made smaller,
 /// down to a stop. The status and the errors are those of find_free_path(), prove_clearance() and
-/// retime(). Throws Error for a blend below 0, too.
+/// retime(). Throws Error for a joint_blend below 0, too.
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options = {});
 

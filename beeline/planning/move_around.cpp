@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ostream>
 
 #include <beeline/planning/free_path.h>
 #include <beeline/planning/internal/blended_path.h>
@@ -50,15 +51,25 @@ std::vector<JointPath> paths_of(const std::vector<Configuration>& waypoints,
   return paths;
 }
 
+RetimeOptions timing_of(const FreeMotionOptions& options) {
+  return {.profile = options.profile,
+          .interpolation = options.interpolation,
+          .speed_scale = options.speed_scale,
+          .tool_speed = options.tool_speed,
+          .rate = options.rate,
+          .duration = options.duration,
+          .max_samples = options.max_samples};
+}
+
 /// The motion along the path of `motion`, timed and proved, or why there is none.
 void time_and_prove(const CollisionModel& model, const FreeMotionOptions& options,
                     BudgetMeter& budget, FreeMotion& motion) {
   const Arm& arm = model.arm();
-  Retimed timed =
-      retimed_paths(arm, paths_of(motion.path.waypoints, motion.blends), options.timing, budget);
+  Retimed timed = retimed_paths(arm, paths_of(motion.path.waypoints, motion.blends),
+                                timing_of(options), budget);
   if (!timed) {
-    motion.status = budget.complete() ? MotionStatus::outside_limits
-                                      : status_of<MotionStatus>(budget.ending());
+    motion.status =
+        budget.complete() ? MotionStatus::outside_limits : status_of<MotionStatus>(budget.ending());
     motion.reason = std::move(timed.reason);
     return;
   }
@@ -79,17 +90,26 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
 
 }  // namespace
 
+std::ostream& operator<<(std::ostream& out, const FreeMotion& motion) {
+  out << motion.status;
+  if (!motion) return out << ": " << motion.reason;
+  return out << " in " << number(motion.duration()) << " s, " << motion.trajectory.size()
+             << " samples; " << motion.clearance;
+}
+
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options) {
-  if (!(options.blend >= 0)) {
-    throw Error::of("blend", "the blend must be 0 or more, not " + number(options.blend));
+  if (!(options.joint_blend >= 0)) {
+    throw Error("", "joint_blend", " is " + number(options.joint_blend) + "; it must be 0 or more");
   }
-  check_options(options.timing);
+  check_options(timing_of(options));
   BudgetMeter budget(options.budget);
   FreeMotion motion;
-  FreePathOptions search = options.path;
-  search.budget = budget.part();
-  motion.path = find_free_path(model, start, goals, search);
+  motion.path = find_free_path(model, start, goals,
+                               {.random_seed = options.random_seed,
+                                .max_edges = options.max_edges,
+                                .shortcuts = options.shortcuts,
+                                .budget = budget.part()});
   motion.status = motion.path.status;
   motion.reason = motion.path.reason;
   if (!motion.path) return motion;
@@ -97,12 +117,12 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
   const std::vector<Configuration>& waypoints = motion.path.waypoints;
   for (std::size_t k = 1; k + 1 < waypoints.size(); ++k) {
     motion.blends.push_back(proved_radius(edges, model.bodies().joint_names,
-                                          largest_blend(waypoints, k, options.blend)));
+                                          largest_blend(waypoints, k, options.joint_blend)));
   }
   time_and_prove(model, options, budget, motion);
   // The trajectory differs from the path by its rounding and by its interpolation between samples.
-  const bool is_close = motion.status == MotionStatus::not_decided ||
-                        motion.status == MotionStatus::collides;
+  const bool is_close =
+      motion.status == MotionStatus::not_decided || motion.status == MotionStatus::collides;
   if (is_close && std::any_of(motion.blends.begin(), motion.blends.end(),
                               [](double radius) { return radius > 0; })) {
     std::fill(motion.blends.begin(), motion.blends.end(), 0);

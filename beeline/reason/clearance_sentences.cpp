@@ -47,9 +47,9 @@ std::string clearance_sentence(const ReasonText& reason) {
       return "at the start " + sentence(reason.required_detail());
     case ReasonCode::goal_not_free:
       return (reason.number(count) == "1" ? "at the goal "
-                                       : "at each of the " + reason.number(count) +
-                                             " goals a limit or a clearance is not kept; at the "
-                                             "first ") +
+                                          : "at each of the " + reason.number(count) +
+                                                " goals a limit or a clearance is not kept; at the "
+                                                "first ") +
              sentence(reason.required_detail());
     case ReasonCode::no_free_path:
       return "no path was found that keeps the clearance, with " + reason.number(count) +

@@ -19,7 +19,7 @@ struct Options {
   std::string arm, problems;
   double clearance = 1e-3;
   unsigned seed = 1;
-  std::size_t shortcuts = 100;
+  int shortcuts = 100;
 };
 
 /// What is measured in the scenes of a kind.
@@ -55,8 +55,7 @@ int run(const Options& options) {
   std::map<std::string, Kind> kinds;
   Kind all;
   for (const Problem& problem : read_problems(options.problems, arm)) {
-    const CollisionModel model(arm.arm, arm.links, problem.scene,
-                               {.clearance = options.clearance});
+    const CollisionModel model(arm.arm, arm.links, problem.scene, {.clearance = options.clearance});
     FreePath path;
     const double before = cpu_microseconds();
     path = find_free_path(model, *problem.start, problem.configurations,

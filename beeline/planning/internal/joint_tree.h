@@ -29,7 +29,7 @@ class JointTree {
   std::size_t root_of(std::size_t i) const;
 
  private:
-  Eigen::MatrixXd nodes_;  ///< a column for each node, and more
+  Eigen::MatrixXd nodes_;                  ///< a column for each node, and more
   std::vector<std::size_t> parents_ = {};  ///< of a root: itself
 };
 

@@ -1,7 +1,7 @@
-#include <beeline/planning/internal/shortened_path.h>
-
 #include <algorithm>
 #include <random>
+
+#include <beeline/planning/internal/shortened_path.h>
 
 namespace beeline::internal {
 namespace {
@@ -52,12 +52,12 @@ double length_of(const std::vector<Configuration>& waypoints) {
   return length;
 }
 
-void shorten(FreeEdges& edges, std::uint64_t random_seed, std::size_t shortcuts,
+void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
              std::vector<Configuration>& waypoints) {
   leave_out(edges, waypoints);
   std::mt19937_64 engine(random_seed);
   double length = length_of(waypoints);
-  for (std::size_t i = 0; i < shortcuts && waypoints.size() > 2; ++i) {
+  for (int i = 0; i < shortcuts && waypoints.size() > 2; ++i) {
     const auto random = [&] { return length * static_cast<double>(engine() >> 11) * 0x1p-53; };
     double first = random(), second = random();
     if (second < first) std::swap(first, second);

@@ -13,7 +13,7 @@ double length_of(const std::vector<Configuration>& waypoints);
 /// Shortens a path of straight joint motions that are proved: leaves out waypoints, then tries
 /// straight motions between random places of the path, `shortcuts` times. Its ends remain, and each
 /// of its motions is proved.
-void shorten(FreeEdges& edges, std::uint64_t random_seed, std::size_t shortcuts,
+void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
              std::vector<Configuration>& waypoints);
 
 }  // namespace beeline::internal
