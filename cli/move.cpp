@@ -274,7 +274,13 @@ Verb move_verb() {
             "0.05,0.1,0.5,1,1.5 --draw gains.svg"},
            {"The quickest motion of a Franka Panda at 1 kHz",
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
-            "quickest --rate 1000 --out move.csv"}},
+            "quickest --rate 1000 --out move.csv"},
+           {"Around an obstacle, with a proof",
+            "printf '{\"obstacles\": [{\"name\": \"pillar\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": "
+            "0.06, \"length\": 1.2}, \"pose\": {\"xyz\": [0.45, 0, 0.5]}}]}]}' > pillar.json\n"
+            "beeline move panda --from 0.6,-0.3,0,-2.2,0,1.9,0.8 --to=-0.6,-0.3,0,-2.2,0,1.9,0.8 "
+            "--method around --scene pillar.json --out around.csv"}},
       .run = [arguments] { return move_between(*arguments); }};
 }
 

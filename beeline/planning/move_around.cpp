@@ -61,12 +61,23 @@ RetimeOptions timing_of(const FreeMotionOptions& options) {
           .max_samples = options.max_samples};
 }
 
+/// A motion of one sample, to a goal that is the start.
+Retimed at_rest(const Arm& arm, const Configuration& q) {
+  const Configuration none = Configuration::Zero(q.size());
+  Retimed timed;
+  timed.trajectory = {arm.joint_names(), {0}, {q}, {none}, {none}};
+  timed.limits = limit_usage(arm, timed.trajectory);
+  return timed;
+}
+
 /// The motion along the path of `motion`, timed and proved, or why there is none.
 void time_and_prove(const CollisionModel& model, const FreeMotionOptions& options,
                     BudgetMeter& budget, FreeMotion& motion) {
   const Arm& arm = model.arm();
-  Retimed timed = retimed_paths(arm, paths_of(motion.path.waypoints, motion.blends),
-                                timing_of(options), budget);
+  const std::vector<Configuration>& waypoints = motion.path.waypoints;
+  Retimed timed = motion.path.length > 0 ? retimed_paths(arm, paths_of(waypoints, motion.blends),
+                                                         timing_of(options), budget)
+                                         : at_rest(arm, waypoints.front());
   if (!timed) {
     motion.status =
         budget.complete() ? MotionStatus::outside_limits : status_of<MotionStatus>(budget.ending());

@@ -218,6 +218,19 @@ TEST(MoveAround, PassesWaypointsWithoutAStop) {
   EXPECT_REFUSED(move_around(model, start, std::vector{goal}, {.joint_blend = -1}), "joint_blend");
 }
 
+TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
+  const Maze maze;
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const FreeMotion motion = move_around(model, start, std::vector{vector({3, 3}), start});
+  ASSERT_TRUE(motion) << motion.reason;
+  EXPECT_EQ(motion.path.goal, 1U);
+  EXPECT_EQ(motion.path.length, 0);
+  EXPECT_EQ(motion.trajectory.size(), 1U);
+  EXPECT_EQ(motion.trajectory.positions.front(), start);
+  EXPECT_TRUE(motion.clearance);
+}
+
 TEST(MoveAround, OfAnArmKeepsItsPromises) {
   const Arm arm = built_in("panda");
   Random random;

@@ -36,10 +36,10 @@ void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
     while (next > k + 1 && !edges.is_free(waypoints[k], waypoints[next])) {
       next = k + (next - k) / 2;  // halving: a few motions for each waypoint
     }
-    kept.push_back(waypoints[next]);
+    if (waypoints[next] != kept.back()) kept.push_back(waypoints[next]);
     k = next;
   }
-  waypoints = std::move(kept);
+  if (kept.size() > 1) waypoints = std::move(kept);
 }
 
 }  // namespace
