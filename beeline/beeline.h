@@ -54,6 +54,7 @@
 #include <beeline/path/segment.h>
 #include <beeline/path/tool_path.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/free_path.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/planning/program.h>
 #include <beeline/pose/se2.h>

@@ -22,6 +22,7 @@ enum class ReasonCode {
   ended_before_all_solutions,  ///< `count` were found
   ended_before_best_solution,  ///< the one given is the best so far
   ended_on_path,               ///< the path was followed up to this place
+  ended_before_free_path,      ///< after `count` straight joint motions
   ended_before_timing,         ///< the path was planned, not timed
   ended_before_check,          ///< the trajectory was not wholly checked
   ended_before_sampling,       ///< the motion was timed, not sampled
@@ -92,6 +93,9 @@ enum class ReasonCode {
   bodies_collide,         ///< two bodies overlap or touch
   bodies_too_close,       ///< two bodies are closer than their clearance
   clearance_not_decided,  ///< two bodies are as close as their clearance, to the resolution
+  start_not_free,         ///< the start of a free path; `details` has why
+  goal_not_free,          ///< none of its `count` goals; `details` has why the first is not
+  no_free_path,           ///< none was found with `count` straight joint motions; one may exist
   // Control.
   joint_outside_limits,              ///< a joint is outside its position limits
   goal_outside_limits,               ///< the goal of a controller is outside the limits

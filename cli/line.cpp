@@ -357,7 +357,8 @@ Verb line_verb() {
           "and --draw shows the arm where it collides. "
           "Without --from the best branch that keeps it is taken, and those that do not are "
           "listed as blocked, with what they hit and where or why they end early; a program has "
-          "one motion. The path is not planned around obstacles.\n\n"
+          "one motion. The path is not planned around obstacles; joint motions are, see `beeline "
+          "help move`.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
       .options =

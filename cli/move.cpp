@@ -7,6 +7,7 @@
 #include <beeline/kinematics/forward.h>
 
 #include "arm_argument.h"
+#include "around_argument.h"
 #include "budget_argument.h"
 #include "command/streams.h"
 #include "format.h"
@@ -21,7 +22,7 @@
 namespace beeline::command {
 namespace {
 
-const std::string feedback = "feedback", quickest = "quickest";
+const std::string feedback = "feedback", quickest = "quickest", around = AroundArgument::method;
 
 struct MoveArguments {
   ArmArgument arm;
@@ -36,6 +37,7 @@ struct MoveArguments {
   std::string method = feedback, synchronise = "time";
   double rate = 100;
   std::optional<double> duration;
+  AroundArgument around;
   ResultFiles files;
 };
 
@@ -119,14 +121,32 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
   return compared_gains(motions, to, arguments.files.draw);
 }
 
+/// The configuration of --to; with --method around --pose may be given instead.
+std::optional<Configuration> goal_of(const MoveArguments& arguments, const Arm& arm) {
+  const bool has_pose = !arguments.around.pose.empty();
+  if (arguments.to.empty() != has_pose) {
+    throw Error(has_pose ? "--to and --pose are two goals; give one of them"
+                         : "move needs --to, the joint values at the goal" +
+                               std::string(arguments.method == around ? ", or --pose" : ""));
+  }
+  if (has_pose) return std::nullopt;
+  return arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
+}
+
 Answer move_between(const MoveArguments& arguments) {
   arguments.files.check(arguments.arm.inputs(arguments.scene.inputs()));
   const std::vector<double> gains = gains_of(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Configuration from =
       arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
-  const Configuration to = arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
+  const std::optional<Configuration> goal_values = goal_of(arguments, arm);
   const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
+  if (arguments.method == around) {
+    if (!scene) throw Error("--method around needs --scene or --self");
+    return arguments.around.answer(arm, from, goal_values, arguments.scene, *scene, arguments.unit,
+                                   arguments.rate, arguments.budget, arguments.files);
+  }
+  const Configuration& to = *goal_values;
   if (gains.size() > 1) return compare_gains(arguments, arm, from, to, gains);
   SimulationOptions simulation = arguments.simulation;
   simulation.budget = arguments.budget.next();
@@ -178,13 +198,14 @@ std::vector<Option> move_options(MoveArguments& arguments) {
   Option from =
       joint_values_option("--from", "Joint values at the start.", &arguments.from, {"start"});
   Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
-  from.required = to.required = true;
+  from.required = true;
   return {from, to,
           Option("--method METHOD",
                  "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                  "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                 "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m.",
-                 &arguments.method, {.choices = {feedback, quickest}})};
+                 "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m; around: a "
+                 "motion from rest to rest around the obstacles of --scene.",
+                 &arguments.method, {.choices = {feedback, quickest, around}})};
 }
 
 std::vector<Option> feedback_options(MoveArguments& arguments) {
@@ -212,7 +233,7 @@ std::vector<Option> quickest_options(MoveArguments& arguments) {
              "move in proportion, on a straight line in joint space.",
              &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}}),
       duration_option(&arguments.duration, ", a whole number of periods of --rate", "", {quickest}),
-      rate_option(&arguments.rate, ".", {quickest})};
+      rate_option(&arguments.rate, ".", {quickest, around})};
 }
 
 }  // namespace
@@ -231,14 +252,19 @@ Verb move_verb() {
           "jump of velocity, which is printed too; the quickest motion begins at rest and "
           "respects all limits. In general the tool does "
           "not move in a straight line: see `beeline line`. With --scene or --self the motion "
-          "must keep a clearance, see `beeline help check`; otherwise nothing is written, and "
-          "the status is collides or not_decided.",
+          "must keep a clearance, see `beeline help check`; otherwise no motion is written, and "
+          "the status is collides or not_decided.\n\n"
+          "--method around searches a path around the obstacles: the straight joint motion first, "
+          "then two trees of random configurations that grow towards each other (RRT-Connect), in "
+          "which each edge is proved to keep the clearance. The path is shortened, its waypoints "
+          "are passed in blends, and the finished motion is proved. If none is found (not_found), "
+          "one may exist.",
       .arguments = {arguments->arm.argument()},
       .options =
           joined({move_options(*arguments), arguments->unit.options(), arguments->scene.options(),
                   arguments->files.options(), arguments->arm.options(), arguments->limits.options(),
                   feedback_options(*arguments), quickest_options(*arguments),
-                  arguments->budget.options()}),
+                  arguments->around.options(), arguments->budget.options()}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
@@ -248,7 +274,13 @@ Verb move_verb() {
             "0.05,0.1,0.5,1,1.5 --draw gains.svg"},
            {"The quickest motion of a Franka Panda at 1 kHz",
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
-            "quickest --rate 1000 --out move.csv"}},
+            "quickest --rate 1000 --out move.csv"},
+           {"Around an obstacle, with a proof",
+            "printf '{\"obstacles\": [{\"name\": \"pillar\", \"shapes\": [{\"cylinder\": "
+            "{\"radius\": "
+            "0.06, \"length\": 1.2}, \"pose\": {\"xyz\": [0.45, 0, 0.5]}}]}]}' > pillar.json\n"
+            "beeline move panda --from 0.6,-0.3,0,-2.2,0,1.9,0.8 --to=-0.6,-0.3,0,-2.2,0,1.9,0.8 "
+            "--method around --scene pillar.json --out around.csv"}},
       .run = [arguments] { return move_between(*arguments); }};
 }
 

@@ -37,7 +37,7 @@ OUTSIDE = ("cli", "python/src", "mpi", "web/core", "bench", "examples")
 UMBRELLA = "beeline/beeline.h"  # includes every public header
 # Not installed: all of these folders, every internal/ and -inl.h.
 INTERNAL = {"simd", "math", "reason", "inverse/analytic", "inverse/numerical"}
-MAX_PUBLIC_HEADERS = 64
+MAX_PUBLIC_HEADERS = 65  # planning/free_path.h is the 65th
 ERROR = ("beeline/error.h", "beeline/beeline.h")
 SYSTEM = {"fcntl", "poll", "spawn", "sys", "unistd"}  # C headers that any .cpp may use
 

@@ -43,6 +43,20 @@ std::string clearance_sentence(const ReasonText& reason) {
              ", closer than the clearance of " + reason.number(clearance, " m");
     case ReasonCode::clearance_not_decided:
       return not_decided(reason);
+    case ReasonCode::start_not_free:
+      return "at the start " + sentence(reason.required_detail());
+    case ReasonCode::goal_not_free:
+      return (reason.number(count) == "1" ? "at the goal "
+                                          : "at each of the " + reason.number(count) +
+                                                " goals a limit or a clearance is not kept; at the "
+                                                "first ") +
+             sentence(reason.required_detail());
+    case ReasonCode::no_free_path:
+      return "no path was found that keeps the clearance, with " + reason.number(count) +
+             " straight joint motions; one may exist";
+    case ReasonCode::ended_before_free_path:
+      return reason.ended() + " before a path was found that keeps the clearance, after " +
+             reason.number(count) + " straight joint motions" + reason.how_to_continue();
     default:
       return "";
   }

@@ -5,6 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/possible_rate.h>
+#include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/sampled_section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
@@ -18,8 +19,8 @@ constexpr double repeated = 1e-12;   // radians or metres; nearer positions coun
 constexpr double rest_speed = 1e-9;  // relative to the largest velocity; slower is rest
 constexpr int linear_samples = 200;  // of a section, where joints move linearly between them
 
-/// Returns the positions of each section of the path. A stop ends one section and begins the next.
-std::vector<std::vector<Configuration>> sections_between_stops(const Trajectory& trajectory) {
+/// Returns the path of each section. A stop ends one section and begins the next.
+std::vector<JointPath> paths_between_stops(const Trajectory& trajectory) {
   double largest = 0;
   for (const Configuration& v : trajectory.velocities) {
     largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
@@ -37,12 +38,14 @@ std::vector<std::vector<Configuration>> sections_between_stops(const Trajectory&
     stop = !trajectory.velocities.empty() &&
            trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= rest_speed * largest;
   }
-  return all;
+  std::vector<JointPath> paths;
+  for (const auto& q : all) paths.push_back(joint_spline(q, chord_length(q)));
+  return paths;
 }
 
-/// The path parameters that get a sample: the positions, and for linear joints more.
-std::vector<double> required_samples(const std::vector<Configuration>& positions, bool linear) {
-  std::vector<double> s = chord_length(positions);
+/// The path parameters that get a sample: the grid points, and for linear joints more.
+std::vector<double> required_samples(const JointPath& path, bool linear) {
+  std::vector<double> s = path.s;
   const double length = s.back();
   for (int i = 1; linear && i < linear_samples; ++i) s.push_back(length * i / linear_samples);
   std::sort(s.begin(), s.end());
@@ -67,17 +70,17 @@ Trajectory path_of(const Arm& arm, const Trajectory& recorded, const RetimeOptio
   return std::move(result.trajectory);
 }
 
-/// The sections of a trajectory from stop to stop. Each gets its time scaling when it is needed.
+/// Joint paths from stop to stop. Each gets its time scaling when it is needed.
 class Sections {
  public:
-  Sections(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options,
+  Sections(const Arm& arm, const std::vector<JointPath>& paths, const RetimeOptions& options,
            internal::BudgetMeter& budget)
       : arm_(arm),
         options_{.timing = options, .tool_speeds = options.tool_speed, .budget = budget},
-        positions_(sections_between_stops(trajectory)) {}
+        paths_(paths) {}
 
-  std::size_t count() const { return positions_.size(); }
-  std::size_t steps(std::size_t i) const { return positions_[i].size() - 1; }
+  std::size_t count() const { return paths_.size(); }
+  std::size_t steps(std::size_t i) const { return paths_[i].size() - 1; }
   std::size_t steps() const {
     std::size_t all = 0;
     for (std::size_t i = 0; i < count(); ++i) all += steps(i);
@@ -87,8 +90,7 @@ class Sections {
   /// Returns section i with its time scaling, or with the reason why there is none.
   const internal::TimedSection& timed(std::size_t i) {
     while (timed_.size() <= i) {
-      const std::vector<Configuration>& q = positions_[timed_.size()];
-      timed_.push_back(internal::timed_section(arm_, joint_spline(q, chord_length(q)), options_));
+      timed_.push_back(internal::timed_section(arm_, paths_[timed_.size()], options_));
     }
     return timed_[i];
   }
@@ -101,7 +103,7 @@ class Sections {
     section.samples_before = samples;
     section.begin = time;
     section.required =
-        required_samples(positions_[i], options_.timing.interpolation == Interpolation::linear);
+        required_samples(paths_[i], options_.timing.interpolation == Interpolation::linear);
     return internal::sample_section(arm_, timed(i), section);
   }
 
@@ -132,7 +134,7 @@ class Sections {
  private:
   const Arm& arm_;
   internal::SectionOptions options_;
-  std::vector<std::vector<Configuration>> positions_;
+  const std::vector<JointPath>& paths_;
   std::deque<internal::TimedSection> timed_;
 };
 
@@ -170,47 +172,56 @@ void check_moves(const Trajectory& trajectory) {
   throw Error("a trajectory needs two different positions to be retimed; this one has " + found);
 }
 
-Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
+Retimed internal::retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
+                                const RetimeOptions& options, BudgetMeter& budget) {
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
-  internal::check_options(options);
-  const Trajectory trajectory = path_of(arm, recorded, options, timed.unwrapped);
-  check_moves(trajectory);
-  timed.reason = too_long(trajectory, options);
-  if (!timed) return timed;
   timed.trajectory.joint_names = arm.joint_names();
-  internal::BudgetMeter budget(options.budget);
-  Sections sections(arm, trajectory, options, budget);
+  Sections sections(arm, paths, options, budget);
   const double count = static_cast<double>(sections.steps());
   double steps = 0;  // of the sections so far
   for (std::size_t i = 0; i < sections.count(); ++i) {
     const double here = static_cast<double>(sections.steps(i));
     if (budget.ended(static_cast<std::int64_t>(sections.steps(i) + 1))) break;
-    const internal::TimedSection& section = sections.timed(i);
+    const TimedSection& section = sections.timed(i);
     if (!budget.complete() && !section.scaling) break;
     timed.reason = section.scaling.reason;
     if (!timed) return timed;
     // The time scaling of a section is about half of its work.
     budget.report((steps + 0.5 * here) / count);
     const bool begun = timed.trajectory.size() > 0;
-    const internal::SampledSection sampled =
+    const SampledSection sampled =
         sections.sampled(i, options.rate, begun ? timed.trajectory.size() : 1,
                          begun ? timed.trajectory.times.back() : 0);
     if (!sampled && !sampled.reason) break;  // the budget has ended
     timed.reason = sampled.reason;
     if (!timed) {
       timed.trajectory = {};
-      internal::set_possible_rate(
+      set_possible_rate(
           options, sections.shortest_duration(),
           [&](double rate) { return sections.possible(rate); }, timed.reason);
       return timed;
     }
-    internal::append(timed.trajectory, sampled.trajectory);
+    append(timed.trajectory, sampled.trajectory);
     ++timed.sections;
     steps += here;
     budget.report(steps / count);
   }
   finish(arm, options, sections.count(), budget, timed);
+  return timed;
+}
+
+Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
+  Retimed given;
+  given.profile = options.profile.value_or(default_profile);
+  internal::check_options(options);
+  const Trajectory trajectory = path_of(arm, recorded, options, given.unwrapped);
+  check_moves(trajectory);
+  given.reason = too_long(trajectory, options);
+  if (!given) return given;
+  internal::BudgetMeter budget(options.budget);
+  Retimed timed = internal::retimed_paths(arm, paths_between_stops(trajectory), options, budget);
+  timed.unwrapped = std::move(given.unwrapped);
   return timed;
 }
 

@@ -70,6 +70,17 @@ Configuration goal_from(const YAML::Node& file, const Arm& arm) {
   return goal;
 }
 
+Configuration start_from(const YAML::Node& file, const Arm& arm) {
+  Configuration start = Configuration::Zero(arm.dof());
+  const std::vector<std::string> names = arm.joint_names();
+  const YAML::Node state = file["start_state"]["joint_state"];
+  for (std::size_t i = 0; i < state["name"].size(); ++i) {
+    const auto found = std::find(names.begin(), names.end(), state["name"][i].as<std::string>());
+    if (found != names.end()) start[found - names.begin()] = state["position"][i].as<double>();
+  }
+  return start;
+}
+
 /// The text with the fingers' upper limit beyond 0.065 m.
 std::string with_wide_fingers(std::string text) {
   const std::string limit = R"(upper="0.04")";
@@ -109,7 +120,8 @@ std::vector<Problem> read_problems(const std::string& folder, const ShapedArm& a
     problems.push_back(
         {fs::path(path).parent_path().filename().string() + "/" + fs::path(path).stem().string(),
          scene_from(YAML::LoadFile(path), arm),
-         {goal_from(YAML::LoadFile(request), arm.arm)}});
+         {goal_from(YAML::LoadFile(request), arm.arm)},
+         start_from(YAML::LoadFile(request), arm.arm)});
   }
   return problems;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Problem {
   std::string name;
   Scene scene;  ///< with the allowed pairs of the arm's links
   std::vector<Configuration> configurations;
+  std::optional<Configuration> start = std::nullopt;  ///< from which they are to be reached
 };
 
 /// Reads the problems of MotionBenchMaker below a folder: `KIND/sceneNNNN.yaml`, whose boxes and

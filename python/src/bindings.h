@@ -27,6 +27,7 @@ void bind_planning(nanobind::module_& module);
 void bind_pose_lists(nanobind::module_& module);
 void bind_programs(nanobind::module_& module);
 void bind_clearances(nanobind::module_& module);
+void bind_free_paths(nanobind::module_& module);
 void bind_controller_files(nanobind::module_& module);
 void bind_control(nanobind::module_& module);
 void bind_pids(nanobind::module_& module);

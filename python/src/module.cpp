@@ -50,6 +50,7 @@ NB_MODULE(_core, module) {
   bind_pose_lists(module);
   bind_programs(module);
   bind_clearances(module);
+  bind_free_paths(module);
   bind_controller_files(module);
   bind_control(module);
   bind_pids(module);

@@ -44,6 +44,14 @@ std::vector<Said> said_of_clearances() {
         with(bodies, {{distance, 0.00101}, {begin, 0.49}, {end, 0.51}})},
        "between 0.49 s and 0.51 s hand is about 0.00101 m from table, too near to the clearance of "
        "0.001 m to decide; a smaller clearance or a finer resolution decides"},
+      {{ReasonCode::start_not_free, {}, {close}}, "at the start " + said_close},
+      {{ReasonCode::goal_not_free, {{count, std::size_t{1}}}, {close}},
+       "at the goal " + said_close},
+      {{ReasonCode::goal_not_free, {{count, std::size_t{8}}}, {close}},
+       "at each of the 8 goals a limit or a clearance is not kept; at the first " + said_close},
+      {{ReasonCode::no_free_path, {{count, std::size_t{900}}}},
+       "no path was found that keeps the clearance, with 900 straight joint motions; one may "
+       "exist"},
   };
 }
 

@@ -32,6 +32,10 @@ std::vector<Said> said_of_searches() {
        ended + " after it had followed the whole path" + more},
       {{ReasonCode::ended_on_path, with(late, stop)},
        ended + " after it had followed line 2 of 3 to 63.1 %" + more},
+      {{ReasonCode::ended_before_free_path, with(late, {{count, std::size_t{40}}})},
+       ended +
+           " before a path was found that keeps the clearance, after 40 straight joint motions" +
+           more},
       {{ReasonCode::ended_before_timing, late},
        ended + " after the whole path was planned, before the motion was timed and proved" + more},
       {{ReasonCode::ended_before_check, late},

@@ -246,6 +246,7 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
                 .begin = part.from,
                 .end = part.to,
                 .parts = proof_.parts};
+      ended_ = until_first_fault_;
     }
   }
   constexpr std::size_t most_undecided = 10'000;

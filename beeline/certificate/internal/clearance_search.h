@@ -35,6 +35,12 @@ class ClearanceSearch {
     bool is_divisible() const { return middle() > from && middle() < to; }
   };
 
+  /// Ends the search at the first part that is not proved, collision or not.
+  ClearanceSearch& until_first_fault() {
+    until_first_fault_ = true;
+    return *this;
+  }
+
   /// Searches the whole motion, some intervals of it, or a part of one. Once only.
   ClearanceProof run() { return run(tubes_.all()); }
   ClearanceProof run(const MotionTubes::Range& range);
@@ -74,6 +80,7 @@ class ClearanceSearch {
   BudgetMeter& budget_;
   double beyond_;
   bool only_counted_;
+  bool until_first_fault_ = false;
   TubeTest tube_test_;
   ThreadScratch<Scratch> scratch_;
   std::vector<OpenPair>& open_;   ///< a stack

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <random>
+#include <utility>
+
+#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/planning/free_path.h>
+#include <beeline/planning/internal/free_edges.h>
+#include <beeline/planning/internal/joint_tree.h>
+#include <beeline/planning/internal/shortened_path.h>
+
+namespace beeline {
+
+using namespace internal;
+
+namespace {
+
+constexpr double node_spacing = 0.5;    // along an edge of a tree, as the norm of the difference
+constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
+// A tree stops before the place where the proof of an edge ends, because every motion from there is
+// as near to a body.
+constexpr double usable = 0.9;
+
+/// The configurations within the position limits, those of joints without limits half a revolution
+/// about the start and the goals.
+class JointSpace {
+ public:
+  JointSpace(const Arm& arm, const Configuration& start, std::span<const Configuration> goals)
+      : lower_(start), upper_(start) {
+    for (const Configuration& goal : goals) {
+      lower_ = lower_.cwiseMin(goal);
+      upper_ = upper_.cwiseMax(goal);
+    }
+    for (int i = 0; i < arm.dof(); ++i) {
+      const Limits& limits = arm.limits(i);
+      lower_[i] = std::isfinite(limits.lower) ? limits.lower : lower_[i] - std::numbers::pi;
+      upper_[i] = std::isfinite(limits.upper) ? limits.upper : upper_[i] + std::numbers::pi;
+    }
+  }
+
+  Configuration random(std::mt19937_64& engine) const {
+    Configuration q(lower_.size());
+    for (Eigen::Index i = 0; i < q.size(); ++i) {
+      // The 53 upper bits: the standard's distributions differ from library to library.
+      const double fraction = static_cast<double>(engine() >> 11) * 0x1p-53;
+      q[i] = lower_[i] + fraction * (upper_[i] - lower_[i]);
+    }
+    return q;
+  }
+
+ private:
+  Configuration lower_, upper_;
+};
+
+/// RRT-Connect.
+class TreeSearch {
+ public:
+  TreeSearch(const CollisionModel& model, const FreePathOptions& options, FreeEdges& edges,
+             JointSpace space)
+      : options_(options),
+        edges_(edges),
+        space_(std::move(space)),
+        engine_(options.random_seed),
+        trees_{JointTree(model.arm().dof()), JointTree(model.arm().dof())} {}
+
+  void add_start(const Configuration& q) { trees_[0].add(q); }
+  void add_goal(const Configuration& q) { trees_[1].add(q); }
+
+  /// Returns the path from the start to a goal and the index of the goal among those added; empty
+  /// if the trees do not meet.
+  std::pair<std::vector<Configuration>, std::size_t> path(BudgetMeter& budget) {
+    for (std::size_t a = 0;
+         edges_.count() < static_cast<std::size_t>(options_.max_edges) && budget.complete();
+         a = 1 - a) {
+      const std::size_t b = 1 - a;
+      const std::size_t grown = advance(trees_[a], space_.random(engine_)).first;
+      if (grown == none) continue;
+      const Configuration q = trees_[a].node(grown);
+      const auto [met, reached] = advance(trees_[b], q);
+      if (reached) return joined(a, grown, met);
+    }
+    return {};
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  /// Grows a tree from its nearest node towards q as far as that is proved. Returns the last node,
+  /// none if it is stuck, and whether it is q.
+  std::pair<std::size_t, bool> advance(JointTree& tree, const Configuration& q) {
+    std::size_t last = tree.nearest(q);
+    const Configuration from = tree.node(last);
+    const Configuration change = q - from;
+    const double length = change.norm();
+    if (length == 0) return {last, true};
+    const double free = edges_.free_fraction(from, q);
+    const bool reached = free == 1;
+    const double end = reached ? 1 : usable * free;
+    if (!reached && end * length < least_advance) return {none, false};
+    const auto parts = static_cast<int>(std::ceil(end * length / node_spacing));
+    for (int i = 1; i <= parts; ++i) {
+      last = tree.add(reached && i == parts ? q : from + end * i / parts * change, last);
+    }
+    return {last, reached};
+  }
+
+  std::pair<std::vector<Configuration>, std::size_t> joined(std::size_t a, std::size_t grown,
+                                                            std::size_t met) const {
+    const std::size_t from_start = a == 0 ? grown : met, from_goal = a == 0 ? met : grown;
+    std::vector<Configuration> way = trees_[0].way_to_root(from_start);
+    std::reverse(way.begin(), way.end());
+    const std::vector<Configuration> rest = trees_[1].way_to_root(from_goal);
+    way.insert(way.end(), rest.begin() + 1, rest.end());
+    return {way, trees_[1].root_of(from_goal)};
+  }
+
+  const FreePathOptions& options_;
+  FreeEdges& edges_;
+  JointSpace space_;
+  std::mt19937_64 engine_;
+  JointTree trees_[2];
+};
+
+/// Why a configuration cannot be an end of a path; no reason if it can.
+Reason refusal(const CollisionModel& model, const Configuration& q) {
+  const std::vector<Reason> outside = limit_violations(model.arm(), q);
+  return outside.empty() ? blocked_by(model, q) : outside.front();
+}
+
+MotionStatus status_of_refusal(const Reason& reason) {
+  if (reason.code == ReasonCode::joint_outside_limits) return MotionStatus::outside_limits;
+  return reason.code == ReasonCode::clearance_not_decided ? MotionStatus::not_decided
+                                                          : MotionStatus::collides;
+}
+
+/// The goals that are free, the nearest to the start first; or, if there are none, why the first is
+/// not.
+struct FreeGoals {
+  std::vector<std::size_t> indices;
+  Reason refusal;
+};
+
+FreeGoals free_goals_of(const CollisionModel& model, const Configuration& start,
+                        std::span<const Configuration> goals) {
+  FreeGoals found;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    Reason reason = refusal(model, goals[i]);
+    if (!reason) {
+      found.indices.push_back(i);
+    } else if (!found.refusal) {
+      found.refusal = std::move(reason);
+    }
+  }
+  std::stable_sort(found.indices.begin(), found.indices.end(), [&](std::size_t a, std::size_t b) {
+    return (goals[a] - start).norm() < (goals[b] - start).norm();
+  });
+  return found;
+}
+
+FreePath refused(const Reason& why, ReasonCode which, std::size_t goals) {
+  FreePath path;
+  path.status = status_of_refusal(why);
+  path.reason = {which, {}, {why}};
+  if (which == ReasonCode::goal_not_free) path.reason.set(ReasonField::count, goals);
+  return path;
+}
+
+/// Searches a path to one of these goals; leaves the path without waypoints if there is none.
+void search_path(const CollisionModel& model, const Configuration& start,
+                 std::span<const Configuration> goals, const std::vector<std::size_t>& free_goals,
+                 const FreePathOptions& options, BudgetMeter& budget, FreePath& path) {
+  FreeEdges edges(model, budget);
+  for (const std::size_t i : free_goals) {
+    if (!edges.is_free(start, goals[i])) continue;
+    path.waypoints = {start, goals[i]};
+    path.goal = i;
+    break;
+  }
+  if (path.waypoints.empty()) {
+    TreeSearch trees(model, options, edges, JointSpace(model.arm(), start, goals));
+    trees.add_start(start);
+    for (const std::size_t i : free_goals) trees.add_goal(goals[i]);
+    auto [way, goal] = trees.path(budget);
+    path.waypoints = std::move(way);
+    if (!path.waypoints.empty()) {
+      path.goal = free_goals[goal];
+      shorten(edges, options.random_seed, options.shortcuts, path.waypoints);
+    }
+  }
+  path.edges = edges.count();
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const FreePath& path) {
+  out << path.status;
+  if (!path) return out << ": " << path.reason;
+  return out << ", " << path.waypoints.size() << " waypoints, length " << number(path.length);
+}
+
+FreePath find_free_path(const CollisionModel& model, const Configuration& start,
+                        std::span<const Configuration> goals, const FreePathOptions& options) {
+  if (goals.empty()) throw Error("a path needs a goal; none is given");
+  if (options.max_edges < 1) {
+    throw Error("", "max_edges",
+                " is " + std::to_string(options.max_edges) + "; it must be 1 or more");
+  }
+  if (options.shortcuts < 0) {
+    throw Error("", "shortcuts",
+                " is " + std::to_string(options.shortcuts) + "; it must be 0 or more");
+  }
+  if (const Reason reason = refusal(model, start)) {
+    return refused(reason, ReasonCode::start_not_free, 0);
+  }
+  const FreeGoals free_goals = free_goals_of(model, start, goals);
+  if (free_goals.indices.empty()) {
+    return refused(free_goals.refusal, ReasonCode::goal_not_free, goals.size());
+  }
+  BudgetMeter budget(options.budget);
+  FreePath path;
+  search_path(model, start, goals, free_goals.indices, options, budget, path);
+  path.length = length_of(path.waypoints);
+  if (!path.waypoints.empty()) {
+    path.status = MotionStatus::reached;
+  } else if (!budget.complete()) {
+    set_ended(ReasonCode::ended_before_free_path, budget.ending(), path);
+    path.reason.set(ReasonField::count, path.edges);
+  } else {
+    path.reason = {ReasonCode::no_free_path, {{ReasonField::count, path.edges}}};
+  }
+  return path;
+}
+
+}  // namespace beeline

@@ -1,0 +1,36 @@
+#include <beeline/certificate/internal/clearance_search.h>
+#include <beeline/planning/internal/free_edges.h>
+
+namespace beeline::internal {
+namespace {
+
+// A pair that is nearer than twice its clearance need not be decided: another way is as good.
+const ClearanceOptions coarse{.resolution = 1};
+
+}  // namespace
+
+FreeEdges::FreeEdges(const CollisionModel& model, BudgetMeter& budget)
+    : model_(model),
+      budget_(budget),
+      edge_{model.bodies().joint_names, {0, 1}, {Configuration(), Configuration()}, {}, {}} {}
+
+double FreeEdges::free_fraction(const Configuration& a, const Configuration& b) {
+  if (budget_.ended()) return 0;
+  ++count_;
+  edge_.positions = {a, b};
+  const MotionTubes tubes(edge_);
+  const ClearanceProof proof =
+      ClearanceSearch(model_.bodies(), tubes, coarse, budget_).until_first_fault().run();
+  if (proof) return 1;
+  return proof.status > ClearanceStatus::not_decided ? 0 : proof.begin;
+}
+
+bool FreeEdges::is_free(const Trajectory& motion) {
+  if (budget_.ended()) return false;
+  ++count_;
+  const MotionTubes tubes(motion);
+  return static_cast<bool>(
+      ClearanceSearch(model_.bodies(), tubes, coarse, budget_).until_first_fault().run());
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <random>
+
+#include <beeline/planning/internal/shortened_path.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double worthwhile = 1e-3;  // fraction of the length that a shortcut saves at least
+
+/// A place on a path: on the motion from waypoint `segment` to the next.
+struct PlaceOnPath {
+  std::size_t segment = 0;
+  Configuration q;
+};
+
+/// The place at a distance along the path.
+PlaceOnPath place_at(const std::vector<Configuration>& waypoints, double distance) {
+  for (std::size_t k = 0; k + 2 < waypoints.size(); ++k) {
+    const double length = (waypoints[k + 1] - waypoints[k]).norm();
+    if (distance < length) {
+      return {k, waypoints[k] + distance / length * (waypoints[k + 1] - waypoints[k])};
+    }
+    distance -= length;
+  }
+  const Configuration& from = waypoints[waypoints.size() - 2];
+  const Configuration change = waypoints.back() - from;
+  return {waypoints.size() - 2, from + std::min(1.0, distance / change.norm()) * change};
+}
+
+/// From each waypoint goes on to the farthest one to which the straight motion is proved.
+void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
+  std::vector<Configuration> kept{waypoints.front()};
+  for (std::size_t k = 0; k + 1 < waypoints.size();) {
+    std::size_t next = waypoints.size() - 1;
+    while (next > k + 1 && !edges.is_free(waypoints[k], waypoints[next])) {
+      next = k + (next - k) / 2;  // halving: a few motions for each waypoint
+    }
+    if (waypoints[next] != kept.back()) kept.push_back(waypoints[next]);
+    k = next;
+  }
+  if (kept.size() > 1) waypoints = std::move(kept);
+}
+
+}  // namespace
+
+double length_of(const std::vector<Configuration>& waypoints) {
+  double length = 0;
+  for (std::size_t k = 1; k < waypoints.size(); ++k) {
+    length += (waypoints[k] - waypoints[k - 1]).norm();
+  }
+  return length;
+}
+
+void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
+             std::vector<Configuration>& waypoints) {
+  leave_out(edges, waypoints);
+  std::mt19937_64 engine(random_seed);
+  double length = length_of(waypoints);
+  for (int i = 0; i < shortcuts && waypoints.size() > 2; ++i) {
+    const auto random = [&] { return length * static_cast<double>(engine() >> 11) * 0x1p-53; };
+    double first = random(), second = random();
+    if (second < first) std::swap(first, second);
+    const PlaceOnPath a = place_at(waypoints, first), b = place_at(waypoints, second);
+    const double saved = second - first - (b.q - a.q).norm();
+    if (a.segment == b.segment || saved < worthwhile * length) continue;
+    if (!edges.is_free(a.q, b.q)) continue;
+    const auto at = [&](std::size_t k) {
+      return waypoints.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    const auto after = waypoints.erase(at(a.segment + 1), at(b.segment + 1));
+    waypoints.insert(after, {a.q, b.q});
+    length -= saved;
+  }
+  leave_out(edges, waypoints);
+}
+
+}  // namespace beeline::internal

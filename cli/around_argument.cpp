@@ -1,0 +1,141 @@
+#include "around_argument.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/forward.h>
+
+#include "blocked_solutions.h"
+#include "command/progress.h"
+#include "format.h"
+#include "json_reason.h"
+#include "motion_report.h"
+#include "pose_argument.h"
+#include "sampling_argument.h"
+
+namespace beeline::command {
+namespace {
+
+/// The goals, or why there are none.
+struct Goals {
+  std::vector<Configuration> configurations = {};
+  MotionStatus status = MotionStatus::reached;
+  Reason reason = {};
+};
+
+Goals solutions_of(const Arm& arm, const Configuration& from, const std::string& text,
+                   const CheckedScene& scene, const UnitArgument& unit, const Budget& budget) {
+  const WrittenPose goal = parse_pose_option(arm, "--pose", text, unit);
+  for_option("--pose", [&] { check_pose_form(arm, goal, {}); });
+  warn_of_positions("--pose", arm, std::span(&goal.pose, 1), unit);
+  const InverseResult found = inverse_kinematics(
+      arm, goal.pose,
+      {.seed = from, .all = true, .blocked_by = blocked_in(scene), .budget = budget});
+  return {found.solutions, motion_status(found.status), found.reason};
+}
+
+std::string path_text(const FreeMotion& motion) {
+  const auto edges = static_cast<std::int64_t>(motion.path.waypoints.size()) - 1;
+  const auto blends = std::count_if(motion.blends.begin(), motion.blends.end(),
+                                    [](double radius) { return radius > 0; });
+  return fmt::format("path          {}, length {}, {}; {} examined\n",
+                     counted(edges, "straight joint motion"), shown(motion.path.length),
+                     counted(blends, "blend"),
+                     counted(static_cast<std::int64_t>(motion.path.edges), "motion"));
+}
+
+Json path_document(const Arm& arm, const FreeMotion& motion, const UnitArgument& unit) {
+  Json waypoints = Json::list();
+  for (const Configuration& q : motion.path.waypoints) waypoints.append(unit.shown(arm, q));
+  Json blends = Json::list();
+  for (const double radius : motion.blends) blends.append(radius);
+  return {{"waypoints", waypoints},
+          {"blends", blends},
+          {"length", motion.path.length},
+          {"edges", motion.path.edges}};
+}
+
+}  // namespace
+
+std::vector<Option> AroundArgument::options() {
+  const std::vector<std::string> methods = {method};
+  return {
+      Option("--pose POSE",
+             "The goal as a pose of the tool, as in `beeline ik`, instead of --to: a solution "
+             "of inverse kinematics that can be reached.",
+             &pose, {.methods = methods}),
+      Option("--joint-blend D",
+             "Largest distance of the joints from a waypoint of the path, the norm of the "
+             "difference, at which the motion leaves the straight line to pass it without a "
+             "stop; 0: the arm stops there. Default: as large as the clearance allows.",
+             &motion.joint_blend, {.range = zero_or_more, .methods = methods}),
+      Option("--shortcuts N", "Number of shortcuts that are tried on the path.", &motion.shortcuts,
+             {.methods = methods}),
+      Option("--max-edges N", "Largest number of straight joint motions that the search examines.",
+             &motion.max_edges, {.methods = methods}),
+      Option("--random-seed N", "Seed of the search; the same seed gives the same motion.",
+             &motion.random_seed, {.methods = methods}),
+      profile.option(methods),
+      tool_speed_option(&tool_speed, "", methods)};
+}
+
+Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
+                              const std::optional<Configuration>& to,
+                              const SceneArgument& scene_argument, const CheckedScene& scene,
+                              const UnitArgument& unit, double rate, const BudgetArgument& budget,
+                              const ResultFiles& files) const {
+  const Goals goals = to ? Goals{{*to}} : solutions_of(arm, from, pose, scene, unit, budget.next());
+  FreeMotionOptions options = motion;
+  options.profile = profile.read();
+  options.rate = rate;
+  if (tool_speed) options.tool_speed = *tool_speed;
+  FreeMotion found;
+  found.status = goals.status;
+  found.reason = goals.reason;
+  if (!goals.configurations.empty()) {
+    Progress progress;
+    options.budget = progress.of(budget.next());
+    found = move_around(scene.model, from, goals.configurations, options);
+  }
+  std::optional<ClearanceReport> clearance;
+  if (found) {
+    clearance = scene_argument.prove(scene, found.trajectory, budget.next());
+    found.status = clearance->refusal();
+    found.reason = clearance->proof.reason;
+  }
+  const bool reached(found);
+  if (reached) {
+    const Pose goal = forward_kinematics(arm, found.trajectory.positions.back());
+    files.write(arm, found.trajectory, {goal}, {.waypoint_times = {found.trajectory.times.back()}},
+                std::nullopt, &scene.model);
+  }
+  Answer answer{.text = name(found.status) +
+                        (reached ? " after " + shown(found.duration()) + " s" : "") + "\n",
+                .document = {{"status", name(found.status)},
+                             {"method", method},
+                             {"samples", found.trajectory.size()},
+                             {"duration", reached ? Json(found.duration()) : Json()}},
+                .yes = reached,
+                .reason = sentence(found.reason)};
+  answer.document.add(json_reason(found.reason));
+  if (!found.path.waypoints.empty()) {
+    answer.text += path_text(found);
+    answer.document.add("path", path_document(arm, found, unit));
+  }
+  if (reached) {
+    answer.text += position_text(found.limits) + limits_text(found.limits);
+    answer.document.add("limits", json_limits(found.limits));
+  }
+  if (clearance) {
+    answer.text += clearance->text();
+    answer.document.add("clearance", clearance->document());
+  }
+  if (reached) {
+    answer.text += files.text();
+    files.add_to(answer.document);
+  }
+  return answer;
+}
+
+}  // namespace beeline::command

@@ -1,0 +1,255 @@
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/planning/free_path.h>
+
+#include <tests/collision/random_model.h>
+#include <tests/reason.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+Configuration vector(std::initializer_list<double> values) {
+  Configuration q(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), q.begin());
+  return q;
+}
+
+/// Two slides in a plane with a disc at their end; obstacles are walls of boxes.
+struct Maze {
+  Maze() {
+    std::vector<Joint> slides;
+    for (int i = 0; i < 2; ++i) {
+      slides.push_back(composite_joint('P', std::string(1, "xy"[i])).front());
+      slides.back().screw = translation_screw(Vector3::Unit(i));
+      slides.back().limits = {.lower = 0, .upper = 4, .velocity = 1, .acceleration = 4};
+    }
+    arm = Arm("maze", slides);
+  }
+
+  /// A wall from (x, low) to (x, high).
+  void add_wall(double x, double low, double high) {
+    scene.obstacles.push_back(
+        {.name = "wall" + std::to_string(scene.obstacles.size()),
+         .shapes = {{Box{Vector3(0.1, high - low, 1)},
+                     make_pose({x, (low + high) / 2, 0}, Rotation::Identity())}}});
+  }
+
+  CollisionModel model() const { return {arm, {{"disc", 2, {{Sphere{0.2}}}}}, scene}; }
+
+  Arm arm = Arm("empty", {composite_joint('P', "x").front()});
+  Scene scene;
+};
+
+/// Checks that each straight motion of a path is proved, and its ends.
+void expect_free(const CollisionModel& model, const FreePath& path, const Configuration& start,
+                 const std::vector<Configuration>& goals) {
+  ASSERT_TRUE(path) << path.reason;
+  ASSERT_GE(path.waypoints.size(), 2U);
+  EXPECT_EQ(path.waypoints.front(), start);
+  EXPECT_EQ(path.waypoints.back(), goals.at(path.goal));
+  double length = 0;
+  for (std::size_t k = 1; k < path.waypoints.size(); ++k) {
+    const Configuration &from = path.waypoints[k - 1], &to = path.waypoints[k];
+    length += (to - from).norm();
+    const Trajectory edge{model.arm().joint_names(), {0, 1}, {from, to}, {}, {}};
+    EXPECT_TRUE(prove_clearance(model, edge)) << "edge " << k;
+    // Another way: distances at samples.
+    for (int i = 0; i <= 50; ++i) {
+      const Configuration q = from + i / 50.0 * (to - from);
+      EXPECT_TRUE(limit_violations(model.arm(), q, 1e-12).empty());
+      EXPECT_TRUE(pairs_too_close(model, q).empty()) << q.transpose();
+    }
+  }
+  EXPECT_NEAR(path.length, length, 1e-12 * (1 + length));
+}
+
+TEST(FreePath, IsTheStraightMotionWhereThatIsFree) {
+  const Maze maze;
+  const CollisionModel model = maze.model();
+  const std::vector<Configuration> goals{vector({3.5, 3.5}), vector({1, 1})};
+  const FreePath path = find_free_path(model, vector({0.5, 0.5}), goals);
+  expect_free(model, path, vector({0.5, 0.5}), goals);
+  EXPECT_EQ(path.goal, 1U) << "the nearest goal";
+  EXPECT_EQ(path.waypoints.size(), 2U);
+  EXPECT_EQ(path.edges, 1U);
+}
+
+TEST(FreePath, GoesAroundWalls) {
+  Maze maze;
+  maze.add_wall(1.3, -1, 3);
+  maze.add_wall(2.6, 1, 5);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const std::vector<Configuration> goals{vector({3.5, 3.5})};
+  // The disc keeps 0.201 m: it crosses x = 1.3 above y = 3.201, and x = 2.6 below y = 0.799.
+  const std::vector<Configuration> corners{start, vector({1.3, 3.201}), vector({2.6, 0.799}),
+                                           goals[0]};
+  double shortest = 0;
+  for (std::size_t k = 1; k < 4; ++k) shortest += (corners[k] - corners[k - 1]).norm();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const FreePath path = find_free_path(model, start, goals, {.random_seed = seed});
+    expect_free(model, path, start, goals);
+    EXPECT_GT(path.length, shortest);
+    EXPECT_LT(path.length, 1.3 * shortest) << "seed " << seed;
+    const FreePath again = find_free_path(model, start, goals, {.random_seed = seed});
+    EXPECT_EQ(again.waypoints, path.waypoints) << "equal arguments, another path";
+  }
+}
+
+TEST(FreePath, ShortcutsShorten) {
+  Maze maze;
+  maze.add_wall(2, -1, 3);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const std::vector<Configuration> goals{vector({3.5, 0.5})};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto length = [&](int shortcuts) {
+      return find_free_path(model, start, goals, {.random_seed = seed, .shortcuts = shortcuts})
+          .length;
+    };
+    EXPECT_LE(length(200), length(0));
+  }
+}
+
+TEST(FreePath, NamesAStartOrGoalsThatAreNotFree) {
+  Maze maze;
+  maze.add_wall(2, -1, 5);
+  const CollisionModel model = maze.model();
+  const Configuration free = vector({0.5, 0.5}), inside = vector({2, 2}), out = vector({5, 1});
+  FreePath path = find_free_path(model, inside, std::vector{free});
+  EXPECT_EQ(path.status, MotionStatus::collides);
+  EXPECT_EQ(path.reason.code, ReasonCode::start_not_free);
+  ASSERT_EQ(path.reason.details.size(), 1U);
+  EXPECT_EQ(field<std::string>(path.reason.details[0], ReasonField::other_body), "wall0");
+  path = find_free_path(model, free, std::vector{inside, out});
+  EXPECT_EQ(path.status, MotionStatus::collides);
+  EXPECT_EQ(path.reason.code, ReasonCode::goal_not_free);
+  EXPECT_EQ(field<std::size_t>(path.reason, ReasonField::count), 2U);
+  path = find_free_path(model, free, std::vector{out});
+  EXPECT_EQ(path.status, MotionStatus::outside_limits);
+  EXPECT_TRUE(path.waypoints.empty());
+  // A free goal among others is enough.
+  const std::vector<Configuration> goals{inside, out, vector({1, 3})};
+  path = find_free_path(model, free, goals);
+  expect_free(model, path, free, goals);
+  EXPECT_EQ(path.goal, 2U);
+}
+
+TEST(FreePath, EndsWhereThereIsNoWay) {
+  Maze maze;
+  maze.add_wall(2, -1, 5);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const std::vector<Configuration> goals{vector({3.5, 0.5})};
+  FreePath path = find_free_path(model, start, goals, {.max_edges = 300});
+  EXPECT_EQ(path.status, MotionStatus::not_found);
+  EXPECT_EQ(path.reason.code, ReasonCode::no_free_path);
+  EXPECT_GE(path.edges, 300U);
+  EXPECT_LE(path.edges, 302U);
+  path = find_free_path(model, start, goals, {.budget = {.max_work = 40}});
+  EXPECT_EQ(path.status, MotionStatus::work_limit);
+  EXPECT_EQ(path.reason.code, ReasonCode::ended_before_free_path);
+  path = find_free_path(model, start, goals, {.budget = {.cancelled = [] { return true; }}});
+  EXPECT_EQ(path.status, MotionStatus::cancelled);
+  EXPECT_REFUSED(find_free_path(model, start, goals, {.max_edges = 0}), "max_edges");
+  EXPECT_REFUSED(find_free_path(model, start, {}), "goal");
+  EXPECT_REFUSED(find_free_path(model, vector({1}), goals), "joint");
+}
+
+TEST(FreePath, OfArmsAmongRandomObstacles) {
+  Random random;
+  int found = 0, straight = 0;
+  for (int i = 0; i < testing::cases(30); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "panda" : "ur5");
+    const CollisionModel model(arm, random_link_shapes(random, arm, 0.06),
+                               random_scene(random, arm, random.integer(1, 8), 0.15, 0.8));
+    const auto free = [&]() -> std::optional<Configuration> {
+      for (int tries = 0; tries < 100; ++tries) {
+        Configuration q = random.configuration(arm);
+        if (!blocked_by(model, q)) return q;
+      }
+      return std::nullopt;
+    };
+    const auto start = free(), goal = free();
+    if (!start || !goal) continue;
+    const FreePath path = find_free_path(model, *start, std::vector{*goal}, {.max_edges = 2000});
+    if (!path) continue;
+    ++found;
+    straight += path.waypoints.size() == 2 ? 1 : 0;
+    expect_free(model, path, *start, {*goal});
+  }
+  EXPECT_GT(found, straight) << "no path went around anything";
+}
+
+/// The motion of a path is within the limits, at rest at its ends, and proved by itself.
+void expect_motion(const CollisionModel& model, const FreeMotion& motion,
+                   const Configuration& start, const Configuration& goal) {
+  ASSERT_TRUE(motion) << motion.reason;
+  const Trajectory& trajectory = motion.trajectory;
+  EXPECT_LT((trajectory.positions.front() - start).norm(), 1e-9);
+  EXPECT_LT((trajectory.positions.back() - goal).norm(), 1e-9);
+  EXPECT_EQ(trajectory.velocities.front().norm(), 0);
+  EXPECT_EQ(trajectory.velocities.back().norm(), 0);
+  EXPECT_TRUE(prove_clearance(model, trajectory));
+  const LimitUsage use = limit_usage(model.arm(), trajectory);
+  for (const double fraction :
+       {use.velocity.fraction, use.acceleration.fraction, use.jerk.fraction}) {
+    EXPECT_LE(fraction, 1 + 1e-6);
+  }
+}
+
+TEST(MoveAround, PassesWaypointsWithoutAStop) {
+  Maze maze;
+  maze.add_wall(1.3, -1, 3);
+  maze.add_wall(2.6, 1, 5);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5}), goal = vector({3.5, 3.5});
+  const FreeMotion blended = move_around(model, start, std::vector{goal});
+  expect_motion(model, blended, start, goal);
+  ASSERT_EQ(blended.blends.size() + 2, blended.path.waypoints.size());
+  EXPECT_GT(*std::max_element(blended.blends.begin(), blended.blends.end()), 0);
+  const FreeMotion stopping = move_around(model, start, std::vector{goal}, {.joint_blend = 0});
+  expect_motion(model, stopping, start, goal);
+  EXPECT_EQ(stopping.path.waypoints, blended.path.waypoints);
+  EXPECT_LT(blended.duration(), stopping.duration());
+  EXPECT_REFUSED(move_around(model, start, std::vector{goal}, {.joint_blend = -1}), "joint_blend");
+}
+
+TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
+  const Maze maze;
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const FreeMotion motion = move_around(model, start, std::vector{vector({3, 3}), start});
+  ASSERT_TRUE(motion) << motion.reason;
+  EXPECT_EQ(motion.path.goal, 1U);
+  EXPECT_EQ(motion.path.length, 0);
+  EXPECT_EQ(motion.trajectory.size(), 1U);
+  EXPECT_EQ(motion.trajectory.positions.front(), start);
+  EXPECT_TRUE(motion.clearance);
+}
+
+TEST(MoveAround, OfAnArmKeepsItsPromises) {
+  const Arm arm = built_in("panda");
+  Random random;
+  int around = 0;
+  for (int i = 0; i < testing::cases(12); ++i) {
+    const CollisionModel model(arm, random_link_shapes(random, arm, 0.06),
+                               random_scene(random, arm, 6, 0.15, 0.8));
+    const Configuration start = random.configuration(arm), goal = random.configuration(arm);
+    const FreeMotion motion = move_around(model, start, std::vector{goal}, {.max_edges = 2000});
+    if (!motion) {
+      EXPECT_TRUE(motion.reason) << "a refusal without a reason";
+      EXPECT_EQ(motion.trajectory.size(), 0U);
+      continue;
+    }
+    around += motion.path.waypoints.size() > 2 ? 1 : 0;
+    expect_motion(model, motion, start, goal);
+  }
+  EXPECT_GT(around, 0);
+}
+
+}  // namespace
+}  // namespace beeline
