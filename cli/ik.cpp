@@ -39,6 +39,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
       return {unit.shown(result.residual), fmt::format(" {}", unit.name())};
     case InverseStatus::outside_limits: {
       const int k = result.nearest->blocking;
+      if (k < 0) break;  // the budget ended the search for the nearest configuration
       const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
       return {unit.shown(arm, k, result.residual),
               fmt::format(" {}", prismatic ? "m" : unit.name())};
@@ -216,7 +217,8 @@ Answer ik(const IkArguments& arguments) {
     options.blocked_by = blocked_in(*in_scene);
   }
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), arguments.unit);
-  const InverseResult result = inverse_kinematics(arm, goal.pose, options);
+  InverseResult result = inverse_kinematics(arm, goal.pose, options);
+  explain(result, arguments.inverse.budget.next());
   const bool solved = result.status == InverseStatus::solved;
   if (solved && result.residual > options.tolerance) {
     warn(fmt::format("rounding limits the error to {} m or rad for an arm of this size",

@@ -16,6 +16,7 @@ int main() {
   }
 
   const beeline::Pose far = beeline::to_space({.x = 8, .y = 8, .theta = 0});
-  const beeline::InverseResult no = inverse_kinematics(rrr, far);
+  beeline::InverseResult no = inverse_kinematics(rrr, far);
+  explain(no);  // searches for the nearest configuration
   std::cout << name(no.status) << ": " << no.reason << '\n';
 }

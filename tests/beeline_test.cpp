@@ -22,8 +22,8 @@ TEST(Umbrella, IsAllThatAFirstProgramIncludes) {
   const beeline::InverseResult answer = beeline::inverse_kinematics(arm, pose);
   EXPECT_EQ(printed(answer.status), "solved");
   EXPECT_EQ(printed(answer).substr(0, 8), "solved, ");
-  const beeline::InverseResult none =
-      beeline::inverse_kinematics(arm, beeline::make_pose({9, 0, 0}));
+  beeline::InverseResult none = beeline::inverse_kinematics(arm, beeline::make_pose({9, 0, 0}));
+  beeline::explain(none);
   EXPECT_EQ(printed(none), "unreachable: " + sentence(none.reason));
 }
 

@@ -236,7 +236,8 @@ bool solve_column(const Arm& arm, const Pose& world_T_tool, const ConfigurationR
                   InverseOptions& options, Eigen::Ref<Eigen::MatrixXd> q, InverseOutcome* outcome) {
   if (outcome == nullptr) return inverse_kinematics(arm, world_T_tool, seed, q, options) != 0;
   options.seed = seed;
-  const InverseResult result = inverse_kinematics(arm, world_T_tool, options);
+  InverseResult result = inverse_kinematics(arm, world_T_tool, options);
+  explain(result, options.budget);
   *outcome = {result.status, result.residual};
   if (result) q = result.solutions.front();
   return result.status == InverseStatus::solved;

@@ -86,7 +86,7 @@ struct InverseOutcome {
 
 /// Does the same, and returns the outcome of each pose. A pose that the batch did not compute has
 /// the status of its budget and a residual of NaN. A pose without a solution takes longer, because
-/// inverse_kinematics() searches for the reason.
+/// the residual needs explain().
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse = {},

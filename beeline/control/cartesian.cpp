@@ -99,7 +99,8 @@ bool control_by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
   if (motion.status != MotionStatus::not_converged) return false;
   // Inverse kinematics shows whether the gain is unsuitable or the pose cannot be reached.
   const Configuration& q = motion.trajectory.positions.back();
-  const InverseResult answer = inverse_kinematics(arm, goal, {.seed = q, .task = task});
+  InverseResult answer = inverse_kinematics(arm, goal, {.seed = q, .task = task});
+  explain(answer);
   if (answer.status != InverseStatus::solved) {
     motion.status = motion_status(answer.status);
     motion.reason = answer.reason;
@@ -124,12 +125,13 @@ bool control_by_solutions(const Arm& arm, const Pose& goal, const Task& task,
   for (int i = 1; i <= options.intermediate; ++i) {
     const Configuration q = motion.trajectory.positions.back();
     const Pose pose = interpolate(from, goal, double(i) / options.intermediate);
-    const InverseResult answer =
+    InverseResult answer =
         inverse_kinematics(arm, pose,
                            {.seed = q,
                             .task = task,
                             .tolerance = std::min(1e-9, options.simulation.tolerance),
                             .budget = options.simulation.budget});
+    explain(answer, options.simulation.budget);
     if (answer.status != InverseStatus::solved) {
       motion.status = motion_status(answer.status);
       motion.reason = answer.reason;

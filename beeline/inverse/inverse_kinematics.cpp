@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
@@ -32,6 +33,11 @@ std::vector<std::string> inverse_status_names() { return statuses.all(); }
 
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
+  if (result.unexplained) {
+    InverseResult explained = result;
+    explain(explained);
+    return out << ": " << explained.reason;
+  }
   if (result.solutions.empty()) return out << ": " << result.reason;
   const std::size_t count = result.solutions.size();
   out << ", " << count << (count == 1 ? " solution" : " solutions")
@@ -64,7 +70,27 @@ InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
   if (state.plane()) state.plane()->check(world_T_tool);
   return internal::solve_unblocked(state, world_T_tool,
                                    options.seed ? *options.seed : state.defaults->middle,
-                                   /*explain_failure=*/true, budget);
+                                   internal::FailureDetail::status, budget);
+}
+
+void explain(InverseResult& result, const Budget& budget) {
+  if (!result.unexplained) return;
+  const InverseRequest asked = *std::exchange(result.unexplained, std::nullopt);
+  internal::SolverState state(asked.arm, asked.options);
+  internal::BudgetMeter meter(budget);
+  InverseResult all = internal::solve(state, asked.world_T_tool, *asked.options.seed,
+                                      internal::FailureDetail::nearest, meter);
+  if (all) {
+    result = std::move(all);
+    return;
+  }
+  result.nearest = std::move(all.nearest);
+  result.residual = all.residual;
+  if (all.status == result.status) {
+    result.reason = std::move(all.reason);
+  } else if (result.status == InverseStatus::orientation_unreachable) {
+    result.reason.set(ReasonField::angle, result.nearest->error.orientation);
+  }
 }
 
 int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
@@ -80,12 +106,11 @@ int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const Configura
   const bool any = !options.blocked_by;
   if (any) {
     const auto count = internal::solve_fast_path(state, goal, seed, budget, solutions);
-    if (count) return *count;
+    if (count) return count->count;
   }
-  constexpr bool explain_failure = false;
-  const InverseResult result =
-      any ? internal::solve(state, goal, seed, explain_failure, budget)
-          : internal::solve_unblocked(state, goal, seed, explain_failure, budget);
+  constexpr auto detail = internal::FailureDetail::none;
+  const InverseResult result = any ? internal::solve(state, goal, seed, detail, budget)
+                                   : internal::solve_unblocked(state, goal, seed, detail, budget);
   const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
   const Eigen::Index count = std::min(solutions.cols(), found);
   for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];

@@ -131,6 +131,13 @@ struct SolutionGrid {
   std::vector<double> complete = {};
 };
 
+/// A request for inverse kinematics: the arguments of inverse_kinematics().
+struct InverseRequest {
+  Arm arm;
+  Pose world_T_tool;
+  InverseOptions options = {};  ///< without `blocked_by` and `budget`
+};
+
 /// The solutions of inverse kinematics, or the reason why there are none.
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
@@ -165,14 +172,20 @@ struct InverseResult {
   /// Larger of the position and orientation errors, metres or radians. With solved: the largest
   /// error of a solution. With unreachable: the least position error. With orientation_unreachable:
   /// the angle of the nearest miss. With outside_limits: the excess of the nearest miss. Otherwise:
-  /// the error of the solutions, or of the nearest miss.
+  /// the error of the solutions, or of the nearest miss, which it is found with: NaN before.
   double residual = 0;
   /// Deviation of the tool from the pose, with options.pose_tolerance, in the order of that option
   /// and within it. `residual` is then the error beyond this deviation.
   std::optional<Eigen::VectorXd> deviation;
-  /// Configuration nearest to the pose, if there are no solutions.
+  /// Configuration nearest to the pose, if there are no solutions. The status is often known
+  /// without it; then it is searched for when it is asked for: in Python by the first use of
+  /// `nearest`, `residual` or `reason`, or by a pickle, a copy or a comparison; in C++ see
+  /// `unexplained`. That takes 1 to 20 ms for seven joints.
   std::optional<NearestMiss> nearest;
-  Reason reason = {};  ///< why; none if solved and not singular
+  /// Why; none if solved and not singular. Its values are found with the nearest miss.
+  Reason reason = {};
+  /// The request, while the configuration nearest to the pose was not searched for: see explain().
+  std::optional<InverseRequest> unexplained;
   std::string
       method;  ///< name of the method, such as `closed form: three axes meet (joints 4, 5, 6)`
   int iterations = 0;  ///< number of iterations of the numerical solver, over all starts
@@ -181,7 +194,8 @@ struct InverseResult {
   /// Returns whether there is a solution.
   explicit operator bool() const { return status == InverseStatus::solved; }
 };
-/// Prints the status with the reason, or with the number of solutions and a line for each.
+/// Prints the status with the reason, or with the number of solutions and a line for each. Takes as
+/// long as explain() for an unexplained result.
 std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 
 /// Computes joint configurations that bring the tool to `world_T_tool`, in the components of the
@@ -196,6 +210,14 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 /// option is not valid.
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
+
+/// Searches for the configuration nearest to the pose, if result.unexplained has a value: sets
+/// `nearest`, `residual` and the values in `reason`, and removes the request. Takes 1 to 20 ms for
+/// seven joints, a hundred times as long as the status. If the budget ends it, the nearest
+/// configuration that was found so far is given. The status does not change, unless the search
+/// finds a solution that closed form and range examination missed: the result is then that
+/// solution.
+void explain(InverseResult& result, const Budget& budget = {});
 
 /// Writes the solutions for control loops, nearest to `seed` first, into the columns of
 /// `solutions`, as many as fit (one suffices unless options.all), and returns their number. `seed`

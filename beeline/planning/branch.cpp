@@ -28,8 +28,9 @@ bool has_self_motion_curves(const Arm& arm, const Task& task) {
 
 /// Returns the branch from one solution for the path's beginning, or the reason why there is none.
 Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
-  const InverseResult begin =
+  InverseResult begin =
       inverse_kinematics(arm, pose_at(path, 0), {.task = options.task, .budget = options.budget});
+  explain(begin, options.budget);
   if (begin.status == InverseStatus::solved) {
     return track_branch(arm, begin.solutions.front(), path, options);
   }

@@ -160,8 +160,9 @@ class ProgramPlanner {
     const auto found = configurations_for(arm_, *options_.task, pose, from, budget_.part());
     if (!found.empty()) q = found.front();
     if (q) return true;
-    const InverseResult none = inverse_kinematics(
+    InverseResult none = inverse_kinematics(
         arm_, pose, {.seed = from, .task = options_.task, .budget = budget_.part()});
+    beeline::explain(none, budget_.part());
     if (none) q = none.solutions.front();
     return none || fail(move, motion_status(none.status), none.reason);
   }

@@ -13,6 +13,7 @@ std::string miss(const ReasonText& reason) {
 }
 
 std::string outside(const ReasonText& reason) {
+  if (!reason.has(value)) return "";
   const bool above = reason.is(is_upper);
   return "; in the nearest one " + reason.joint() + " would be at " + reason.joint_value(value) +
          ", " + reason.joint_value(excess) +
@@ -74,6 +75,7 @@ std::string infeasible(const ReasonText& reason) {
 
 std::string unreachable(const ReasonText& reason) {
   if (reason.code() == ReasonCode::position_unreachable) {
+    if (!reason.has(distance)) return "the position is out of reach of arm " + reason.text(arm);
     return "the position is out of reach by " + reason.number(distance) + " m: the tool of arm " +
            reason.text(arm) +
            (reason.is(refined) ? " comes no nearer than " : " was found to come as near as ") +
@@ -82,7 +84,7 @@ std::string unreachable(const ReasonText& reason) {
   return "the tool of arm " + reason.text(arm) +
          (reason.is(has_position) ? " can come to the position, but not with that orientation"
                                   : " cannot take that orientation") +
-         ": the nearest that was found is off by " + reason.angle(angle);
+         (reason.has(angle) ? ": the nearest that was found is off by " + reason.angle(angle) : "");
 }
 
 }  // namespace

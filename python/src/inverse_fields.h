@@ -53,7 +53,13 @@ struct Fields<InverseResult>
               &InverseResult::self_motion_dimension, &InverseResult::grid, &InverseResult::singular,
               &InverseResult::residual, &InverseResult::deviation, &InverseResult::nearest,
               &InverseResult::reason, &InverseResult::method, &InverseResult::iterations,
-              &InverseResult::restarts> {};
+              &InverseResult::restarts> {
+  /// Whether the member is found by explain(), when it is first used.
+  static bool is_left(std::string_view member) {
+    return member == "nearest" || member == "residual" || member == "reason";
+  }
+  static void complete(InverseResult& result) { explain(result); }
+};
 
 /// One solution for each pose of a batch.
 struct BatchInverseResult {

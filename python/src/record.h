@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include <beeline/trajectory/trajectory.h>
@@ -72,6 +73,25 @@ T made_record(const nb::args& values, const nb::kwargs& keywords) {
   return made;
 }
 
+/// Computes the members that the struct leaves until they are used.
+template <class T>
+const T& completed(const T& value) {
+  // The objects of Python are not constants.
+  if constexpr (requires(T & object) { Fields<T>::complete(object); }) {
+    Fields<T>::complete(const_cast<T&>(value));
+  }
+  return value;
+}
+
+/// The same before the member `name` is read.
+template <class T>
+const T& completed(const T& value, std::string_view name) {
+  if constexpr (requires { Fields<T>::is_left(name); }) {
+    if (Fields<T>::is_left(name)) return completed(value);
+  }
+  return value;
+}
+
 /// A struct with Fields as a Python class: read-only attributes, no others, a constructor, repr(),
 /// ==, copies and pickles.
 template <class T>
@@ -107,7 +127,7 @@ struct Value<T> {
   static bool same(const T& a, const T& b) {
     return std::apply(
         [&](const auto&... field) {
-          return (python::same(a.*field.member, b.*field.member) && ...);
+          return (python::same(completed(a).*field.member, completed(b).*field.member) && ...);
         },
         Fields<T>::all());
   }
@@ -123,14 +143,17 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
         field.name,
         [member, name](nb::handle_t<T> self) -> nb::object {
           if (!nb::inst_ready(self)) throw nb::type_error("the object was not initialised");
-          const T* value = nb::inst_ptr<T>(self);
+          const T* value = &completed(*nb::inst_ptr<T>(self), name);
           return kept(self, name, [&] { return Value<M>::to(value->*member); });
         },
         sig, member_doc(field));
   } else {
     bound.def_prop_ro(
-        field.name, [member](const T& self) { return read_only(Value<M>::to(self.*member)); }, sig,
-        member_doc(field));
+        field.name,
+        [member, name = field.name](const T& self) {
+          return read_only(Value<M>::to(completed(self, name).*member));
+        },
+        sig, member_doc(field));
   }
 }
 
@@ -182,7 +205,7 @@ void bind_text(nb::class_<T>& bound) {
   if constexpr (requires(std::ostream & out, const T& value) { out << value; }) {
     bound.def("__str__", [](const T& self) {
       std::ostringstream out;
-      out << self;
+      out << completed(self);
       return out.str();
     });
   } else if constexpr (requires(const T& value) { std::string(sentence(value)); }) {
@@ -216,7 +239,8 @@ template <class T>
 nb::tuple state_of(const T& value) {
   return std::apply(
       [&](const auto&... field) {
-        return nb::make_tuple(Value<MemberType<decltype(field)>>::to(value.*field.member)...);
+        return nb::make_tuple(
+            Value<MemberType<decltype(field)>>::to(completed(value).*field.member)...);
       },
       Fields<T>::all());
 }

@@ -32,6 +32,14 @@ inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
   EXPECT_NEAR(residual, result.residual, 1e-12);
 }
 
+/// inverse_kinematics() with the nearest configuration.
+inline InverseResult explained_inverse(const Arm& arm, const Pose& pose,
+                                       const InverseOptions& options = {}) {
+  InverseResult result = inverse_kinematics(arm, pose, options);
+  explain(result);
+  return result;
+}
+
 inline void expect_no(const InverseResult& result, InverseStatus status) {
   EXPECT_EQ(result.status, status) << name(result.status) << ": " << result.reason;
   EXPECT_TRUE(result.solutions.empty());

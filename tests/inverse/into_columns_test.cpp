@@ -199,8 +199,9 @@ TEST(IntoColumns, ATimeLimitEndsASearch) {
   for (const double factor : {1.5, 100.0}) {  // a ball that it cannot leave
     Pose pose = reached;
     pose.translation() = arm.reach().centre + factor * arm.reach().radius * random.direction();
-    const InverseResult result =
+    InverseResult result =
         inverse_kinematics(arm, pose, {.max_restarts = 1'000'000, .budget = {.time_limit = 0.01}});
+    explain(result, {.time_limit = 0.01});
     testing::expect_no(result, result.status);
     EXPECT_NE(result.status, InverseStatus::solved);
     EXPECT_GT(result.residual, 0);

@@ -11,6 +11,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/model/internal/chain.h>
 
+#include <tests/inverse/answer.h>
 #include <tests/random_arm.h>
 
 // What inverse kinematics keeps with an arm: it costs memory and time, and changes no answer.
@@ -59,7 +60,7 @@ struct Question {
     if (!into_columns) {
       InverseOptions with_seed = options;
       with_seed.seed = seed;
-      return {inverse_kinematics(of, world_T_tool, with_seed), {}};
+      return {testing::explained_inverse(of, world_T_tool, with_seed), {}};
     }
     Eigen::MatrixXd columns(of.dof(), options.all ? 8 : 1);
     const int count = inverse_kinematics(of, world_T_tool, seed, columns, options);

@@ -98,8 +98,8 @@ TEST(PoseTolerance, IsNotUsedWhereThePoseHasASolution) {
 }
 
 TEST(PoseTolerance, TooSmallIsNoSolution) {
-  const InverseResult result = inverse_kinematics(built_in("rrr"), make_pose({8, 8, 0}),
-                                                  {.pose_tolerance = Eigen::Vector3d(0.1, 0.1, 1)});
+  const InverseResult result = testing::explained_inverse(
+      built_in("rrr"), make_pose({8, 8, 0}), {.pose_tolerance = Eigen::Vector3d(0.1, 0.1, 1)});
   testing::expect_no(result, InverseStatus::unreachable);
   EXPECT_TRUE(result.reason.has(ReasonField::within_pose_tolerance)) << result.reason;
   EXPECT_FALSE(result.deviation);

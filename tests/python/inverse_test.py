@@ -76,6 +76,33 @@ def test_negative_answers_have_reasons(arm):
     assert repr(result).startswith(f"InverseResult(status='{result.status}'")
 
 
+@pytest.mark.parametrize("used", ["nearest", "residual", "reason", "equal", "pickle", "copy", "text"])
+def test_the_nearest_configuration_is_found_by_its_first_use(used):
+    arm = beeline.arms.panda()
+    twisted = beeline.make_pose([0.1, 0, 0.1])
+    twisted[:3, :3] = [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
+    far, turned = (beeline.make_pose(xyz) for xyz in ([2, 0, 0], [0.3, 0.2, -0.4]))
+    for pose, status in ((far, "unreachable"), (turned, "orientation_unreachable"), (twisted, "outside_limits")):
+        result, other = (beeline.inverse_kinematics(arm, pose) for _ in range(2))
+        assert not result and result.status == status
+        if used == "equal":
+            assert result == other
+        elif used == "pickle":
+            result = pickle.loads(pickle.dumps(result))
+        elif used == "copy":
+            result = copy.deepcopy(result)
+        elif used == "text":
+            assert str(result) == str(other) and repr(result) == repr(other)
+        else:
+            getattr(result, used)
+        assert result.residual == other.residual > 0
+        assert (result.nearest.q == other.nearest.q).all()
+        assert result.reason == other.reason and result.reason.fields == other.reason.fields
+        assert result == other and result.status == other.status
+        if result.status == "unreachable":
+            assert result.reason.fields["nearest"] == list(result.nearest.world_T_tool[:3, 3])
+
+
 def test_one_solution_is_written_into_an_array(arm, rng):
     q, poses = reachable(arm, rng, 20)
     for seed, pose in zip(q, poses):

@@ -133,7 +133,10 @@ TEST(ReasonData, SayAllOfTheSentencesOfInverseKinematics) {
     const Arm arm = random_arm_of(random);
     InverseOptions options{.all = random.integer(0, 1) == 0, .budget = random_budget(random)};
     if (random.integer(0, 2) == 0) options.method = InverseMethod::numerical;
-    refusals.add(inverse_kinematics(arm, pose_in(random, arm, 3), options).reason);
+    InverseResult result = inverse_kinematics(arm, pose_in(random, arm, 3), options);
+    refusals.add(result.reason);
+    explain(result);
+    refusals.add(result.reason);
   }
   EXPECT_GE(refusals.kinds(), 3);
 }

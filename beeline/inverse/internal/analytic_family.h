@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/internal/solver_state.h>
 #include <beeline/inverse/internal/stage_result.h>
 
@@ -23,11 +24,11 @@ struct AnalyticFamily {
   /// missing, and evidence().branches_complete to false if a whole branch may be missing.
   void (*solve)(SolverState& state, const Request& request, StageResult& found);
 
-  /// Writes the solutions nearest to the seed for control loops, as many as fit, and returns their
-  /// number; nothing if the request needs solve(). Does not allocate. The pointer may be null.
-  std::optional<int> (*solve_fast)(SolverState& state, const Pose& goal,
-                                   const ConfigurationRef& seed, BudgetMeter& budget,
-                                   Eigen::Ref<Eigen::MatrixXd> solutions) = nullptr;
+  /// Writes the solutions nearest to the seed for control loops, as many as fit; returns nothing if
+  /// the request needs solve(). Does not allocate. The pointer may be null.
+  std::optional<FastSolutions> (*solve_fast)(SolverState& state, const Pose& goal,
+                                             const ConfigurationRef& seed, BudgetMeter& budget,
+                                             Eigen::Ref<Eigen::MatrixXd> solutions) = nullptr;
 
   /// Whether the numerical stage is faster for one solution: the family then runs only if that
   /// stage finds none.

@@ -18,6 +18,7 @@ struct ArmDefaults {
   Configuration middle;            ///< the default seed
   Configuration ones;              ///< the default weights
   std::optional<ToolPlane> plane;  ///< the plane in which poses for the default task must be
+  Arm::Reach ball;                 ///< ball_of_tool()
 
   using Key = OnlyKey;
   static constexpr SharedBy shared_by = SharedBy::copies;

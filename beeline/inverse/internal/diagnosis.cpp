@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/nearest_pose.h>
+#include <beeline/inverse/internal/nearest_search.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/representative.h>
@@ -13,16 +14,9 @@
 namespace beeline::internal {
 namespace {
 
-// Max starts of a search for the nearest pose. Each converges to a local minimum of the error. More
-// starts find the global minimum more often, and take longer.
-constexpr int max_starts = 64;
-// Max joints of an arm for which Newton's method then locates the minimum to rounding. The Hessian
-// of a longer chain takes too long.
-constexpr int max_refined = 12;
-
-Deviation deviation_at(const Request& request, const Configuration& q) {
-  return task_deviation(request.task, request.goal, forward_kinematics(request.arm, q));
-}
+// At the boundary of the workspace the error is only determined to the square root of rounding, so
+// a smaller error does not show that the pose is outside.
+constexpr double at_the_edge = 1e-6;  // radians, or a fraction of the arm's size
 
 NearestMiss nearest_miss(const Request& request, const Configuration& q) {
   NearestMiss miss;
@@ -30,61 +24,6 @@ NearestMiss nearest_miss(const Request& request, const Configuration& q) {
   miss.world_T_tool = forward_kinematics(request.arm, q);
   miss.error = deviation_at(request, q);
   return miss;
-}
-
-/// Returns the goal. A goal far beyond the reach is moved towards the arm, so that the error keeps
-/// its digits.
-Pose goal_within_digits(const Request& request) {
-  const Arm::Reach& reach = request.arm.reach();
-  constexpr double far = 100;  // multiple of the reach; costs two of sixteen digits
-  const Vector3 offset = request.goal.translation() - reach.centre;
-  Pose goal = request.goal;
-  if (offset.norm() > far * reach.radius) {
-    goal.translation() = reach.centre + far * reach.radius * offset.normalized();
-  }
-  return goal;
-}
-
-/// Returns the configuration of least error in the rows of `task`, limits ignored.
-Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
-                          const Configuration& start) {
-  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{task, true});
-  const Pose goal = goal_within_digits(request);
-  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, goal, start,
-              {.tolerance = request.tolerance,
-               .max_iterations = 200,  // towards a minimum above zero it converges linearly
-               .max_restarts = max_starts,
-               .random_seed = request.options.random_seed,
-               .budget = request.budget},
-              state.buffers(), state.search());
-  const NumericalResult& nearest = state.search().nearest;
-  if (nearest.converged || request.arm.dof() > max_refined) return nearest.q;
-  return nearest_for_task(request.arm, goal, task, nearest.q);
-}
-
-/// Returns the configuration of least orientation error among many at the goal's position.
-Configuration nearest_orientation_of_many(const Request& request, const Task& position,
-                                          SolverState& state, const Configuration& start) {
-  if (deviation_at(request, start).position > request.tolerance) return start;
-  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{position, true});
-  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, request.goal, start,
-              {.tolerance = request.tolerance,
-               .max_restarts = max_starts,
-               .all = true,
-               .random_seed = request.options.random_seed,
-               .budget = request.budget},
-              state.buffers(), state.search());
-  Configuration best =
-      nearest_orientation(request.arm, request.goal, request.task, start, request.budget);
-  for (const Configuration& q : state.search().solutions) {
-    if (request.budget.ended()) break;
-    const Configuration there =
-        nearest_orientation(request.arm, request.goal, request.task, q, request.budget);
-    if (deviation_at(request, there).orientation < deviation_at(request, best).orientation) {
-      best = there;
-    }
-  }
-  return best;
 }
 
 void set_outside_limits(const Request& request, const Configuration& q, bool all_examined,
@@ -140,37 +79,38 @@ void set_violation(const Infeasibility& violation, InverseResult& result) {
   result.residual = violation.missing;
 }
 
-/// Requires result.nearest.
+/// The reason has values if result.nearest is known.
 void set_unreachable(const Request& request, const UnconstrainedResult& evidence,
                      InverseResult& result) {
-  result.status = InverseStatus::unreachable;
-  result.residual = result.nearest->error.position;
   if (evidence.violation && !evidence.violation->of_orientation) {
     set_violation(*evidence.violation, result);
   } else {
-    const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
-    result.reason = {ReasonCode::position_unreachable,
-                     {{ReasonField::distance, result.residual},
-                      {ReasonField::arm, request.arm.name()},
-                      {ReasonField::refined, refined},
-                      {ReasonField::nearest, result.nearest->world_T_tool.translation()}}};
+    result.reason = {ReasonCode::position_unreachable};
+    if (result.nearest) result.reason.set(ReasonField::distance, result.nearest->error.position);
+    result.reason.set(ReasonField::arm, request.arm.name());
+    if (result.nearest) {
+      result.residual = result.nearest->error.position;
+      const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
+      result.reason.set(ReasonField::refined, refined)
+          .set(ReasonField::nearest, Vector3(result.nearest->world_T_tool.translation()));
+    }
   }
   if (rather_in_millimetres(request.arm.reach(), request.goal.translation())) {
     result.reason.set(ReasonField::in_millimetres, true);
   }
 }
 
-/// Requires result.nearest.
+/// The reason has values if result.nearest is known.
 void set_orientation_unreachable(const Request& request, const UnconstrainedResult& evidence,
                                  InverseResult& result) {
-  result.status = InverseStatus::orientation_unreachable;
-  result.residual = result.nearest->error.orientation;
   if (evidence.violation) return set_violation(*evidence.violation, result);
   const bool has_position = position_part(request.task).size() > 0;
-  result.reason = {ReasonCode::orientation_unreachable,
-                   {{ReasonField::arm, request.arm.name()},
-                    {ReasonField::has_position, has_position},
-                    {ReasonField::angle, result.residual}}};
+  result.reason = {
+      ReasonCode::orientation_unreachable,
+      {{ReasonField::arm, request.arm.name()}, {ReasonField::has_position, has_position}}};
+  if (!result.nearest) return;
+  result.residual = result.nearest->error.orientation;
+  result.reason.set(ReasonField::angle, result.residual);
 }
 
 /// Completes the result and returns true if q is a solution that the stages missed.
@@ -235,14 +175,11 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
                  const Configuration& q, InverseResult& result) {
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
-  // At the boundary of the workspace the error is only determined to the square root of rounding,
-  // so a smaller error does not show that the pose is outside.
-  constexpr double at_the_edge = 1e-6;  // radians, or a fraction of the arm's size
   const bool has_position = position_part(request.task).size() > 0;
   const bool away =
       error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
-    return set_unreachable(request, evidence, result);
+    return set_no(request, evidence, InverseStatus::unreachable, result);
   }
   // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
@@ -251,7 +188,7 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
   if (evidence.violation || (in_position && (searched || examined))) {
-    return set_orientation_unreachable(request, evidence, result);
+    return set_no(request, evidence, InverseStatus::orientation_unreachable, result);
   }
   Reason reason{ReasonCode::no_solution_found};
   if (result.iterations > 0) {
@@ -262,10 +199,20 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
 
 }  // namespace
 
+void set_no(const Request& request, const UnconstrainedResult& evidence, InverseStatus status,
+            InverseResult& result) {
+  result.status = status;
+  if (status == InverseStatus::unreachable) return set_unreachable(request, evidence, result);
+  if (status == InverseStatus::orientation_unreachable) {
+    return set_orientation_unreachable(request, evidence, result);
+  }
+  result.reason = {ReasonCode::solutions_outside_limits};
+}
+
 void diagnose(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
               InverseResult& result) {
-  const bool proved = evidence.violation ||
-                      out_of_reach(request.arm, request.goal, request.task, request.tolerance);
+  const bool proved = evidence.violation || out_of_reach(state.defaults->ball, request.goal,
+                                                         request.task, request.tolerance);
   const bool outside = evidence.least_outside && evidence.excess > 0;
   if (!request.budget.complete() && !proved && !(outside && evidence.complete)) {
     const Configuration& met = state.search().nearest.q;

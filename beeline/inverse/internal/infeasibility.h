@@ -13,13 +13,13 @@ struct Infeasibility {
   Reason reason;
 };
 
-/// Whether the pose is outside the ball that the tool never leaves (Arm::reach).
-std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
-                                          const Task& task, double tolerance);
+/// Returns a ball that the tool never leaves, with or without joint limits; smaller than
+/// Arm::reach(). The radius is infinite if a joint that moves is not revolute.
+Arm::Reach ball_of_tool(const Arm& arm);
 
-/// Whether beyond_reach() holds without joint limits too, so that no search is needed. This applies
-/// only to arms whose moving joints are all revolute: the reach of others depends on their limits.
-bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
+/// Whether the pose is outside ball_of_tool(), so that no search is needed.
+bool out_of_reach(const Arm::Reach& ball, const Pose& world_T_tool, const Task& task,
+                  double tolerance);
 
 /// Whether the pose violates an invariant of the tool's motion. If all axes are parallel, the
 /// invariants are the tilt relative to the axes and, if no joint moves along them, the height. If

@@ -212,15 +212,24 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
   }
 }
 
+/// Whether the branch that exceeds the limits least is a solution.
+bool closes(const SolverState& state, const Pose& goal, const LeastOutside& outside) {
+  if (outside.count == 0) return false;
+  const Eigen::Map<const Configuration> q(outside.q[0], state.arm.dof());
+  const Deviation error = task_deviation(state.task, goal, forward_kinematics(state.arm, q));
+  return std::max(error.position, error.orientation) <= state.options.tolerance;
+}
+
 /// Writes one solution of an arm with a redundant joint. A few values of that joint suffice for
 /// most poses. For the others the numerical search from the nearest branches succeeds more often
 /// than further values.
-std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
-                                   const ConfigurationRef& seed, PieperRequest& loop,
-                                   BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
-  if (out_of_reach(state.arm, goal, state.task, state.options.tolerance)) {
+std::optional<FastSolutions> solve_redundant(SolverState& state, const Pose& goal,
+                                             const ConfigurationRef& seed, PieperRequest& loop,
+                                             BudgetMeter& budget,
+                                             Eigen::Ref<Eigen::MatrixXd> solutions) {
+  if (out_of_reach(state.defaults->ball, goal, state.task, state.options.tolerance)) {
     if (state.options.pose_tolerance) return std::nullopt;
-    return 0;
+    return FastSolutions{};
   }
   constexpr int few = 8;  // two rounds of steps: see first_within()
   const PieperSolver& form = state.pieper_solver();
@@ -231,18 +240,23 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
   switch (search.end) {
     case ValueSearchEnd::near_seed:
     case ValueSearchEnd::from_outside:
-      return 1;
+      return FastSolutions{1};
     case ValueSearchEnd::first_values:
     case ValueSearchEnd::examined_range:
       if (is_continuum(search.branch)) return std::nullopt;
       form.configuration(search.branch.found, search.branch.lane, search.branch.value,
                          solutions.col(0));
-      return 1;
+      return FastSolutions{1};
     case ValueSearchEnd::failed:
       break;
   }
-  if (search.conclusive && !state.options.pose_tolerance) return 0;
-  if (search_fast_path(state, goal, seed, budget, solutions)) return 1;
+  if (search.conclusive && !state.options.pose_tolerance) {
+    const bool found = search.outside.count + search.in_range.count > 0;
+    const bool outside =
+        closes(state, goal, search.outside) || closes(state, goal, search.in_range);
+    return FastSolutions{.examined = !found || outside, .outside = outside};
+  }
+  if (search_fast_path(state, goal, seed, budget, solutions)) return FastSolutions{1};
   return std::nullopt;
 }
 
@@ -289,9 +303,9 @@ bool has_twins(const PieperBranches& found, const OrderedLanes& order) {
 }
 
 /// Writes all solutions of six joints.
-std::optional<int> write_all(const PieperSolver& form, const PieperRequest& loop,
-                             const PieperBranches& found, double value,
-                             Eigen::Ref<Eigen::MatrixXd> solutions) {
+std::optional<FastSolutions> write_all(const PieperSolver& form, const PieperRequest& loop,
+                                       const PieperBranches& found, double value,
+                                       Eigen::Ref<Eigen::MatrixXd> solutions) {
   if (found.continuum != 0 || nearly_found(form, found)) return std::nullopt;
   const std::optional<OrderedLanes> order = lanes_in_order(loop, found);
   if (!order || (found.twin != 0 && has_twins(found, *order))) return std::nullopt;
@@ -299,13 +313,13 @@ std::optional<int> write_all(const PieperSolver& form, const PieperRequest& loop
   for (int i = 0; i < shown; ++i) {
     form.configuration(found, order->lane[i], value, solutions.col(i));
   }
-  return shown;
+  return FastSolutions{shown};
 }
 
 /// Writes solutions whose loops close within the tolerance, without further checks.
-std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
-                                     const ConfigurationRef& seed, BudgetMeter& budget,
-                                     Eigen::Ref<Eigen::MatrixXd> solutions) {
+std::optional<FastSolutions> solve_pieper_fast(SolverState& state, const Pose& goal,
+                                               const ConfigurationRef& seed, BudgetMeter& budget,
+                                               Eigen::Ref<Eigen::MatrixXd> solutions) {
   const InverseOptions& options = state.options;
   const bool any_one = !options.all && state.redundancy == Redundancy::any;
   const PieperSolver& form = state.pieper_solver();
@@ -330,7 +344,7 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
   const int lane = nearest_lane(loop, found);
   if (lane < 0 || (found.continuum >> lane & 1) != 0) return std::nullopt;
   form.configuration(found, lane, value, solutions.col(0));
-  return 1;
+  return FastSolutions{1};
 }
 
 }  // namespace

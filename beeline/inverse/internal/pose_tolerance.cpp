@@ -116,7 +116,7 @@ std::optional<InverseResult> solve_within_tolerance(SolverState& state, const Re
   Configuration start = Configuration::Zero(n + static_cast<Eigen::Index>(components.size()));
   start.head(n) = request.seed;
   InverseResult result =
-      solve(with_deviations, request.goal, start, /*explain_failure=*/false, request.budget);
+      solve(with_deviations, request.goal, start, FailureDetail::none, request.budget);
   if (result.solutions.empty()) return {};
   const Configuration found = result.solutions.front();
   result.solutions = {found.head(n)};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/inverse/internal/range_examination.h>
 #include <beeline/math/minimise.h>
@@ -6,24 +7,28 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int intervals = 64;  // number of intervals of the examined range
-
 /// The branches over the range of the redundant joint, lane by lane.
 class RangeExamination {
  public:
   RangeExamination(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                   PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside)
-      : form_(form), goal_(goal), range_(range), loop_(loop), budget_(budget), outside_(outside) {}
+                   PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside, int intervals)
+      : form_(form),
+        goal_(goal),
+        range_(range),
+        loop_(loop),
+        budget_(budget),
+        outside_(outside),
+        intervals_(intervals) {}
 
   ExaminedRange run() {
-    for (int i = 0; i <= intervals && !done(); ++i) {
+    for (int i = 0; i <= intervals_ && !done(); ++i) {
       evaluate(value(i), samples_[i]);
       clean_ &= !samples_[i].hidden;
     }
     for (int lane = 0; lane < 8; ++lane) {
-      for (int i = 0; i <= intervals && !done(); ++i) {
+      for (int i = 0; i <= intervals_ && !done(); ++i) {
         if (is_minimum(lane, i)) examine_minimum(lane, i);
-        if (i < intervals && ends_near_zero(lane, i)) refine(lane, i, i + 1);
+        if (i < intervals_ && ends_near_zero(lane, i)) refine(lane, i, i + 1);
       }
     }
     const bool away = outside_.count == 0 || outside_.excess[0] > near;
@@ -45,7 +50,9 @@ class RangeExamination {
 
   bool done() const { return branch_.lane >= 0 || budget_.ended(); }
 
-  double value(int i) const { return range_.lower + (range_.upper - range_.lower) * i / intervals; }
+  double value(int i) const {
+    return range_.lower + (range_.upper - range_.lower) * i / intervals_;
+  }
 
   void evaluate(double value, Sample& sample) {
     branch_.value = value;
@@ -64,7 +71,7 @@ class RangeExamination {
   bool is_minimum(int lane, int i) const {
     const double here = samples_[i].cost[lane];
     return (i == 0 || here <= samples_[i - 1].cost[lane]) &&
-           (i == intervals || here < samples_[i + 1].cost[lane]);
+           (i == intervals_ || here < samples_[i + 1].cost[lane]);
   }
 
   /// Whether a local minimum at value i may reach zero nearby: it is below twice the step to a
@@ -73,7 +80,7 @@ class RangeExamination {
     const bool found = samples_[i].found(lane);
     const double here = samples_[i].cost[lane];
     double step = 0;
-    for (const int next : {std::max(i - 1, 0), std::min(i + 1, intervals)}) {
+    for (const int next : {std::max(i - 1, 0), std::min(i + 1, intervals_)}) {
       if (samples_[next].found(lane) == found) {
         step = std::max(step, samples_[next].cost[lane] - here);
       }
@@ -91,7 +98,7 @@ class RangeExamination {
 
   void examine_minimum(int lane, int i) {
     if (may_reach_zero(lane, i)) {
-      refine(lane, std::max(i - 1, 0), std::min(i + 1, intervals));
+      refine(lane, std::max(i - 1, 0), std::min(i + 1, intervals_));
     } else if (samples_[i].found(lane)) {
       Sample sample{};
       evaluate(value(i), sample);
@@ -99,16 +106,32 @@ class RangeExamination {
     }
   }
 
+  /// The lanes without a solution whose cost is the lane's, to rounding, so that they have the same
+  /// minimum: the signs of two square roots near zero do not matter.
+  static unsigned twins(const Sample& sample, int lane) {
+    constexpr double rounding = 1e-9;  // radians or metres
+    unsigned same = 0;
+    for (int other = 0; other < 8 && !sample.found(lane); ++other) {
+      const bool alike = std::abs(sample.cost[other] - sample.cost[lane]) < rounding;
+      same |= static_cast<unsigned>(alike) << other;
+    }
+    return same;
+  }
+
   /// Minimises the cost of a lane between the values from and to, more precisely where it is small.
   void refine(int lane, int from, int to) {
+    unsigned& refined = refined_[from][to - from - 1];
+    if ((refined >> lane & 1) != 0) return;
     constexpr int sections = 13, more = 20;
     constexpr double small = 1e-2;         // radians or metres
     constexpr double shorter = 0.0019201;  // fraction of the interval, 0.618^sections
     // Beyond the end of a branch its solutions are hidden by rounding.
     const bool ends = samples_[from].found(lane) != samples_[to].found(lane);
     Sample sample{};
+    unsigned same = twins(samples_[from], lane) & twins(samples_[to], lane);
     const auto cost = [&](double value) {
       if (!done()) evaluate(value, sample);
+      same &= twins(sample, lane);
       clean_ &= ends || sample.found(lane) || !sample.hidden;
       return sample.cost[lane];
     };
@@ -121,6 +144,7 @@ class RangeExamination {
     if (done()) return;
     evaluate(least.x, sample);
     if (done()) return;
+    refined |= same & twins(sample, lane);
     if (sample.found(lane)) outside_.insert(form_, branch_, lane);
     clean_ &= sample.found(lane) || least.value > none + near;
   }
@@ -131,7 +155,10 @@ class RangeExamination {
   PieperRequest& loop_;
   BudgetMeter& budget_;
   LeastOutside& outside_;
-  Sample samples_[intervals + 1]{};
+  const int intervals_;
+  Sample samples_[max_range_intervals + 1]{};
+  /// For each interval, and for each pair of neighbours, the lanes whose minimum is known.
+  unsigned refined_[max_range_intervals][2] = {};
   LockedBranch branch_;
   bool clean_ = true;
 };
@@ -139,8 +166,9 @@ class RangeExamination {
 }  // namespace
 
 ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside) {
-  return RangeExamination(form, goal, range, loop, budget, outside).run();
+                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside,
+                            int intervals) {
+  return RangeExamination(form, goal, range, loop, budget, outside, intervals).run();
 }
 
 }  // namespace beeline::internal

@@ -11,11 +11,14 @@ struct ExaminedRange {
                             ///< throughout the range
 };
 
+inline constexpr int max_range_intervals = 64;
+
 /// Follows every branch over the whole range of the redundant joint: evaluates its excess over the
-/// limits on a grid and refines each local minimum that may reach zero by golden-section search.
-/// The result is inconclusive if rounding may hide a solution or if a branch comes near the limits.
-/// Does not allocate.
+/// limits on a grid of `intervals` and refines each local minimum that may reach zero by
+/// golden-section search. The result is inconclusive if rounding may hide a solution or if a branch
+/// comes near the limits. Does not allocate.
 ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside);
+                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside,
+                            int intervals = max_range_intervals);
 
 }  // namespace beeline::internal

@@ -19,7 +19,7 @@ namespace {
 
 /// Solves for the arm with the locked coordinate fixed, which the thread keeps.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
-                              const Configuration& seed, bool explain_failure,
+                              const Configuration& seed, FailureDetail detail,
                               BudgetMeter& budget) {
   check_configuration(state.arm, seed);
   check_lock(state, seed);
@@ -33,7 +33,7 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
   const KeptByThread<LockedArm> locked(state.arm, {k, value});
   SolverState remaining(locked->arm, options);
   remaining.removed_coordinate = k;
-  InverseResult result = solve(remaining, world_T_tool, without(seed, k), explain_failure, budget);
+  InverseResult result = solve(remaining, world_T_tool, without(seed, k), detail, budget);
   for (Configuration& q : result.solutions) q = with(q, k, value);
   if (result.nearest) {
     result.nearest->q = with(result.nearest->q, k, value);
@@ -68,10 +68,11 @@ bool has_self_motion(const Request& request, const Configuration& q) {
 void add_any_solution(SolverState& state, const Request& request, InverseResult& result) {
   const Redundancy requested = std::exchange(state.redundancy, Redundancy::any);
   Configuration q(request.arm.dof());
-  const std::optional<int> count =
+  const std::optional<FastSolutions> found =
       solve_fast_path(state, request.goal, request.seed, request.budget, q);
   state.redundancy = requested;
-  if (count == 1 && within(request.bounds, q) && error_at(request, q) <= request.tolerance) {
+  if (found && found->count == 1 && within(request.bounds, q) &&
+      error_at(request, q) <= request.tolerance) {
     result.solutions.push_back(q);
   }
 }
@@ -83,6 +84,22 @@ bool nearly_solved(SolverState& state) {
   if (state.iterations() == 0) return false;
   const Deviation& error = state.search().nearest.error;
   return std::max(error.position, error.orientation) < near;
+}
+
+/// Sets what `detail` asks for in a result without solutions, or finds one.
+void set_failure(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
+                 FailureDetail detail, InverseResult& result) {
+  const bool nearly = nearly_solved(state);
+  if (detail == FailureDetail::none && !nearly) return;
+  std::optional<InverseStatus> status;
+  if (detail == FailureDetail::status && !nearly) {
+    status = status_without_nearest(state, request, evidence);
+  }
+  if (status) {
+    set_unexplained(request, evidence, *status, result);
+  } else {
+    diagnose(state, request, evidence, result);
+  }
 }
 
 /// Whether solve_fast_path() has searched for a solution with many restarts. The remaining restarts
@@ -107,9 +124,8 @@ void set_incomplete(const Request& request, bool optimised, InverseResult& resul
 }  // namespace
 
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    bool explain_failure, BudgetMeter& budget) {
-  if (state.options.lock)
-    return solve_with_lock(state, world_T_tool, seed, explain_failure, budget);
+                    FailureDetail detail, BudgetMeter& budget) {
+  if (state.options.lock) return solve_with_lock(state, world_T_tool, seed, detail, budget);
   check_configuration(state.arm, seed);
   Configuration wrapped = seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
@@ -124,9 +140,7 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   if (tolerant && !searched && result.solutions.empty()) {
     if (auto near = solve_within_tolerance(state, request)) return *near;
   }
-  if (result.solutions.empty() && (explain_failure || nearly_solved(state))) {
-    diagnose(state, request, unconstrained, result);
-  }
+  if (result.solutions.empty()) set_failure(state, request, unconstrained, detail, result);
   if (result.solutions.empty()) {
     if (state.options.pose_tolerance) result.reason.set(ReasonField::within_pose_tolerance, true);
     return result;

@@ -20,9 +20,20 @@ bool equal(const Configuration& a, const Configuration& b) {
 }
 
 InverseResult any_result(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
-                         bool explain_failure, BudgetMeter& budget) {
-  if (auto found = one_solution_fast(state, world_T_tool, seed, budget)) return std::move(*found);
-  return solve(state, world_T_tool, seed, explain_failure, budget);
+                         FailureDetail detail, BudgetMeter& budget) {
+  if (auto found = one_solution_fast(state, world_T_tool, seed, detail, budget))
+    return std::move(*found);
+  return solve(state, world_T_tool, seed, detail, budget);
+}
+
+/// Keeps what explain() needs. The functions of the caller may not live as long as the result.
+void keep_request(const SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
+                  InverseResult& result) {
+  InverseOptions options = state.options;
+  options.seed = seed;
+  options.budget = {};
+  options.blocked_by = {};
+  result.unexplained.emplace(InverseRequest{state.arm, world_T_tool, std::move(options)});
 }
 
 /// Moves blocked solutions to result.blocked, until `max_free` others are found.
@@ -90,7 +101,7 @@ void add_along_self_motion(const Request& request, const Configuration& q, Inver
     Configuration seed = request.seed;
     seed[k] = value;
     const InverseResult there =
-        solve(locked, request.goal, seed, /*explain_failure=*/false, request.budget);
+        solve(locked, request.goal, seed, FailureDetail::none, request.budget);
     result.residual = std::max(result.residual, there ? there.residual : 0);
     result.solutions.insert(result.solutions.end(), there.solutions.begin(), there.solutions.end());
   }
@@ -104,7 +115,7 @@ InverseResult all_in_order(SolverState& state, const Pose& world_T_tool,
   InverseOptions options = state.options;
   options.all = true;
   SolverState all(state.arm, options);
-  InverseResult result = solve(all, world_T_tool, seed, /*explain_failure=*/false, budget);
+  InverseResult result = solve(all, world_T_tool, seed, FailureDetail::none, budget);
   std::vector<Configuration>& found = result.solutions;
   const auto is_first = [&](const Configuration& q) { return equal(q, first); };
   if (std::none_of(found.begin(), found.end(), is_first)) found.insert(found.begin(), first);
@@ -124,10 +135,13 @@ InverseResult all_in_order(SolverState& state, const Pose& world_T_tool,
 }  // namespace
 
 InverseResult solve_unblocked(SolverState& state, const Pose& world_T_tool,
-                              const ConfigurationRef& seed, bool explain_failure,
+                              const ConfigurationRef& seed, FailureDetail detail,
                               BudgetMeter& budget) {
   const InverseOptions& options = state.options;
-  InverseResult result = any_result(state, world_T_tool, seed, explain_failure, budget);
+  InverseResult result = any_result(state, world_T_tool, seed, detail, budget);
+  if (result.solutions.empty() && !result.nearest && detail != FailureDetail::none) {
+    keep_request(state, world_T_tool, seed, result);
+  }
   if (!options.blocked_by || result.solutions.empty()) return result;
   if (options.all) {
     separate_blocked(options, all_of_them, budget, result);

@@ -1,13 +1,18 @@
 #include <beeline/error.h>
 #include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/internal/solver_state.h>
 
 namespace beeline::internal {
 
 ArmDefaults ArmDefaults::make(const Arm& arm, const Key&) {
-  return {bounds_of(arm), no_bounds(arm), middle_configuration(arm), Configuration::Ones(arm.dof()),
-          ToolPlane::required(arm, std::nullopt)};
+  return {bounds_of(arm),
+          no_bounds(arm),
+          middle_configuration(arm),
+          Configuration::Ones(arm.dof()),
+          ToolPlane::required(arm, std::nullopt),
+          ball_of_tool(arm)};
 }
 
 std::size_t ArmDefaults::heap_bytes() const {

@@ -65,7 +65,7 @@ bool applies_numerical(const SolverState& state, const Request& request, const S
   const bool proved =
       evidence.range_examined || (evidence.complete && !(evidence.continuum && none));
   return missing && !proved && state.options.method != InverseMethod::closed_form &&
-         !out_of_reach(request.arm, request.goal, request.task, request.tolerance);
+         !out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance);
 }
 
 void run_family(SolverState& state, const Request& request, StageResult& found) {

@@ -95,10 +95,12 @@ Probe solve_ahead(const TrackedEnd& end, bool singular) {
 }
 
 /// Returns the reason of inverse kinematics with its pose.
-Reason reason_at(const Segment& segment, const Probe& probe) {
-  Reason reason = probe.answer.reason;
+Reason reason_at(const TrackedEnd& stop, const Probe& probe) {
+  InverseResult answer = probe.answer;
+  explain(answer, stop.budget);
+  Reason reason = answer.reason;
   reason.set(ReasonField::fraction, probe.s);
-  reason.set(ReasonField::position, Vector3(pose_at(segment, probe.s).translation()));
+  reason.set(ReasonField::position, Vector3(pose_at(stop.segment, probe.s).translation()));
   return reason;
 }
 
@@ -106,14 +108,14 @@ Reason reason_at(const Segment& segment, const Probe& probe) {
 /// for the same reason, the reason has the amount at the end, which does not depend on the distance
 /// of the pose ahead. If the end cannot be reached for the other reason, each amount has its own
 /// pose.
-Reason unreachable_ahead(const Segment& segment, const Probe& ahead, const Probe& end) {
+Reason unreachable_ahead(const TrackedEnd& stop, const Probe& ahead, const Probe& end) {
   const bool by_position = ahead.answer.status == InverseStatus::unreachable;
   const bool same_at_end = end.answer.status == ahead.answer.status;
   Reason reason{by_position ? ReasonCode::path_leaves_workspace
                             : ReasonCode::path_loses_orientation};
-  reason.details = {reason_at(segment, same_at_end ? end : ahead)};
+  reason.details = {reason_at(stop, same_at_end ? end : ahead)};
   if (!same_at_end && is_unreachable(end.answer)) {
-    reason.details.push_back(reason_at(segment, end));
+    reason.details.push_back(reason_at(stop, end));
   }
   return reason;
 }
@@ -168,10 +170,10 @@ SegmentFailure failure_ahead(const TrackedEnd& end) {
       return {MotionStatus::singular, singular_reason(end)};
     case InverseStatus::outside_limits:
       return {MotionStatus::outside_limits,
-              {ReasonCode::pose_outside_limits, {}, {reason_at(end.segment, ahead)}}};
+              {ReasonCode::pose_outside_limits, {}, {reason_at(end, ahead)}}};
     case InverseStatus::unreachable:
     case InverseStatus::orientation_unreachable:
-      return {MotionStatus::unreachable, unreachable_ahead(end.segment, ahead, probe(end, 1))};
+      return {MotionStatus::unreachable, unreachable_ahead(end, ahead, probe(end, 1))};
     case InverseStatus::time_limit:
     case InverseStatus::cancelled:
     case InverseStatus::work_limit:
@@ -184,7 +186,7 @@ SegmentFailure failure_ahead(const TrackedEnd& end) {
   return {MotionStatus::not_found,
           {ReasonCode::no_configuration_found,
            {{ReasonField::near_singular, singular}},
-           {reason_at(end.segment, ahead)}}};
+           {reason_at(end, ahead)}}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include <beeline/inverse/internal/arm_defaults.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/kinematics/forward.h>
@@ -110,8 +111,8 @@ void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
   has_solution_ = false;
   blocked_ = {};
-  if (redundant_ &&
-      out_of_reach(arm_, world_T_tool, default_task(arm_), InverseOptions{}.tolerance)) {
+  if (redundant_ && out_of_reach(Kept<ArmDefaults>(arm_)->ball, world_T_tool, default_task(arm_),
+                                 InverseOptions{}.tolerance)) {
     return;
   }
   if (all_ && !redundant_) {

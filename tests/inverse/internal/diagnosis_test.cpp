@@ -17,6 +17,7 @@ namespace {
 using std::numbers::pi;
 
 using testing::expect_no;
+using testing::explained_inverse;
 using testing::named;
 
 TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
@@ -26,7 +27,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
     const double heading = random.uniform(-pi, pi), beyond = random.uniform(1e-6, 20);
     const Pose pose = to_space({(9 + beyond) * std::cos(heading), (9 + beyond) * std::sin(heading),
                                 random.uniform(-pi, pi)});
-    const InverseResult result = inverse_kinematics(arm, pose);
+    const InverseResult result = explained_inverse(arm, pose);
     expect_no(result, InverseStatus::unreachable);
     EXPECT_NEAR(result.residual, beyond, 1e-9);
     EXPECT_NEAR(testing::field<double>(result.reason, ReasonField::distance).value_or(0), beyond,
@@ -39,7 +40,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
   for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) {
     const Arm spatial = built_in(name);
     const Vector3 way = (spatial.reach().radius + 0.25) * random.direction();
-    const InverseResult far = inverse_kinematics(spatial, make_pose(spatial.reach().centre + way));
+    const InverseResult far = explained_inverse(spatial, make_pose(spatial.reach().centre + way));
     expect_no(far, InverseStatus::unreachable);
     EXPECT_GE(far.residual, 0.25 - 1e-9);  // an offset may keep it farther away
     EXPECT_LE(far.residual, 0.25 + 0.15 * spatial.reach().radius);
@@ -49,7 +50,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
   const Arm stanford = built_in("stanford");
   const Pose pose =
       make_pose(stanford.reach().centre + Vector3(stanford.reach().radius + 0.25, 0, 0));
-  const InverseResult slide = inverse_kinematics(stanford, pose, {.max_restarts = 10});
+  const InverseResult slide = explained_inverse(stanford, pose, {.max_restarts = 10});
   expect_no(slide, InverseStatus::outside_limits);
   EXPECT_EQ(testing::joint(slide.reason), "joint3") << slide.reason;
   ASSERT_TRUE(slide.nearest.has_value());
@@ -60,7 +61,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
 TEST(InverseKinematics, InsideTheShouldersOffsetNoWristArrives) {
   // A point on the axis of joint 1. The tool never comes nearer to that axis than the offset of
   // 0.15005 m.
-  const InverseResult puma = inverse_kinematics(built_in("puma560"), make_pose({0.01, 0, 0}));
+  const InverseResult puma = explained_inverse(built_in("puma560"), make_pose({0.01, 0, 0}));
   expect_no(puma, InverseStatus::unreachable);
   EXPECT_NEAR(puma.residual, 0.15005 - 0.01, 1e-6);
 }
@@ -68,7 +69,7 @@ TEST(InverseKinematics, InsideTheShouldersOffsetNoWristArrives) {
 TEST(InverseKinematics, AReachedPositionWithTheWrongOrientationSaysHowMuchTurnIsMissing) {
   // The wrist would have to be at (-9, 0), 2 m beyond its reach of 7 m. With the hand rotated by
   // acos(...), from the triangle of sides 7 (wrist), 2 (hand) and 7 (tool), it is at the boundary.
-  const InverseResult turned = inverse_kinematics(built_in("rrr"), to_space({-7, 0, 0}));
+  const InverseResult turned = explained_inverse(built_in("rrr"), to_space({-7, 0, 0}));
   expect_no(turned, InverseStatus::orientation_unreachable);
   const double least = std::acos((7 * 7 - 7 * 7 - 2 * 2) / (2.0 * 7 * 2));
   EXPECT_NEAR(turned.residual, least, 2e-3);  // a stretched arm is approached slowly
@@ -82,7 +83,7 @@ TEST(InverseKinematics, AReachedPositionWithTheWrongOrientationSaysHowMuchTurnIs
   for (int i = 0; i < testing::cases(60); ++i) {
     Pose pose = forward_kinematics(five, random.configuration(five));
     pose.linear() = pose.linear() * so3_exp(Vector3(0.3, 0, 0));
-    const InverseResult no = inverse_kinematics(five, pose, {.ignore_limits = true});
+    const InverseResult no = explained_inverse(five, pose, {.ignore_limits = true});
     expect_no(no, InverseStatus::orientation_unreachable);
     EXPECT_LE(no.residual, 0.3 + 1e-6);
     EXPECT_LE(no.nearest->error.position, 1e-9);
@@ -98,24 +99,24 @@ TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
     Pose tilted = forward_kinematics(scara, random.configuration(scara));
     const double tilt = random.uniform(1e-6, 3);
     tilted.linear() = tilted.linear() * so3_exp(Vector3(tilt, 0, 0));
-    const InverseResult no = inverse_kinematics(scara, tilted);
+    const InverseResult no = explained_inverse(scara, tilted);
     expect_no(no, InverseStatus::orientation_unreachable);
     EXPECT_NEAR(no.residual, tilt, 1e-9);
-    EXPECT_EQ(inverse_kinematics(scara, tilted, {.task = Task::position()}).status,
+    EXPECT_EQ(explained_inverse(scara, tilted, {.task = Task::position()}).status,
               InverseStatus::solved);
 
     Pose lifted = forward_kinematics(rrr, random.configuration(rrr));
     lifted.translation().z() = off;
     for (const Task& task : {Task::spatial(), Task::position()}) {
-      const InverseResult above = inverse_kinematics(rrr, lifted, {.task = task});
+      const InverseResult above = explained_inverse(rrr, lifted, {.task = task});
       expect_no(above, InverseStatus::unreachable);
       EXPECT_NEAR(above.residual, off, 1e-9);
     }
-    EXPECT_EQ(inverse_kinematics(rrr, lifted, {.task = Task::planar()}).status,
+    EXPECT_EQ(explained_inverse(rrr, lifted, {.task = Task::planar()}).status,
               InverseStatus::solved);
 
     const InverseResult turned =
-        inverse_kinematics(gantry, to_space({0.1, 0.2, heading + off}), {.ignore_limits = true});
+        explained_inverse(gantry, to_space({0.1, 0.2, heading + off}), {.ignore_limits = true});
     expect_no(turned, InverseStatus::orientation_unreachable);
     EXPECT_NEAR(turned.residual, off, 1e-9);
   }
@@ -131,14 +132,14 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
   for (int i = 0; i < 100; ++i) {
     Configuration q = random.configuration(planar);
     q[1] = random.uniform(0.6, 2.5) * (random.integer(0, 1) == 1 ? 1 : -1);
-    const InverseResult no = inverse_kinematics(planar, forward_kinematics(planar, q));
+    const InverseResult no = explained_inverse(planar, forward_kinematics(planar, q));
     expect_no(no, InverseStatus::outside_limits);
     EXPECT_EQ(testing::joint(no.reason), "joint2");
     EXPECT_NEAR(testing::field<double>(no.reason, ReasonField::value).value_or(0), std::abs(q[1]),
                 1e-6)
         << no.reason;
     EXPECT_EQ(
-        inverse_kinematics(planar, forward_kinematics(planar, q), {.ignore_limits = true}).status,
+        explained_inverse(planar, forward_kinematics(planar, q), {.ignore_limits = true}).status,
         InverseStatus::solved);
   }
   // A puma whose elbow is nearly locked: joint 3 determines the distance from shoulder to wrist.
@@ -150,7 +151,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
     Configuration q = random.configuration(built_in("puma560"));
     q[2] = -1 + random.uniform(-0.1, 0.1);
     const InverseResult no =
-        inverse_kinematics(puma, forward_kinematics(puma, q), {.max_restarts = 30});
+        explained_inverse(puma, forward_kinematics(puma, q), {.max_restarts = 30});
     expect_no(no, InverseStatus::outside_limits);
     EXPECT_NE(testing::joint(no.reason), "") << no.reason;
     EXPECT_GT(no.residual, 1e-9);
@@ -158,7 +159,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
   // A prismatic joint that is too short: the reason is its limits, not the geometry.
   const Arm rp("short",
                {built_in("rp").joints()[0], named(built_in("rp").joints()[1], "slide", 0, 0.5)});
-  const InverseResult no = inverse_kinematics(rp, to_space({3, 0, 0}));
+  const InverseResult no = explained_inverse(rp, to_space({3, 0, 0}));
   expect_no(no, InverseStatus::outside_limits);
   EXPECT_EQ(testing::joint(no.reason), "slide");
   EXPECT_NEAR(testing::field<double>(no.reason, ReasonField::excess).value_or(0), 1.5, 1e-9);

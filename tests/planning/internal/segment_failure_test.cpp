@@ -27,7 +27,8 @@ void expect_amount_of_its_pose(const Arm& arm, const Line& line, const Task& tas
     const double amount =
         *testing::field<double>(detail, position ? ReasonField::distance : ReasonField::angle);
     const Pose pose = interpolate(line.from, line.to, s);
-    const InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
+    InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
+    explain(there);
     EXPECT_TRUE(there.solutions.empty()) << reason;
     EXPECT_NEAR(amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
     EXPECT_GT(amount, 0) << reason;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/inverse/internal/solver_state.h>
+#include <beeline/inverse/internal/stage_result.h>
+
+namespace beeline::internal {
+
+/// What is found out about a request without solutions.
+enum class FailureDetail {
+  none,     ///< nothing
+  status,   ///< the status; and the nearest miss unless the status is known without it
+  nearest,  ///< status and nearest miss
+};
+
+/// Returns the status of a request without solutions within limits, if it is known without the
+/// nearest miss: from a proof, or because the closed form examined all solutions and the position
+/// is reached. Otherwise returns nothing, and diagnose() chooses the status.
+std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
+                                                    const UnconstrainedResult& evidence);
+
+/// Sets this status and its reason, without a nearest miss. The residual is NaN unless a proof
+/// gives it.
+void set_unexplained(const Request& request, const UnconstrainedResult& evidence,
+                     InverseStatus status, InverseResult& result);
+
+}  // namespace beeline::internal

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/internal/solver_state.h>
+
+namespace beeline::internal {
+
+/// Max starts of a search for the nearest pose. Each converges to a local minimum of the error.
+/// More starts find the global minimum more often, and take longer.
+inline constexpr int max_starts = 64;
+
+/// Max joints of an arm for which Newton's method then locates the minimum to rounding. The Hessian
+/// of a longer chain takes too long.
+inline constexpr int max_refined = 12;
+
+Deviation deviation_at(const Request& request, const Configuration& q);
+
+/// Returns the configuration of least error in the rows of `task` among the ends of max_starts
+/// searches, limits ignored. A reference into the state.
+const Configuration& nearest_of_searches(const Request& request, const Task& task,
+                                         SolverState& state, const Configuration& start);
+
+/// The same; a local minimum is then located to rounding.
+Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
+                          const Configuration& start);
+
+/// Returns the configuration of least orientation error among many at the goal's position, or
+/// `start` if it does not reach that position.
+Configuration nearest_orientation_of_many(const Request& request, const Task& position,
+                                          SolverState& state, const Configuration& start);
+
+}  // namespace beeline::internal
