@@ -29,9 +29,10 @@ Goals solutions_of(const Arm& arm, const Configuration& from, const std::string&
   const WrittenPose goal = parse_pose_option(arm, "--pose", text, unit);
   for_option("--pose", [&] { check_pose_form(arm, goal, {}); });
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), unit);
-  const InverseResult found = inverse_kinematics(
+  InverseResult found = inverse_kinematics(
       arm, goal.pose,
       {.seed = from, .all = true, .blocked_by = blocked_in(scene), .budget = budget});
+  explain(found, budget);
   return {found.solutions, motion_status(found.status), found.reason};
 }
 

@@ -23,8 +23,8 @@ constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stu
 // as near to a body.
 constexpr double usable = 0.9;
 
-/// The configurations within the position limits, those of joints without limits half a revolution
-/// about the start and the goals.
+/// The configurations within the position limits. Joints without limits are within half a
+/// revolution of the start and the goals.
 class JointSpace {
  public:
   JointSpace(const Arm& arm, const Configuration& start, std::span<const Configuration> goals)

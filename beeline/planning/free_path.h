@@ -100,8 +100,8 @@ std::ostream& operator<<(std::ostream& out, const FreeMotion& motion);
 /// Plans a motion to one of the goals that keeps the clearance of the model: the path of
 /// find_free_path(), with a blend at each inner waypoint, in minimum time as retime() does. The
 /// finished trajectory is proved by prove_clearance(). A blend that is not proved is made smaller,
-/// down to a stop. The status and the errors are those of find_free_path(), prove_clearance() and
-/// retime(). Throws Error for a joint_blend below 0, too.
+/// down to a stop. The status and the reason are as of find_free_path(), prove_clearance() and
+/// retime(). Throws Error where these do, and for a joint_blend below 0.
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options = {});
 
