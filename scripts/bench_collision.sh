@@ -29,6 +29,16 @@ edges() {
   "$folder/bench_edges" "${@:2}" --edges "$edges" --scenes "$scenes" --refine "$refine" || status=1
 }
 
+# paths TITLE ARM: paths around the obstacles of the problems.
+paths() {
+  section "Paths around obstacles: $1"
+  if [[ ! -f $2 ]]; then
+    echo "Left out: $2 is not there"
+    return
+  fi
+  "$folder/bench_free_paths" "$2" "$problems" || status=1
+}
+
 section "Certified clearance of a line of 1 m, and of edges of 1 rad"
 "$folder/bench_clearance" || status=1
 section "Distances of random pairs: coal beside the bounds that are proved"
@@ -43,6 +53,8 @@ if [[ -f $source/panda_problems.tar.xz ]]; then
   LD_LIBRARY_PATH=$prefix/lib .venv-bench/bin/python -B bench/collision/hpp_edges.py "$folder/edges.jsonl" "$spheres" ||
     echo "Left out: hpp-python cannot run here"
   edges "MotionBenchMaker, Panda as hulls" "$robots/panda_description/urdf/panda.urdf" --problems "$problems"
+  paths "Panda as 59 spheres" "$spheres"
+  paths "Panda as hulls" "$robots/panda_description/urdf/panda.urdf"
 else
   echo "Left out: problems of MotionBenchMaker, which $source lacks"
 fi
