@@ -29,9 +29,12 @@ Goals solutions_of(const Arm& arm, const Configuration& from, const std::string&
   const WrittenPose goal = parse_pose_option(arm, "--pose", text, unit);
   for_option("--pose", [&] { check_pose_form(arm, goal, {}); });
   warn_of_positions("--pose", arm, std::span(&goal.pose, 1), unit);
-  InverseResult found = inverse_kinematics(
-      arm, goal.pose,
-      {.seed = from, .all = true, .blocked_by = blocked_in(scene), .budget = budget});
+  InverseResult found = inverse_kinematics(arm, goal.pose,
+                                           {.seed = from,
+                                            .all = true,
+                                            .every_turn = true,
+                                            .blocked_by = blocked_in(scene),
+                                            .budget = budget});
   explain(found, budget);
   return {found.solutions, motion_status(found.status), found.reason};
 }
@@ -106,19 +109,21 @@ Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
     found.reason = clearance->proof.reason;
   }
   const bool reached(found);
+  if (clearance) files.draw_refusal(*clearance);
   if (reached) {
     const Pose goal = forward_kinematics(arm, found.trajectory.positions.back());
     files.write(arm, found.trajectory, {goal}, {.waypoint_times = {found.trajectory.times.back()}},
                 std::nullopt, &scene.model);
   }
-  Answer answer{.text = name(found.status) +
-                        (reached ? " after " + shown(found.duration()) + " s" : "") + "\n",
-                .document = {{"status", name(found.status)},
-                             {"method", method},
-                             {"samples", found.trajectory.size()},
-                             {"duration", reached ? Json(found.duration()) : Json()}},
-                .yes = reached,
-                .reason = sentence(found.reason)};
+  Answer answer{
+      .text =
+          name(found.status) + (reached ? " after " + shown(found.duration()) + " s" : "") + "\n",
+      .document = {{"status", name(found.status)},
+                   {"method", method},
+                   {"samples", found.trajectory.size()},
+                   {"duration", reached ? Json(found.duration()) : Json()}},
+      .yes = reached,
+      .reason = clearance && !reached ? clearance->reason_text() : sentence(found.reason)};
   answer.document.add(json_reason(found.reason));
   if (!found.path.waypoints.empty()) {
     answer.text += path_text(found);

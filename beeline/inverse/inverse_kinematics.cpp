@@ -68,9 +68,11 @@ InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
   internal::SolverState state(arm, options);
   internal::BudgetMeter budget(options.budget);
   if (state.plane()) state.plane()->check(world_T_tool);
-  return internal::solve_unblocked(state, world_T_tool,
-                                   options.seed ? *options.seed : state.defaults->middle,
-                                   internal::FailureDetail::status, budget);
+  return internal::solve_unblocked(
+      state, world_T_tool, options.seed ? *options.seed : state.defaults->middle,
+      // A solution that explain() finds would not be asked about.
+      options.blocked_by ? internal::FailureDetail::nearest : internal::FailureDetail::status,
+      budget);
 }
 
 void explain(InverseResult& result, const Budget& budget) {
@@ -88,7 +90,7 @@ void explain(InverseResult& result, const Budget& budget) {
   result.residual = all.residual;
   if (all.status == result.status) {
     result.reason = std::move(all.reason);
-  } else if (result.status == InverseStatus::orientation_unreachable) {
+  } else if (result.status == InverseStatus::orientation_unreachable && result.nearest) {
     result.reason.set(ReasonField::angle, result.nearest->error.orientation);
   }
 }

@@ -17,6 +17,7 @@ using namespace internal;
 
 namespace {
 
+constexpr double most_nodes = 64;       // of an edge, which are then farther apart
 constexpr double node_spacing = 0.5;    // along an edge of a tree, as the norm of the difference
 constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
 // A tree stops before the place where the proof of an edge ends, because every motion from there is
@@ -59,8 +60,7 @@ class TreeSearch {
  public:
   TreeSearch(const CollisionModel& model, const FreePathOptions& options, FreeEdges& edges,
              JointSpace space)
-      : options_(options),
-        edges_(edges),
+      : edges_(edges),
         space_(std::move(space)),
         engine_(options.random_seed),
         trees_{JointTree(model.arm().dof()), JointTree(model.arm().dof())} {}
@@ -70,10 +70,8 @@ class TreeSearch {
 
   /// Returns the path from the start to a goal and the index of the goal among those added; empty
   /// if the trees do not meet.
-  std::pair<std::vector<Configuration>, std::size_t> path(BudgetMeter& budget) {
-    for (std::size_t a = 0;
-         edges_.count() < static_cast<std::size_t>(options_.max_edges) && budget.complete();
-         a = 1 - a) {
+  std::pair<std::vector<Configuration>, std::size_t> path() {
+    for (std::size_t a = 0; !edges_.ended(); a = 1 - a) {
       const std::size_t b = 1 - a;
       const std::size_t grown = advance(trees_[a], space_.random(engine_)).first;
       if (grown == none) continue;
@@ -99,7 +97,8 @@ class TreeSearch {
     const bool reached = free == 1;
     const double end = reached ? 1 : usable * free;
     if (!reached && end * length < least_advance) return {none, false};
-    const auto parts = static_cast<int>(std::ceil(end * length / node_spacing));
+    const auto parts =
+        static_cast<int>(std::ceil(std::min(end * length / node_spacing, most_nodes)));
     for (int i = 1; i <= parts; ++i) {
       last = tree.add(reached && i == parts ? q : from + end * i / parts * change, last);
     }
@@ -116,7 +115,6 @@ class TreeSearch {
     return {way, trees_[1].root_of(from_goal)};
   }
 
-  const FreePathOptions& options_;
   FreeEdges& edges_;
   JointSpace space_;
   std::mt19937_64 engine_;
@@ -143,9 +141,9 @@ struct FreeGoals {
 };
 
 FreeGoals free_goals_of(const CollisionModel& model, const Configuration& start,
-                        std::span<const Configuration> goals) {
+                        std::span<const Configuration> goals, BudgetMeter& budget) {
   FreeGoals found;
-  for (std::size_t i = 0; i < goals.size(); ++i) {
+  for (std::size_t i = 0; i < goals.size() && !budget.ended(0); ++i) {
     Reason reason = refusal(model, goals[i]);
     if (!reason) {
       found.indices.push_back(i);
@@ -171,7 +169,7 @@ FreePath refused(const Reason& why, ReasonCode which, std::size_t goals) {
 void search_path(const CollisionModel& model, const Configuration& start,
                  std::span<const Configuration> goals, const std::vector<std::size_t>& free_goals,
                  const FreePathOptions& options, BudgetMeter& budget, FreePath& path) {
-  FreeEdges edges(model, budget);
+  FreeEdges edges(model, options.max_edges, budget);
   for (const std::size_t i : free_goals) {
     if (!edges.is_free(start, goals[i])) continue;
     path.waypoints = {start, goals[i]};
@@ -182,7 +180,7 @@ void search_path(const CollisionModel& model, const Configuration& start,
     TreeSearch trees(model, options, edges, JointSpace(model.arm(), start, goals));
     trees.add_start(start);
     for (const std::size_t i : free_goals) trees.add_goal(goals[i]);
-    auto [way, goal] = trees.path(budget);
+    auto [way, goal] = trees.path();
     path.waypoints = std::move(way);
     if (!path.waypoints.empty()) {
       path.goal = free_goals[goal];
@@ -207,18 +205,20 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
     throw Error("", "max_edges",
                 " is " + std::to_string(options.max_edges) + "; it must be 1 or more");
   }
-  if (options.shortcuts < 0) {
+  constexpr int most_shortcuts = 1'000'000;
+  if (options.shortcuts < 0 || options.shortcuts > most_shortcuts) {
     throw Error("", "shortcuts",
-                " is " + std::to_string(options.shortcuts) + "; it must be 0 or more");
+                " is " + std::to_string(options.shortcuts) + "; it must be from 0 to " +
+                    std::to_string(most_shortcuts));
   }
   if (const Reason reason = refusal(model, start)) {
     return refused(reason, ReasonCode::start_not_free, 0);
   }
-  const FreeGoals free_goals = free_goals_of(model, start, goals);
-  if (free_goals.indices.empty()) {
+  BudgetMeter budget(options.budget);
+  const FreeGoals free_goals = free_goals_of(model, start, goals, budget);
+  if (free_goals.indices.empty() && budget.complete()) {
     return refused(free_goals.refusal, ReasonCode::goal_not_free, goals.size());
   }
-  BudgetMeter budget(options.budget);
   FreePath path;
   search_path(model, start, goals, free_goals.indices, options, budget, path);
   path.length = length_of(path.waypoints);

@@ -19,8 +19,8 @@ struct FreePathOptions {
   std::uint64_t random_seed = 1;  ///< seed of the configurations that the search draws
   /// Max number of straight joint motions that the search examines, 1 or more.
   int max_edges = 20'000;
-  int shortcuts = 100;  ///< number of shortcuts that are tried on the path, 0 or more
-  Budget budget = {};   ///< a straight joint motion is a unit of work
+  int shortcuts = 100;  ///< number of shortcuts that are tried on the path, 0 to a million
+  Budget budget = {};   ///< a part of a straight joint motion that is examined is a unit of work
 };
 
 /// A path of straight joint motions.
@@ -45,7 +45,8 @@ std::ostream& operator<<(std::ostream& out, const FreePath& path);
 /// clearance of the model: the straight joint motions to the goals first, then two trees of random
 /// configurations that grow towards each other from both ends (RRT-Connect, Kuffner and LaValle
 /// 2000). Each edge of the trees is proved before it is used. The path that is found is shortened.
-/// Equal arguments give equal paths.
+/// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
+/// paths add radians and metres.
 ///
 /// The status is `outside_limits` for a start or goals outside the position limits, and `collides`
 /// or `not_decided` for a start or goals that are not proved to keep the clearance; the reason
@@ -100,8 +101,9 @@ std::ostream& operator<<(std::ostream& out, const FreeMotion& motion);
 /// Plans a motion to one of the goals that keeps the clearance of the model: the path of
 /// find_free_path(), with a blend at each inner waypoint, in minimum time as retime() does. The
 /// finished trajectory is proved by prove_clearance(). A blend that is not proved is made smaller,
-/// down to a stop. The status and the reason are as of find_free_path(), prove_clearance() and
-/// retime(). Throws Error where these do, and for a joint_blend below 0.
+/// down to a stop; if the finished trajectory is not, the arm stops at each waypoint. The status
+/// and the reason are as of find_free_path(), prove_clearance() and retime(). Throws Error where
+/// these do, and for a joint_blend below 0.
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options = {});
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <ostream>
 
 #include <beeline/planning/free_path.h>
@@ -6,6 +7,7 @@
 #include <beeline/planning/internal/free_edges.h>
 #include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/timed_section.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline {
 
@@ -13,7 +15,10 @@ using namespace internal;
 
 namespace {
 
-constexpr int halvings = 5;  // of a blend that is not proved, before it is a stop
+constexpr int halvings = 5;            // of a blend that is not proved, before it is a stop
+constexpr double least_radius = 1e-3;  // of a blend; a smaller one is no quicker than a stop
+constexpr double small_blend = 0.05;   // radius of a blend that a stop may be quicker than
+constexpr double at_start = 1e-9;      // length of a path to a goal that is the start
 
 /// The blend at an inner waypoint of a path, as large as its neighbours allow.
 JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_t k, double most) {
@@ -26,8 +31,8 @@ JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_
 
 /// Returns the radius of the largest blend, half of it or a quarter and so on, that is proved.
 double proved_radius(FreeEdges& edges, const std::vector<std::string>& names, JointBlend blend) {
-  if (!(blend.radius > 0) || turns_back(blend)) return 0;
-  for (int i = 0; i <= halvings; ++i, blend.radius /= 2) {
+  if (turns_back(blend)) return 0;
+  for (int i = 0; i <= halvings && blend.radius >= least_radius; ++i, blend.radius /= 2) {
     if (edges.is_free(blend.curve(names))) return blend.radius;
   }
   return 0;
@@ -61,13 +66,20 @@ RetimeOptions timing_of(const FreeMotionOptions& options) {
           .max_samples = options.max_samples};
 }
 
-/// A motion of one sample, to a goal that is the start.
-Retimed at_rest(const Arm& arm, const Configuration& q) {
+/// A rest, for a goal that is the start: one sample or, with a duration, two.
+Retimed rest_at(const Arm& arm, const Configuration& q, const std::optional<double>& duration) {
   const Configuration none = Configuration::Zero(q.size());
   Retimed timed;
   timed.trajectory = {arm.joint_names(), {0}, {q}, {none}, {none}};
+  if (duration) append_sample(timed.trajectory, timed.trajectory, 0, *duration);
   timed.limits = limit_usage(arm, timed.trajectory);
   return timed;
+}
+
+MotionStatus status_of_timing(const Reason& reason) {
+  const bool too_many = reason.code == ReasonCode::too_many_samples_at_rate ||
+                        reason.code == ReasonCode::too_many_samples_given;
+  return too_many ? MotionStatus::too_many_samples : MotionStatus::outside_limits;
 }
 
 /// The motion along the path of `motion`, timed and proved, or why there is none.
@@ -75,12 +87,13 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
                     BudgetMeter& budget, FreeMotion& motion) {
   const Arm& arm = model.arm();
   const std::vector<Configuration>& waypoints = motion.path.waypoints;
-  Retimed timed = motion.path.length > 0 ? retimed_paths(arm, paths_of(waypoints, motion.blends),
-                                                         timing_of(options), budget)
-                                         : at_rest(arm, waypoints.front());
+  Retimed timed =
+      motion.path.length > at_start
+          ? retimed_paths(arm, paths_of(waypoints, motion.blends), timing_of(options), budget)
+          : rest_at(arm, waypoints.front(), options.duration);
   if (!timed) {
-    motion.status =
-        budget.complete() ? MotionStatus::outside_limits : status_of<MotionStatus>(budget.ending());
+    motion.status = budget.complete() ? status_of_timing(timed.reason)
+                                      : status_of<MotionStatus>(budget.ending());
     motion.reason = std::move(timed.reason);
     return;
   }
@@ -97,6 +110,20 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
                   : motion.clearance.status == ClearanceStatus::collides
                       ? MotionStatus::collides
                       : MotionStatus::not_decided;
+}
+
+/// Replaces the motion by the one that stops where its blends are smaller than a radius, if there
+/// are such blends and that motion is quicker, or the only one.
+void with_stops_at(double radius, const CollisionModel& model, const FreeMotionOptions& options,
+                   BudgetMeter& budget, FreeMotion& motion) {
+  FreeMotion stopping{.path = motion.path, .blends = motion.blends};
+  for (double& blend : stopping.blends) {
+    if (blend < radius) blend = 0;
+  }
+  if (stopping.blends == motion.blends) return;
+  time_and_prove(model, options, budget, stopping);
+  if (stopping && (!motion || stopping.duration() < motion.duration()))
+    motion = std::move(stopping);
 }
 
 }  // namespace
@@ -124,21 +151,19 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
   motion.status = motion.path.status;
   motion.reason = motion.path.reason;
   if (!motion.path) return motion;
-  FreeEdges edges(model, budget);
+  FreeEdges edges(model, std::numeric_limits<int>::max(), budget);
   const std::vector<Configuration>& waypoints = motion.path.waypoints;
   for (std::size_t k = 1; k + 1 < waypoints.size(); ++k) {
     motion.blends.push_back(proved_radius(edges, model.bodies().joint_names,
                                           largest_blend(waypoints, k, options.joint_blend)));
   }
   time_and_prove(model, options, budget, motion);
-  // The trajectory differs from the path by its rounding and by its interpolation between samples.
-  const bool is_close =
-      motion.status == MotionStatus::not_decided || motion.status == MotionStatus::collides;
-  if (is_close && std::any_of(motion.blends.begin(), motion.blends.end(),
-                              [](double radius) { return radius > 0; })) {
-    std::fill(motion.blends.begin(), motion.blends.end(), 0);
-    time_and_prove(model, options, budget, motion);
-  }
+  with_stops_at(small_blend, model, options, budget, motion);
+  // A trajectory differs from its path by its interpolation between samples, most at a low rate.
+  const bool can_stop = motion.status == MotionStatus::not_decided ||
+                        motion.status == MotionStatus::collides ||
+                        motion.status == MotionStatus::outside_limits;
+  if (can_stop) with_stops_at(Limits::none, model, options, budget, motion);
   return motion;
 }
 

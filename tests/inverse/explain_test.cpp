@@ -174,6 +174,32 @@ TEST(QuickStatus, IsNoWrongNo) {
   }
 }
 
+/// The rest of a revolution of a locked joint may be a rounding error longer than a revolution.
+TEST(QuickStatus, OfAJointThatIsLockedByItsLimits) {
+  testing::Random random;
+  for (const double value : {1.72, 1.721, 0.3, -2.19}) {
+    const Arm arm = with_limits(built_in("panda"), {{"joint7", {.lower = value, .upper = value}}});
+    for (int i = 0; i < testing::cases(30); ++i) {
+      const Pose pose = random_pose(arm, random);
+      const InverseResult result = inverse_kinematics(arm, pose);
+      EXPECT_EQ(result.status, diagnosed(arm, pose, {}).status) << "joint7 at " << value;
+    }
+  }
+}
+
+/// A solution that a later search found would not be asked about.
+TEST(Explain, IsDoneAtOnceWhereSolutionsMayBeBlocked) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  InverseOptions options;
+  options.blocked_by = [](const ConfigurationRef&) { return Reason{ReasonCode::bodies_collide}; };
+  for (int i = 0; i < 20; ++i) {
+    const InverseResult result = inverse_kinematics(arm, random_pose(arm, random), options);
+    EXPECT_FALSE(result.unexplained);
+    EXPECT_NE(result.status, InverseStatus::solved);
+  }
+}
+
 TEST(BallOfTool, ContainsTheToolAndTouchesItsReach) {
   testing::Random random;
   for (const BuiltInArm& about : built_in_arms()) {

@@ -147,8 +147,12 @@ TEST(FreePath, EndsWhereThereIsNoWay) {
   FreePath path = find_free_path(model, start, goals, {.max_edges = 300});
   EXPECT_EQ(path.status, MotionStatus::not_found);
   EXPECT_EQ(path.reason.code, ReasonCode::no_free_path);
-  EXPECT_GE(path.edges, 300U);
-  EXPECT_LE(path.edges, 302U);
+  EXPECT_EQ(path.edges, 300U);
+  std::vector<Configuration> behind;
+  for (int i = 0; i < 50; ++i) behind.push_back(vector({3 + 0.01 * i, 2}));
+  EXPECT_EQ(find_free_path(model, start, behind, {.max_edges = 7}).edges, 7U);
+  EXPECT_EQ(find_free_path(model, start, behind, {.budget = {.max_work = 0}}).status,
+            MotionStatus::work_limit);
   path = find_free_path(model, start, goals, {.budget = {.max_work = 40}});
   EXPECT_EQ(path.status, MotionStatus::work_limit);
   EXPECT_EQ(path.reason.code, ReasonCode::ended_before_free_path);
@@ -218,6 +222,60 @@ TEST(MoveAround, PassesWaypointsWithoutAStop) {
   EXPECT_REFUSED(move_around(model, start, std::vector{goal}, {.joint_blend = -1}), "joint_blend");
 }
 
+/// Blends so small that the arm would nearly stop in them are stops.
+TEST(MoveAround, HasNoTinyBlends) {
+  Maze maze;
+  maze.add_wall(1.3, -1, 3);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5}), goal = vector({3.5, 0.5});
+  const FreeMotion stopping = move_around(model, start, std::vector{goal}, {.joint_blend = 0});
+  for (const double blend : {1e-13, 1e-12, 1e-8, 1e-4}) {
+    const FreeMotion motion = move_around(model, start, std::vector{goal}, {.joint_blend = blend});
+    expect_motion(model, motion, start, goal);
+    EXPECT_EQ(motion.duration(), stopping.duration()) << blend;
+  }
+  const FreeMotion smallest = move_around(model, start, std::vector{goal}, {.joint_blend = 2e-3});
+  expect_motion(model, smallest, start, goal);
+  EXPECT_LE(smallest.duration(), stopping.duration());
+}
+
+TEST(MoveAround, EndsWithItsBudget) {
+  Maze maze;
+  maze.add_wall(1.3, -1, 3);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const std::vector<Configuration> goals{vector({3.5, 0.5})};
+  int questions = 0, most = std::numeric_limits<int>::max();
+  const auto late = [&] { return ++questions > most; };
+  const FreePath unshortened =
+      find_free_path(model, start, goals, {.shortcuts = 0, .budget = {.cancelled = late}});
+  ASSERT_TRUE(unshortened);
+  most = std::exchange(questions, 0) + 50;
+  const FreePath path =
+      find_free_path(model, start, goals, {.shortcuts = 1'000'000, .budget = {.cancelled = late}});
+  EXPECT_TRUE(path) << "a path that was found before stays";
+  EXPECT_LT(path.edges, unshortened.edges + 100);
+  EXPECT_REFUSED(find_free_path(model, start, goals, {.shortcuts = 1'000'001}), "shortcuts");
+  const FreeMotion motion = move_around(model, start, goals, {.budget = {.max_work = 60}});
+  EXPECT_EQ(motion.status, MotionStatus::work_limit);
+  EXPECT_EQ(motion.trajectory.size(), 0U);
+}
+
+/// A joint without limits far away does not fill the trees with nodes.
+TEST(FreePath, OfJointsWithoutLimitsEnds) {
+  Joint joint = composite_joint('P', "x").front();
+  joint.limits = {.velocity = 1, .acceleration = 4};
+  const Arm arm("slide", {joint});
+  const CollisionModel model(
+      arm, {{"hand", 1, {{Sphere{0.1}}}}},
+      {.obstacles = {
+           {"wall", {{Box{Vector3::Ones()}, make_pose({2, 0, 0}, Rotation::Identity())}}}}});
+  const FreePath path =
+      find_free_path(model, vector({0}), std::vector{vector({1e12})}, {.max_edges = 100});
+  EXPECT_EQ(path.status, MotionStatus::not_found);
+  EXPECT_EQ(path.edges, 100U);
+}
+
 TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
   const Maze maze;
   const CollisionModel model = maze.model();
@@ -229,6 +287,10 @@ TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
   EXPECT_EQ(motion.trajectory.size(), 1U);
   EXPECT_EQ(motion.trajectory.positions.front(), start);
   EXPECT_TRUE(motion.clearance);
+  const FreeMotion longer = move_around(model, start, std::vector{start}, {.duration = 3});
+  EXPECT_EQ(longer.duration(), 3);
+  const Configuration near = vector({0.5 + 1e-13, 0.5});
+  EXPECT_TRUE(move_around(model, start, std::vector{near}));
 }
 
 TEST(MoveAround, OfAnArmKeepsItsPromises) {

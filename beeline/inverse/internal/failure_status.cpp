@@ -32,7 +32,7 @@ std::optional<bool> is_solved_beyond(const SolverState& state, const Request& re
   LeastOutside outside;
   const ExaminedRange found =
       examine_range(form, request.goal, beyond, loop, request.budget, outside,
-                    std::max(2, static_cast<int>(std::ceil(intervals))));
+                    std::clamp(static_cast<int>(std::ceil(intervals)), 2, max_range_intervals));
   if (found.branch.lane < 0) return found.conclusive ? std::optional(false) : std::nullopt;
   Configuration q(request.arm.dof());
   form.configuration(found.branch.found, found.branch.lane, found.branch.value, q);

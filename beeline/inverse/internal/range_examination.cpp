@@ -18,7 +18,7 @@ class RangeExamination {
         loop_(loop),
         budget_(budget),
         outside_(outside),
-        intervals_(intervals) {}
+        intervals_(std::clamp(intervals, 1, max_range_intervals)) {}
 
   ExaminedRange run() {
     for (int i = 0; i <= intervals_ && !done(); ++i) {

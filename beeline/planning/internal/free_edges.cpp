@@ -9,13 +9,14 @@ const ClearanceOptions coarse{.resolution = 1};
 
 }  // namespace
 
-FreeEdges::FreeEdges(const CollisionModel& model, BudgetMeter& budget)
+FreeEdges::FreeEdges(const CollisionModel& model, int most, BudgetMeter& budget)
     : model_(model),
+      most_(static_cast<std::size_t>(most)),
       budget_(budget),
       edge_{model.bodies().joint_names, {0, 1}, {Configuration(), Configuration()}, {}, {}} {}
 
 double FreeEdges::free_fraction(const Configuration& a, const Configuration& b) {
-  if (budget_.ended()) return 0;
+  if (ended()) return 0;
   ++count_;
   edge_.positions = {a, b};
   const MotionTubes tubes(edge_);
@@ -26,7 +27,7 @@ double FreeEdges::free_fraction(const Configuration& a, const Configuration& b) 
 }
 
 bool FreeEdges::is_free(const Trajectory& motion) {
-  if (budget_.ended()) return false;
+  if (ended()) return false;
   ++count_;
   const MotionTubes tubes(motion);
   return static_cast<bool>(

@@ -7,13 +7,17 @@
 
 namespace beeline::internal {
 
-/// Proofs of straight joint motions in the scene of a model, which outlives the object.
+/// Proofs of straight joint motions in the scene of a model, which outlives the object, at most
+/// `most` of them.
 class FreeEdges {
  public:
-  FreeEdges(const CollisionModel& model, BudgetMeter& budget);
+  FreeEdges(const CollisionModel& model, int most, BudgetMeter& budget);
+
+  /// Whether no more motions are examined: so many were, or the budget has ended.
+  bool ended() { return count_ >= most_ || budget_.ended(0); }
 
   /// Returns the fraction of the straight motion from a to b, from 0 to 1, up to which it is proved
-  /// to keep the clearance: 1 for all of it, 0 also if the budget has ended.
+  /// to keep the clearance: 1 for all of it, 0 if it was not examined.
   double free_fraction(const Configuration& a, const Configuration& b);
   bool is_free(const Configuration& a, const Configuration& b) { return free_fraction(a, b) == 1; }
 
@@ -24,6 +28,7 @@ class FreeEdges {
 
  private:
   const CollisionModel& model_;
+  const std::size_t most_;
   BudgetMeter& budget_;
   Trajectory edge_;
   std::size_t count_ = 0;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/planning/internal/joint_tree.h>
 
 namespace beeline::internal {

@@ -6,8 +6,7 @@
 
 namespace beeline::internal {
 
-/// A tree of configurations whose edges are straight joint motions. Trees with several roots are
-/// one, too.
+/// A tree of configurations whose edges are straight joint motions; with several roots, a forest.
 class JointTree {
  public:
   explicit JointTree(int dof) : nodes_(dof, 0) {}

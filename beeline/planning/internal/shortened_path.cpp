@@ -6,6 +6,7 @@
 namespace beeline::internal {
 namespace {
 
+constexpr double equal = 1e-9;       // distance of waypoints that are one
 constexpr double worthwhile = 1e-3;  // fraction of the length that a shortcut saves at least
 
 /// A place on a path: on the motion from waypoint `segment` to the next.
@@ -36,10 +37,11 @@ void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
     while (next > k + 1 && !edges.is_free(waypoints[k], waypoints[next])) {
       next = k + (next - k) / 2;  // halving: a few motions for each waypoint
     }
-    if (waypoints[next] != kept.back()) kept.push_back(waypoints[next]);
+    if ((waypoints[next] - kept.back()).norm() <= equal && kept.size() > 1) kept.pop_back();
+    kept.push_back(waypoints[next]);
     k = next;
   }
-  if (kept.size() > 1) waypoints = std::move(kept);
+  waypoints = std::move(kept);
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
   leave_out(edges, waypoints);
   std::mt19937_64 engine(random_seed);
   double length = length_of(waypoints);
-  for (int i = 0; i < shortcuts && waypoints.size() > 2; ++i) {
+  for (int i = 0; i < shortcuts && waypoints.size() > 2 && !edges.ended(); ++i) {
     const auto random = [&] { return length * static_cast<double>(engine() >> 11) * 0x1p-53; };
     double first = random(), second = random();
     if (second < first) std::swap(first, second);
