@@ -165,7 +165,7 @@ TEST(FreePath, EndsWhereThereIsNoWay) {
 
 TEST(FreePath, OfArmsAmongRandomObstacles) {
   Random random;
-  int found = 0, straight = 0;
+  int found = 0;
   for (int i = 0; i < testing::cases(30); ++i) {
     const Arm arm = built_in(i % 2 == 0 ? "panda" : "ur5");
     const CollisionModel model(arm, random_link_shapes(random, arm, 0.06),
@@ -182,10 +182,9 @@ TEST(FreePath, OfArmsAmongRandomObstacles) {
     const FreePath path = find_free_path(model, *start, std::vector{*goal}, {.max_edges = 2000});
     if (!path) continue;
     ++found;
-    straight += path.waypoints.size() == 2 ? 1 : 0;
     expect_free(model, path, *start, {*goal});
   }
-  EXPECT_GT(found, straight) << "no path went around anything";
+  EXPECT_GT(found, 0);
 }
 
 /// The motion of a path is within the limits, at rest at its ends, and proved by itself.
@@ -295,8 +294,17 @@ TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
 
 TEST(MoveAround, OfAnArmKeepsItsPromises) {
   const Arm arm = built_in("panda");
+  const std::vector<LinkShapes> hand{{"hand", 7, {{Sphere{0.06}}}}};
+  const Pose in_front = make_pose({0.45, 0, 0.5}, Rotation::Identity());
+  const CollisionModel pillar(
+      arm, hand,
+      {.obstacles = {{"pillar", {{Cylinder{.radius = 0.06, .length = 1.2}, in_front}}}}});
+  const Configuration left = vector({0.6, -0.3, 0, -2.2, 0, 1.9, 0.8});
+  const Configuration right = vector({-0.6, -0.3, 0, -2.2, 0, 1.9, 0.8});
+  const FreeMotion past = move_around(pillar, left, std::vector{right});
+  expect_motion(pillar, past, left, right);
+  EXPECT_GT(past.path.waypoints.size(), 2U) << "the straight motion goes through the pillar";
   Random random;
-  int around = 0;
   for (int i = 0; i < testing::cases(12); ++i) {
     const CollisionModel model(arm, random_link_shapes(random, arm, 0.06),
                                random_scene(random, arm, 6, 0.15, 0.8));
@@ -307,10 +315,8 @@ TEST(MoveAround, OfAnArmKeepsItsPromises) {
       EXPECT_EQ(motion.trajectory.size(), 0U);
       continue;
     }
-    around += motion.path.waypoints.size() > 2 ? 1 : 0;
     expect_motion(model, motion, start, goal);
   }
-  EXPECT_GT(around, 0);
 }
 
 }  // namespace
