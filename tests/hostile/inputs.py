@@ -124,6 +124,7 @@ ik shaped.json --pose 4.459,5.226,0 --degrees --all --scene cell.json --clearanc
 ik shaped.json --pose 4.459,5.226,0 --degrees --scene scan.ply --radius 0.1
 batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --no-self
 line shaped.json --through planar.csv --out out.csv --scene cell.json
+move shaped.json --from 110,-60,-140 --to 80,-50,-120 --degrees --method around --scene cell.json --clearance 0.02 --allow hand,wall --max-edges 500 --out out.csv
 line shaped.json --from 110,-60,-140 --degrees --through pick.csv --out out.csv --scene pick.json
 check shaped.json pick_line.csv --degrees --through pick.csv --scene pick.json
 reach map shaped.json --resolution 2 --directions 1 --scene cell.json --clearance 0.02 --allow hand,wall --out out.h5
