@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/random_fraction.h>
 #include <beeline/model/arm.h>
 #include <beeline/model/internal/chain.h>
 #include <beeline/model/internal/joint_reason.h>
@@ -324,9 +325,7 @@ Configuration random_configuration(const Arm& arm, std::mt19937_64& engine) {
     const bool below = std::isfinite(lower), above = std::isfinite(upper);
     if (!below) lower = above ? upper - 2 * half : -half;
     if (!above) upper = below ? lower + 2 * half : half;
-    // The standard library's distributions differ between systems; the engine does not.
-    const double fraction = static_cast<double>(engine() >> 11) * 0x1p-53;
-    q[k] = std::min(upper, lower + (upper - lower) * fraction);
+    q[k] = std::min(upper, lower + (upper - lower) * internal::random_fraction(engine));
   }
   return q;
 }

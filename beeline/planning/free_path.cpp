@@ -5,11 +5,12 @@
 #include <random>
 #include <utility>
 
-#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/internal/random_fraction.h>
 #include <beeline/planning/free_path.h>
 #include <beeline/planning/internal/free_edges.h>
 #include <beeline/planning/internal/joint_tree.h>
 #include <beeline/planning/internal/shortened_path.h>
+#include <beeline/planning/internal/unblocked_motion.h>
 
 namespace beeline {
 
@@ -44,9 +45,7 @@ class JointSpace {
   Configuration random(std::mt19937_64& engine) const {
     Configuration q(lower_.size());
     for (Eigen::Index i = 0; i < q.size(); ++i) {
-      // The 53 upper bits: the standard's distributions differ from library to library.
-      const double fraction = static_cast<double>(engine() >> 11) * 0x1p-53;
-      q[i] = lower_[i] + fraction * (upper_[i] - lower_[i]);
+      q[i] = lower_[i] + random_fraction(engine) * (upper_[i] - lower_[i]);
     }
     return q;
   }
@@ -129,8 +128,7 @@ Reason refusal(const CollisionModel& model, const Configuration& q) {
 
 MotionStatus status_of_refusal(const Reason& reason) {
   if (reason.code == ReasonCode::joint_outside_limits) return MotionStatus::outside_limits;
-  return reason.code == ReasonCode::clearance_not_decided ? MotionStatus::not_decided
-                                                          : MotionStatus::collides;
+  return status_of_blocked(reason);
 }
 
 /// The goals that are free, the nearest to the start first; or, if there are none, why the first is
@@ -221,9 +219,9 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
   }
   FreePath path;
   search_path(model, start, goals, free_goals.indices, options, budget, path);
-  path.length = length_of(path.waypoints);
   if (!path.waypoints.empty()) {
     path.status = MotionStatus::reached;
+    path.length = chord_length(path.waypoints).back();
   } else if (!budget.complete()) {
     set_ended(ReasonCode::ended_before_free_path, budget.ending(), path);
     path.reason.set(ReasonField::count, path.edges);

@@ -5,6 +5,7 @@
 #include <beeline/planning/free_path.h>
 #include <beeline/planning/internal/blended_path.h>
 #include <beeline/planning/internal/free_edges.h>
+#include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/internal/append.h>
@@ -106,10 +107,7 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
     motion.limits = timed.limits;
     return;
   }
-  motion.status = !budget.complete() ? status_of<MotionStatus>(budget.ending())
-                  : motion.clearance.status == ClearanceStatus::collides
-                      ? MotionStatus::collides
-                      : MotionStatus::not_decided;
+  motion.status = status_of_blocked(motion.reason);
 }
 
 /// Replaces the motion by the one that stops where its blends are smaller than a radius, if there

@@ -16,22 +16,18 @@ FreeEdges::FreeEdges(const CollisionModel& model, int most, BudgetMeter& budget)
       edge_{model.bodies().joint_names, {0, 1}, {Configuration(), Configuration()}, {}, {}} {}
 
 double FreeEdges::free_fraction(const Configuration& a, const Configuration& b) {
-  if (ended()) return 0;
-  ++count_;
   edge_.positions = {a, b};
-  const MotionTubes tubes(edge_);
-  const ClearanceProof proof =
-      ClearanceSearch(model_.bodies(), tubes, coarse, budget_).until_first_fault().run();
-  if (proof) return 1;
-  return proof.status > ClearanceStatus::not_decided ? 0 : proof.begin;
+  return free_time(edge_);
 }
 
-bool FreeEdges::is_free(const Trajectory& motion) {
-  if (ended()) return false;
+double FreeEdges::free_time(const Trajectory& motion) {
+  if (ended()) return 0;
   ++count_;
   const MotionTubes tubes(motion);
-  return static_cast<bool>(
-      ClearanceSearch(model_.bodies(), tubes, coarse, budget_).until_first_fault().run());
+  const ClearanceProof proof =
+      ClearanceSearch(model_.bodies(), tubes, coarse, budget_).until_first_fault().run();
+  if (proof) return motion.times.back();
+  return proof.status > ClearanceStatus::not_decided ? 0 : proof.begin;
 }
 
 }  // namespace beeline::internal

@@ -21,12 +21,17 @@ class FreeEdges {
   double free_fraction(const Configuration& a, const Configuration& b);
   bool is_free(const Configuration& a, const Configuration& b) { return free_fraction(a, b) == 1; }
 
-  /// Whether a motion of two samples or more, in the order of the arm's joints, is proved.
-  bool is_free(const Trajectory& motion);
+  /// Whether a motion of two samples or more, from time 0 and in the order of the arm's joints, is
+  /// proved.
+  bool is_free(const Trajectory& motion) { return free_time(motion) == motion.times.back(); }
 
   std::size_t count() const { return count_; }  ///< of the motions that were examined
 
  private:
+  /// Returns the time up to which a motion that begins at time 0 is proved: 0 if it was not
+  /// examined.
+  double free_time(const Trajectory& motion);
+
   const CollisionModel& model_;
   const std::size_t most_;
   BudgetMeter& budget_;

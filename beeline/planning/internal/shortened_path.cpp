@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <random>
 
+#include <beeline/internal/random_fraction.h>
+#include <beeline/path/joint_path.h>
 #include <beeline/planning/internal/shortened_path.h>
 
 namespace beeline::internal {
@@ -46,22 +48,13 @@ void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
 
 }  // namespace
 
-double length_of(const std::vector<Configuration>& waypoints) {
-  double length = 0;
-  for (std::size_t k = 1; k < waypoints.size(); ++k) {
-    length += (waypoints[k] - waypoints[k - 1]).norm();
-  }
-  return length;
-}
-
 void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
              std::vector<Configuration>& waypoints) {
   leave_out(edges, waypoints);
   std::mt19937_64 engine(random_seed);
-  double length = length_of(waypoints);
+  double length = chord_length(waypoints).back();
   for (int i = 0; i < shortcuts && waypoints.size() > 2 && !edges.ended(); ++i) {
-    const auto random = [&] { return length * static_cast<double>(engine() >> 11) * 0x1p-53; };
-    double first = random(), second = random();
+    double first = length * random_fraction(engine), second = length * random_fraction(engine);
     if (second < first) std::swap(first, second);
     const PlaceOnPath a = place_at(waypoints, first), b = place_at(waypoints, second);
     const double saved = second - first - (b.q - a.q).norm();

@@ -7,9 +7,6 @@
 
 namespace beeline::internal {
 
-/// Returns the sum of the distances between waypoints, the norm of their difference.
-double length_of(const std::vector<Configuration>& waypoints);
-
 /// Shortens a path of straight joint motions that are proved: leaves out waypoints, then tries
 /// straight motions between random places of the path, `shortcuts` times. Its ends remain, and each
 /// of its motions is proved.

@@ -5,21 +5,22 @@
 #include <beeline/planning/internal/unblocked_motion.h>
 
 namespace beeline::internal {
-namespace {
 
-MotionStatus refusal(const Reason& reason) {
+MotionStatus status_of_blocked(const Reason& reason) {
   if (reason.code == ReasonCode::clearance_not_decided) return MotionStatus::not_decided;
   const ReasonValue* ending = reason.find(ReasonField::ending);
   return ending == nullptr ? MotionStatus::collides
                            : status_of<MotionStatus>(std::get<Ending>(*ending));
 }
 
+namespace {
+
 /// Replaces a motion that blocked_by has a reason against by the reason.
 void refuse_blocked(const BlockedBy& blocked_by, BudgetMeter& budget, PathMotion& motion) {
   Reason reason = blocked_by(motion.trajectory, budget.part());
   if (!reason) return;
   PathMotion refused;
-  refused.status = refusal(reason);
+  refused.status = status_of_blocked(reason);
   refused.reason = std::move(reason);
   refused.path_parameter = motion.path_parameter;
   motion = std::move(refused);

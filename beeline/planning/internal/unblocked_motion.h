@@ -8,6 +8,9 @@ namespace beeline::internal {
 /// PathMotionOptions::blocked_by.
 using BlockedBy = std::function<Reason(const Trajectory&, const Budget&)>;
 
+/// Returns the status of a motion or a configuration that the clearance refuses for this reason.
+MotionStatus status_of_blocked(const Reason& reason);
+
 /// Returns `best`, the planned motion of the best branch, if blocked_by has no reason against it.
 /// Otherwise, without a start, plans the other branches and returns the best one without a reason.
 /// If every one has a reason, returns the reason of the best.
