@@ -69,35 +69,26 @@ std::vector<Option> AroundArgument::options() {
              "The goal as a pose of the tool, as in `beeline ik`, instead of --to: a solution "
              "of inverse kinematics that can be reached.",
              &pose, {.methods = methods}),
-      Option("--joint-blend D",
-             "Largest distance of the joints from a waypoint of the path, the norm of the "
-             "difference, at which the motion leaves the straight line to pass it without a "
-             "stop; 0: the arm stops there. Default: as large as the clearance allows.",
-             &motion.joint_blend, {.range = zero_or_more, .methods = methods}),
       Option("--shortcuts N", "Number of shortcuts that are tried on the path.", &motion.shortcuts,
              {.methods = methods}),
       Option("--max-edges N", "Largest number of straight joint motions that the search examines.",
              &motion.max_edges, {.methods = methods}),
       Option("--random-seed N", "Seed of the search; the same seed gives the same motion.",
-             &motion.random_seed, {.methods = methods}),
-      profile.option(methods),
-      tool_speed_option(&tool_speed, "", methods)};
+             &motion.random_seed, {.methods = methods})};
 }
 
 Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
                               const std::optional<Configuration>& to,
                               const SceneArgument& scene_argument, const CheckedScene& scene,
-                              const UnitArgument& unit, double rate, const BudgetArgument& budget,
-                              const ResultFiles& files) const {
+                              const UnitArgument& unit, const JointPathArgument& path,
+                              const BudgetArgument& budget, const ResultFiles& files) const {
   const Goals goals = to ? Goals{{*to}} : solutions_of(arm, from, pose, scene, unit, budget.next());
-  FreeMotionOptions options = motion;
-  options.profile = profile.read();
-  options.rate = rate;
-  if (tool_speed) options.tool_speed = *tool_speed;
   FreeMotion found;
   found.status = goals.status;
   found.reason = goals.reason;
   if (!goals.configurations.empty()) {
+    FreeMotionOptions options = motion;
+    path.set_on(options);
     Progress progress;
     options.budget = progress.of(budget.next());
     found = move_around(scene.model, from, goals.configurations, options);

@@ -9,7 +9,7 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "command/verb.h"
-#include "profile_argument.h"
+#include "joint_path_argument.h"
 #include "result_files.h"
 #include "scene_argument.h"
 
@@ -21,17 +21,15 @@ struct AroundArgument {
 
   std::string pose = {};  ///< the goal as a pose
   FreeMotionOptions motion = {};
-  ProfileArgument profile = {};
-  std::optional<double> tool_speed = std::nullopt;
 
   std::vector<Option> options();
 
   /// Plans, proves and writes the motion from a configuration to another or, where that is not
-  /// given, to one of the solutions of inverse kinematics for the pose. `rate`: samples per second.
+  /// given, to one of the solutions of inverse kinematics for the pose.
   Answer answer(const Arm& arm, const Configuration& from, const std::optional<Configuration>& to,
                 const SceneArgument& scene_argument, const CheckedScene& scene,
-                const UnitArgument& unit, double rate, const BudgetArgument& budget,
-                const ResultFiles& files) const;
+                const UnitArgument& unit, const JointPathArgument& path,
+                const BudgetArgument& budget, const ResultFiles& files) const;
 };
 
 }  // namespace beeline::command

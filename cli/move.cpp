@@ -12,9 +12,12 @@
 #include "command/streams.h"
 #include "format.h"
 #include "gain_comparison.h"
+#include "joint_path_argument.h"
 #include "json_reason.h"
 #include "motion_report.h"
+#include "recording_argument.h"
 #include "result_files.h"
+#include "retimed_answer.h"
 #include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
@@ -35,8 +38,7 @@ struct MoveArguments {
   SceneArgument scene;
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
-  double rate = 100;
-  std::optional<double> duration;
+  JointPathArgument path;
   AroundArgument around;
   ResultFiles files;
 };
@@ -47,11 +49,12 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Budget& budget) {
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
-  const ControlledMotion motion = move_joints(arm, from, to,
-                                              {.synchronise = synchronise,
-                                               .rate = arguments.rate,
-                                               .duration = arguments.duration,
-                                               .budget = budget});
+  const ControlledMotion motion =
+      move_joints(arm, from, to,
+                  {.synchronise = synchronise,
+                   .rate = arguments.path.rate.value_or(JointPathArgument::default_rate),
+                   .duration = arguments.path.duration,
+                   .budget = budget});
   for (const Reason& outside : limit_violations(arm, from)) {
     warn("--from: " + sentence(outside) + "; the motion leads back in");
   }
@@ -121,40 +124,39 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
   return compared_gains(motions, to, arguments.files.draw);
 }
 
-/// The configuration of --to; with --method around --pose may be given instead.
+/// The quickest motion through the configurations of --through.
+Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const Configuration& from,
+                         const std::optional<CheckedScene>& scene) {
+  const RecordingArgument recording{.angle_unit = arguments.unit.degrees ? "deg" : ""};
+  const Trajectory path =
+      recording.read(arguments.path.through, arm, arguments.unit, {.times = false}).trajectory;
+  std::vector<Configuration> waypoints = matched_to(arm, path).positions;
+  waypoints.insert(waypoints.begin(), from);
+  RetimeOptions options = arguments.path.through_options();
+  options.budget = arguments.budget.next();
+  const Retimed retimed = beeline::move_through(arm, waypoints, options);
+  return RetimedResult{arguments.scene, scene, arguments.budget, arguments.files}.answer(arm,
+                                                                                         retimed);
+}
+
+/// The configuration of --to; --pose or --through may be given instead.
 std::optional<Configuration> goal_of(const MoveArguments& arguments, const Arm& arm) {
-  const bool has_pose = !arguments.around.pose.empty();
-  if (arguments.to.empty() != has_pose) {
-    throw Error(has_pose ? "--to and --pose are two goals; give one of them"
-                         : "move needs --to, the joint values at the goal" +
-                               std::string(arguments.method == around ? ", or --pose" : ""));
+  const bool has_pose = !arguments.around.pose.empty(), has_path = !arguments.path.through.empty();
+  const std::string other = has_pose ? "--pose" : has_path ? "--through" : "";
+  if (arguments.to.empty() == other.empty()) {
+    throw Error(!other.empty() ? "--to and " + other + " are two goals; give one of them"
+                               : "move needs --to, the joint values at the goal" +
+                                     std::string(arguments.method == around     ? ", or --pose"
+                                                 : arguments.method == quickest ? ", or --through"
+                                                                                : ""));
   }
-  if (has_pose) return std::nullopt;
+  if (!other.empty()) return std::nullopt;
   return arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
 }
 
-Answer move_between(const MoveArguments& arguments) {
-  arguments.files.check(arguments.arm.inputs(arguments.scene.inputs()));
-  const std::vector<double> gains = gains_of(arguments);
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  const Configuration from =
-      arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
-  const std::optional<Configuration> goal_values = goal_of(arguments, arm);
-  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
-  if (arguments.method == around) {
-    if (!scene) throw Error("--method around needs --scene or --self");
-    return arguments.around.answer(arm, from, goal_values, arguments.scene, *scene, arguments.unit,
-                                   arguments.rate, arguments.budget, arguments.files);
-  }
-  const Configuration& to = *goal_values;
-  if (gains.size() > 1) return compare_gains(arguments, arm, from, to, gains);
-  SimulationOptions simulation = arguments.simulation;
-  simulation.budget = arguments.budget.next();
-  PidGains pid = arguments.gains;
-  pid.kp = gains.front();
-  ControlledMotion motion = arguments.method == feedback
-                                ? control_joints(arm, from, to, pid, simulation)
-                                : move_quickest(arguments, arm, from, to, simulation.budget);
+/// Proves that the motion keeps its clearance, writes the files and reports.
+Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Configuration& to,
+                     const std::optional<CheckedScene>& scene, ControlledMotion motion) {
   std::optional<ClearanceReport> clearance;
   if (scene && motion) {
     clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next());
@@ -194,6 +196,35 @@ Answer move_between(const MoveArguments& arguments) {
   return answer;
 }
 
+Answer move_between(const MoveArguments& arguments) {
+  std::vector<std::string> inputs = arguments.scene.inputs();
+  if (!arguments.path.through.empty()) inputs.push_back(arguments.path.through);
+  arguments.files.check(arguments.arm.inputs(inputs));
+  const std::vector<double> gains = gains_of(arguments);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const Configuration from =
+      arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
+  const std::optional<Configuration> goal_values = goal_of(arguments, arm);
+  const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
+  if (arguments.method == around) {
+    if (!scene) throw Error("--method around needs --scene or --self");
+    return arguments.around.answer(arm, from, goal_values, arguments.scene, *scene, arguments.unit,
+                                   arguments.path, arguments.budget, arguments.files);
+  }
+  if (!goal_values) return move_through_file(arguments, arm, from, scene);
+  arguments.path.refuse_without_through();
+  const Configuration& to = *goal_values;
+  if (gains.size() > 1) return compare_gains(arguments, arm, from, to, gains);
+  SimulationOptions simulation = arguments.simulation;
+  simulation.budget = arguments.budget.next();
+  PidGains pid = arguments.gains;
+  pid.kp = gains.front();
+  ControlledMotion motion = arguments.method == feedback
+                                ? control_joints(arm, from, to, pid, simulation)
+                                : move_quickest(arguments, arm, from, to, simulation.budget);
+  return proved_answer(arguments, arm, to, scene, std::move(motion));
+}
+
 std::vector<Option> move_options(MoveArguments& arguments) {
   Option from =
       joint_values_option("--from", "Joint values at the start.", &arguments.from, {"start"});
@@ -227,13 +258,10 @@ std::vector<Option> feedback_options(MoveArguments& arguments) {
 }
 
 std::vector<Option> quickest_options(MoveArguments& arguments) {
-  return {
-      Option("--synchronise KIND",
-             "time: each joint has its own profile of the same duration; straight: all joints "
-             "move in proportion, on a straight line in joint space.",
-             &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}}),
-      duration_option(&arguments.duration, ", a whole number of periods of --rate", "", {quickest}),
-      rate_option(&arguments.rate, ".", {quickest, around})};
+  return {Option("--synchronise KIND",
+                 "time: each joint has its own profile of the same duration; straight: all joints "
+                 "move in proportion, on a straight line in joint space.",
+                 &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}})};
 }
 
 }  // namespace
@@ -264,7 +292,8 @@ Verb move_verb() {
           joined({move_options(*arguments), arguments->unit.options(), arguments->scene.options(),
                   arguments->files.options(), arguments->arm.options(), arguments->limits.options(),
                   feedback_options(*arguments), quickest_options(*arguments),
-                  arguments->around.options(), arguments->budget.options()}),
+                  arguments->path.options(quickest, around), arguments->around.options(),
+                  arguments->budget.options()}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
@@ -275,6 +304,10 @@ Verb move_verb() {
            {"The quickest motion of a Franka Panda at 1 kHz",
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method "
             "quickest --rate 1000 --out move.csv"},
+           {"Through configurations without a stop, at most 0.1 rad off the straight joint motions",
+            "printf '40,20,-20\\n60,10,10\\n60,60,10\\n' > through.csv\n"
+            "beeline move rrr --from 0,90,0 --degrees --method quickest --through through.csv "
+            "--joint-blend 0.1 --out through_motion.csv"},
            {"Around an obstacle, with a proof",
             "printf '{\"obstacles\": [{\"name\": \"pillar\", \"shapes\": [{\"cylinder\": "
             "{\"radius\": "

@@ -13,6 +13,7 @@
 #include "profile_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"
+#include "retimed_answer.h"
 #include "sampling_argument.h"
 #include "scene_argument.h"
 #include "verbs.h"
@@ -55,27 +56,6 @@ RetimeOptions retime_options(const RetimeArguments& arguments) {
   return options;
 }
 
-std::string retime_text(const Arm& arm, const Retimed& retimed,
-                        const std::optional<double>& duration_before) {
-  if (!retimed) return "";
-  const std::string before =
-      duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
-  const std::string stops =
-      retimed.sections > 1 ? fmt::format(", with {} between", counted(retimed.sections - 1, "stop"))
-                           : "";
-  return fmt::format("retimed       {} samples of {}, profile {}\n", retimed.trajectory.size(),
-                     arm.name(), name(retimed.profile)) +
-         fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
-                     stops) +
-         limits_text(retimed.limits) +
-         fmt::format("tool speed    at most {} m/s\n", shown(retimed.tool_speed));
-}
-
-std::string retime_status(const Retimed& retimed) {
-  if (retimed.ending != Ending::complete) return name(retimed.ending);
-  return retimed ? "reached" : "outside_limits";
-}
-
 Answer retime_file(const RetimeArguments& arguments) {
   std::vector<std::string> inputs = arguments.scene.inputs();
   inputs.push_back(arguments.file);
@@ -87,47 +67,18 @@ Answer retime_file(const RetimeArguments& arguments) {
   options.no_unwrap = arguments.recording.no_unwrap || !input.has_times;
   options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
-  std::optional<ClearanceReport> clearance;
-  if (scene && retimed) {
-    clearance = arguments.scene.prove(*scene, retimed.trajectory, arguments.budget.next());
-    arguments.files.draw_refusal(*clearance);
-  }
-  const bool refused = clearance && !clearance->proof;
-  const bool found = retimed && !refused;
   warn_of_unwrapped(arguments.file, retimed.unwrapped);
-  if (found) {
-    arguments.files.write(arm, retimed.trajectory, {}, {}, std::nullopt,
-                          scene ? &scene->model : nullptr);
-  }
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =
       input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
-  Answer answer{
-      .text = retime_text(arm, retimed, duration_before),
-      .document = {{"status", refused ? name(clearance->refusal()) : retime_status(retimed)},
-                   {"profile", name(retimed.profile)},
-                   {"samples", retimed.trajectory.size()},
-                   {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
-                   {"duration_before", duration_before},
-                   {"sections", retimed.sections},
-                   {"unwrapped", json_unwrapped(retimed.unwrapped)},
-                   {"limits", json_limits(retimed.limits)},
-                   {"tool_speed", retimed.tool_speed}},
-      .yes = found,
-      .reason = refused ? clearance->reason_text() : sentence(retimed.reason)};
-  answer.document.add(json_reason(refused ? clearance->proof.reason : retimed.reason));
-  if (clearance) {
-    answer.text += clearance->text();
-    answer.document.add("clearance", clearance->document());
-  }
-  if (!found) return answer;
-  answer.text += arguments.files.text();
-  arguments.files.add_to(answer.document);
-  return answer;
+  return RetimedResult{arguments.scene, scene, arguments.budget, arguments.files}.answer(
+      arm, retimed, duration_before);
 }
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {
+      joint_blend_option(&arguments.retime.joint_blend,
+                         "the path is the cubic spline through the positions."),
       arguments.profile.option(),
       arguments.interpolation.option(),
       tool_speed_option(&arguments.tool_speed),
@@ -150,7 +101,9 @@ Verb retime_verb() {
       .summary = "Retime a trajectory: minimum time within the joint limits",
       .description =
           "Computes new times for a trajectory, from rest to rest. The geometric path is the cubic "
-          "spline through its positions; its times and velocities are ignored, except that stops "
+          "spline through its positions or, with --joint-blend, straight joint motions from "
+          "position to position that "
+          "pass these in blends; its times and velocities are ignored, except that stops "
           "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
           "and the previous duration in seconds, the largest fraction of each limit that is used, "
           "and the largest tool speed in m/s. Limits that are not known are assumed, and reported "

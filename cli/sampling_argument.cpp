@@ -24,6 +24,17 @@ Option duration_option(std::optional<double>* target, const std::string& of,
           {.range = above_zero, .methods = std::move(methods), .excludes = excludes}};
 }
 
+Option joint_blend_option(Target target, const std::string& otherwise,
+                          std::vector<std::string> methods) {
+  return {"--joint-blend D",
+          "Largest distance of the joints from a position, the norm of the difference, at which "
+          "the motion leaves the straight joint motion to pass it without a stop; 0: the arm stops "
+          "there. Default: " +
+              otherwise,
+          target,
+          {.range = zero_or_more, .methods = std::move(methods)}};
+}
+
 Option max_samples_option(int* target, const std::string& when, std::vector<std::string> methods) {
   return {"--max-samples N",
           "Give up if " + when,

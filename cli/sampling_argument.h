@@ -19,6 +19,10 @@ Option rate_option(Target target, const std::string& of = ".",
 Option duration_option(std::optional<double>* target, const std::string& of,
                        const std::string& excludes = "", std::vector<std::string> methods = {});
 
+/// --joint-blend of paths in joint space; `otherwise` says what holds without it.
+Option joint_blend_option(Target target, const std::string& otherwise,
+                          std::vector<std::string> methods = {});
+
 /// --max-samples; `when` says what else ends the computation.
 Option max_samples_option(int* target, const std::string& when,
                           std::vector<std::string> methods = {});

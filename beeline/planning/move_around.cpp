@@ -3,9 +3,9 @@
 #include <ostream>
 
 #include <beeline/planning/free_path.h>
-#include <beeline/planning/internal/blended_path.h>
 #include <beeline/planning/internal/free_edges.h>
 #include <beeline/planning/internal/unblocked_motion.h>
+#include <beeline/timing/internal/blended_path.h>
 #include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/internal/append.h>
@@ -16,50 +16,22 @@ using namespace internal;
 
 namespace {
 
-constexpr int halvings = 5;            // of a blend that is not proved, before it is a stop
-constexpr double least_radius = 1e-3;  // of a blend; a smaller one is no quicker than a stop
-constexpr double small_blend = 0.05;   // radius of a blend that a stop may be quicker than
-constexpr double at_start = 1e-9;      // length of a path to a goal that is the start
-
-/// The blend at an inner waypoint of a path, as large as its neighbours allow.
-JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_t k, double most) {
-  JointBlend blend{waypoints[k - 1], waypoints[k], waypoints[k + 1]};
-  const double nearest =
-      std::min((blend.at - blend.before).norm(), (blend.after - blend.at).norm());
-  blend.radius = std::min(most, 0.5 * nearest);
-  return blend;
-}
+constexpr int halvings = 5;        // of a blend that is not proved, before it is a stop
+constexpr double at_start = 1e-9;  // length of a path to a goal that is the start
 
 /// Returns the radius of the largest blend, half of it or a quarter and so on, that is proved.
 double proved_radius(FreeEdges& edges, const std::vector<std::string>& names, JointBlend blend) {
   if (turns_back(blend)) return 0;
-  for (int i = 0; i <= halvings && blend.radius >= least_radius; ++i, blend.radius /= 2) {
+  for (int i = 0; i <= halvings && blend.radius >= least_blend; ++i, blend.radius /= 2) {
     if (edges.is_free(blend.curve(names))) return blend.radius;
   }
   return 0;
 }
 
-/// The paths from stop to stop.
-std::vector<JointPath> paths_of(const std::vector<Configuration>& waypoints,
-                                const std::vector<double>& blends) {
-  std::vector<JointPath> paths;
-  std::size_t first = 0;
-  for (std::size_t k = 1; k < waypoints.size(); ++k) {
-    const bool is_last = k + 1 == waypoints.size();
-    if (!is_last && blends[k - 1] > 0) continue;
-    const auto at = [](auto& list, std::size_t i) {
-      return list.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    paths.push_back(blended_path({at(waypoints, first), at(waypoints, k + 1)},
-                                 {at(blends, first), at(blends, k - 1)}));
-    first = k;
-  }
-  return paths;
-}
-
 RetimeOptions timing_of(const FreeMotionOptions& options) {
   return {.profile = options.profile,
           .interpolation = options.interpolation,
+          .joint_blend = options.joint_blend,
           .speed_scale = options.speed_scale,
           .tool_speed = options.tool_speed,
           .rate = options.rate,
@@ -90,7 +62,7 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
   const std::vector<Configuration>& waypoints = motion.path.waypoints;
   Retimed timed =
       motion.path.length > at_start
-          ? retimed_paths(arm, paths_of(waypoints, motion.blends), timing_of(options), budget)
+          ? retimed_paths(arm, blended_paths(waypoints, motion.blends), timing_of(options), budget)
           : rest_at(arm, waypoints.front(), options.duration);
   if (!timed) {
     motion.status = budget.complete() ? status_of_timing(timed.reason)
@@ -114,10 +86,7 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
 /// are such blends and that motion is quicker, or the only one.
 void with_stops_at(double radius, const CollisionModel& model, const FreeMotionOptions& options,
                    BudgetMeter& budget, FreeMotion& motion) {
-  FreeMotion stopping{.path = motion.path, .blends = motion.blends};
-  for (double& blend : stopping.blends) {
-    if (blend < radius) blend = 0;
-  }
+  FreeMotion stopping{.path = motion.path, .blends = with_stops_below(radius, motion.blends)};
   if (stopping.blends == motion.blends) return;
   time_and_prove(model, options, budget, stopping);
   if (stopping && (!motion || stopping.duration() < motion.duration()))
@@ -135,9 +104,6 @@ std::ostream& operator<<(std::ostream& out, const FreeMotion& motion) {
 
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options) {
-  if (!(options.joint_blend >= 0)) {
-    throw Error("", "joint_blend", " is " + number(options.joint_blend) + "; it must be 0 or more");
-  }
   check_options(timing_of(options));
   BudgetMeter budget(options.budget);
   FreeMotion motion;

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/timing/internal/blended_path.h>
 #include <beeline/timing/internal/possible_rate.h>
 #include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/sampled_section.h>
@@ -19,8 +21,8 @@ constexpr double repeated = 1e-12;   // radians or metres; nearer positions coun
 constexpr double rest_speed = 1e-9;  // relative to the largest velocity; slower is rest
 constexpr int linear_samples = 200;  // of a section, where joints move linearly between them
 
-/// Returns the path of each section. A stop ends one section and begins the next.
-std::vector<JointPath> paths_between_stops(const Trajectory& trajectory) {
+/// Returns the positions of each section. A stop ends one section and begins the next.
+std::vector<std::vector<Configuration>> positions_between_stops(const Trajectory& trajectory) {
   double largest = 0;
   for (const Configuration& v : trajectory.velocities) {
     largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
@@ -38,8 +40,12 @@ std::vector<JointPath> paths_between_stops(const Trajectory& trajectory) {
     stop = !trajectory.velocities.empty() &&
            trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= rest_speed * largest;
   }
+  return all;
+}
+
+std::vector<JointPath> splines(const std::vector<std::vector<Configuration>>& sections) {
   std::vector<JointPath> paths;
-  for (const auto& q : all) paths.push_back(joint_spline(q, chord_length(q)));
+  for (const auto& q : sections) paths.push_back(joint_spline(q, chord_length(q)));
   return paths;
 }
 
@@ -211,6 +217,43 @@ Retimed internal::retimed_paths(const Arm& arm, const std::vector<JointPath>& pa
   return timed;
 }
 
+namespace {
+
+/// The motion along straight joint motions with blends of these radii, a list for each section.
+Retimed retimed_with(const std::vector<std::vector<double>>& radii, const Arm& arm,
+                     const std::vector<std::vector<Configuration>>& sections,
+                     const RetimeOptions& options, internal::BudgetMeter& budget) {
+  std::vector<JointPath> paths;
+  std::vector<double> blends;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    for (JointPath& path : internal::blended_paths(sections[i], radii[i])) {
+      paths.push_back(std::move(path));
+    }
+    if (i > 0) blends.push_back(0);
+    blends.insert(blends.end(), radii[i].begin(), radii[i].end());
+  }
+  Retimed timed = internal::retimed_paths(arm, paths, options, budget);
+  timed.blends = std::move(blends);
+  return timed;
+}
+
+/// The motion with the largest blends or, if that is quicker, with stops in place of small ones.
+Retimed retimed_with_blends(const Arm& arm, const std::vector<std::vector<Configuration>>& sections,
+                            const RetimeOptions& options, internal::BudgetMeter& budget) {
+  std::vector<std::vector<double>> radii, stopping;
+  for (const std::vector<Configuration>& section : sections) {
+    radii.push_back(internal::largest_blends(section, *options.joint_blend));
+    stopping.push_back(internal::with_stops_below(internal::small_blend, radii.back()));
+  }
+  Retimed timed = retimed_with(radii, arm, sections, options, budget);
+  if (stopping == radii || !budget.complete()) return timed;
+  Retimed stopped = retimed_with(stopping, arm, sections, options, budget);
+  const bool quicker = stopped && (!timed || stopped.duration() < timed.duration());
+  return quicker ? stopped : timed;
+}
+
+}  // namespace
+
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
   Retimed given;
   given.profile = options.profile.value_or(default_profile);
@@ -220,9 +263,25 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   given.reason = too_long(trajectory, options);
   if (!given) return given;
   internal::BudgetMeter budget(options.budget);
-  Retimed timed = internal::retimed_paths(arm, paths_between_stops(trajectory), options, budget);
+  const std::vector<std::vector<Configuration>> sections = positions_between_stops(trajectory);
+  Retimed timed = options.joint_blend
+                      ? retimed_with_blends(arm, sections, options, budget)
+                      : internal::retimed_paths(arm, splines(sections), options, budget);
   timed.unwrapped = std::move(given.unwrapped);
   return timed;
+}
+
+Retimed move_through(const Arm& arm, std::span<const Configuration> waypoints,
+                     const RetimeOptions& options) {
+  for (const Configuration& q : waypoints) check_configuration(arm, q);
+  RetimeOptions as_given = options;
+  as_given.no_unwrap = true;
+  Trajectory path;
+  path.joint_names = arm.joint_names();
+  path.positions.assign(waypoints.begin(), waypoints.end());
+  path.times.resize(waypoints.size());
+  std::iota(path.times.begin(), path.times.end(), 0.0);  // retime() ignores them
+  return retime(arm, path, as_given);
 }
 
 }  // namespace beeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct RetimeOptions {
   /// and `trapezoidal` do not limit an unknown jerk.
   std::optional<Profile> profile = std::nullopt;
   Interpolation interpolation = Interpolation::quintic;  ///< interpolation of the result
+  /// Largest distance from a position, the norm of the difference, at which the path leaves the
+  /// straight joint motions between positions to pass this one in a blend, without a stop; 0: the
+  /// arm stops at each position, as it does where the path turns back. Of blends below 0.05 it is
+  /// tried whether stops are quicker. Default: the path is the spline through the positions.
+  std::optional<double> joint_blend = std::nullopt;
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
   double speed_scale = 1;
@@ -46,6 +52,9 @@ struct Retimed {
   LimitUsage limits;         ///< fractions of the arm's own limits that the trajectory uses
   double tool_speed = 0;     ///< bound on the tool origin's speed, m/s
   std::size_t sections = 0;  ///< number of retimed sections of the path between stops
+  /// With options.joint_blend, the radius of the blend at each position but the first and the last;
+  /// 0: a stop. Of repeated positions there is one.
+  std::vector<double> blends = {};
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
   /// How the computation ended. Unless complete, the trajectory has the sections computed so far,
   /// up to a stop, and may take longer than necessary; `limits` and `tool_speed` are not known.
@@ -63,7 +72,8 @@ void check_moves(const Trajectory& trajectory);
 /// Retimes a trajectory from rest to rest: minimises its duration over the time scalings s(t) of
 /// the profile, subject to the arm's limits times the speed scale and to the tool's speed (see
 /// time_scaling() in time_scaling.h). The geometric path q(s) is the cubic spline through its
-/// positions by chord length (joint_spline() in path/joint_path.h). Its times and velocities are
+/// positions by chord length (joint_spline() in path/joint_path.h) or, with options.joint_blend,
+/// straight joint motions with blends. Its times and velocities are
 /// ignored, except that stops are kept (a stop is a repeated position or a zero velocity vector)
 /// and the path may have a corner there. Continuous joints are unwrapped first (see unwrapped()).
 ///
@@ -80,5 +90,11 @@ void check_moves(const Trajectory& trajectory);
 /// is too short. Throws Error if the trajectory does not fit the arm or has no two different
 /// positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
+
+/// Plans the motion from rest to rest through configurations, in order, without stops: retime() of
+/// a trajectory with these positions. Joint values are numbers; angles are not unwrapped. Throws
+/// Error as retime() does.
+Retimed move_through(const Arm& arm, std::span<const Configuration> waypoints,
+                     const RetimeOptions& options = {});
 
 }  // namespace beeline

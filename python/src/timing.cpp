@@ -164,6 +164,19 @@ void bind_timing(nb::module_& m) {
         return unlocked(asked.budget, [&] { return retime(arm, trajectory, asked); });
       },
       retimed, nb::arg("arm"), nb::arg("trajectory"), nb::arg("keywords"));
+  Signature through("move_through", "Retimed", comment("move_through"));
+  through.summary_has_motions()
+      .takes_arm()
+      .takes("waypoints", argument_type<std::vector<Configuration>>(), "Configurations (N, n).")
+      .options<RetimeOptions>();
+  define(
+      m,
+      [](const Arm& arm, nb::handle waypoints, const nb::kwargs& keywords) {
+        const auto through = Value<std::vector<Configuration>>::from(waypoints, "waypoints");
+        auto asked = options<RetimeOptions>(keywords);
+        return unlocked(asked.budget, [&] { return move_through(arm, through, asked); });
+      },
+      through, nb::arg("arm"), nb::arg("waypoints"), nb::arg("keywords"));
   Signature assumed(
       "motion_limits", "Limits",
       "Returns the limits that motions keep: the joint's own where they are known, else the "

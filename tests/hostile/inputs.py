@@ -93,6 +93,8 @@ line px150.json --through reachable.csv --task 111010:tool --tolerance 0.001 --m
 line gen3.json --through poses.csv --path spline --tool-speed 0.2 --branches
 check rrr line.csv --through planar.csv
 check panda panda_line.csv --through poses.csv --tolerance 0.01
+move rrr --from 0.1,0.2,0.3 --method quickest --through rrr.json --joint-blend 0.1 --profile quintic --out out.csv
+retime panda panda.csv --out out.csv --joint-blend 0.05
 retime panda panda.csv --out out.csv --velocity 1 --acceleration 2 --jerk 50
 retime rrr rrr.json --out out.csv --rate 50 --profile quintic
 replay rrr rrr.csv --out out.csv --speed-at 0:0.2 --rate 100

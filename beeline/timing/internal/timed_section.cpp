@@ -82,6 +82,10 @@ void check_options(const RetimeOptions& options) {
     throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
                 number(options.tool_speed) + " m/s");
   }
+  if (options.joint_blend && !(*options.joint_blend >= 0)) {
+    throw Error("", "joint_blend",
+                " is " + number(*options.joint_blend) + "; it must be 0 or more");
+  }
   check_rate(options.rate, "the samples of the path");
   check_duration(options.duration);
   refuse_duration_with_rate(options.duration, options.rate);

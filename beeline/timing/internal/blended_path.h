@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/path/joint_path.h>
+#include <beeline/trajectory/trajectory.h>
+
+// Straight joint motions between waypoints that pass inner waypoints in blends. Distances are norms
+// of differences of configurations, which add radians and metres.
+
+namespace beeline::internal {
+
+/// Radius of a blend; one that is smaller is no quicker than a stop.
+constexpr double least_blend = 1e-3;
+/// Radius of a blend that a stop may be quicker than, as the jerk is limited.
+constexpr double small_blend = 0.05;
+
+/// A waypoint that straight joint motions pass without a stop: its blend leaves the line before it
+/// `radius` in front of it and meets the line after it as far behind.
+struct JointBlend {
+  Configuration before, at, after;  ///< the waypoint and its neighbours
+  double radius = 0;                ///< above 0
+
+  Configuration begin() const { return at - radius * (at - before).normalized(); }
+  Configuration end() const { return at + radius * (after - at).normalized(); }
+  /// The blend as a motion with the path parameter, the arc length of the lines, as its time. It is
+  /// the quintic polynomial with the directions of the lines and without curvature at its ends. It
+  /// is in the triangle of the three configurations, and so within limits that these are within.
+  Trajectory curve(const std::vector<std::string>& joint_names) const;
+};
+
+/// Returns whether the path turns by so much at the waypoint that it would nearly rest in a blend.
+bool turns_back(const JointBlend& blend);
+
+/// Returns the blend at inner waypoint k, as large as `most` and the neighbours allow.
+JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_t k, double most);
+
+/// Returns the radii of the largest blends at inner waypoints; 0, a stop, where the path turns back
+/// or the blend would be below `least_blend`.
+std::vector<double> largest_blends(const std::vector<Configuration>& waypoints, double most);
+
+/// Returns the radii with stops, 0, in place of those that are smaller than `radius`.
+std::vector<double> with_stops_below(double radius, std::vector<double> radii);
+
+/// Returns the paths of straight joint motions between waypoints, from stop to stop, with a blend
+/// at each inner waypoint whose radius is not 0. The radii of two neighbours are together at most
+/// their distance.
+std::vector<JointPath> blended_paths(const std::vector<Configuration>& waypoints,
+                                     const std::vector<double>& radii);
+
+}  // namespace beeline::internal

@@ -1,0 +1,58 @@
+#include "joint_path_argument.h"
+
+#include <beeline/error.h>
+
+#include "arguments.h"
+#include "sampling_argument.h"
+
+namespace beeline::command {
+
+std::vector<Option> JointPathArgument::options(const std::string& quickest,
+                                               const std::string& other) {
+  const std::vector<std::string> methods = {quickest, other};
+  return {
+      Option("--through FILE",
+             "Configurations that the quickest motion passes after --from, without a stop, up to "
+             "the last, where it ends; instead of --to. A .csv file with a row for each, with "
+             "or without the joints' names, or a trajectory whose times are ignored.",
+             &through, {.methods = {quickest}}),
+      joint_blend_option(&joint_blend,
+                         "with --through the path is the cubic spline through the "
+                         "configurations; with --method around the blends are as large as the "
+                         "clearance allows.",
+                         methods),
+      profile.option(methods),
+      tool_speed_option(&tool_speed, "", methods),
+      duration_option(&duration,
+                      ", with --to a whole number of periods of --rate, otherwise without a rate",
+                      "", methods),
+      rate_option(&rate, ". Default: 100; with --through as few samples as the motion needs.",
+                  methods)};
+}
+
+RetimeOptions JointPathArgument::through_options() const {
+  return {.profile = profile.read(),
+          .joint_blend = joint_blend,
+          .tool_speed = tool_speed.value_or(Limits::none),
+          .rate = rate.value_or(0),
+          .duration = duration};
+}
+
+void JointPathArgument::set_on(FreeMotionOptions& options) const {
+  if (joint_blend) options.joint_blend = *joint_blend;
+  options.profile = profile.read();
+  options.tool_speed = tool_speed.value_or(Limits::none);
+  options.rate = rate.value_or(duration ? 0 : default_rate);
+  options.duration = duration;
+}
+
+void JointPathArgument::refuse_without_through() const {
+  const char* given = joint_blend             ? "--joint-blend"
+                      : tool_speed            ? "--tool-speed"
+                      : !profile.text.empty() ? "--profile"
+                                              : nullptr;
+  if (given == nullptr) return;
+  throw Error(std::string(given) + " needs --through or --method around");
+}
+
+}  // namespace beeline::command
