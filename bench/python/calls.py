@@ -22,6 +22,8 @@ BEELINE = {
     "jacobian": "jacobian(arm, q)",
     "inverse": "inverse(arm, T)",
     "inverse_into": "inverse(arm, T, seed=middle, out=out)",
+    "all": "inverse(arm, T, all=True)",
+    "no": "inverse(arm, T)",
 }
 TITLES = {
     "forward": "forward kinematics",
@@ -30,8 +32,12 @@ TITLES = {
     "jacobian": "Jacobian",
     "inverse": "`inverse_kinematics`",
     "inverse_into": "`inverse_kinematics`, `out=`",
+    "all": "`inverse_kinematics`, `all`",
+    "no": "`inverse_kinematics` of a pose without a solution",
+    "first": "`inverse_kinematics`, first of a new arm",
 }
-CPP = {"forward_list": "forward", "forward_name": "forward"}  # the same call in C++
+CPP = {"forward_list": "forward", "forward_name": "forward", "no": "inverse"}  # the same call in C++
+ARMS = ("ur5", "panda", "crx10ia", "gen3")
 
 
 class Case:
@@ -53,6 +59,23 @@ class Case:
         begin = time.thread_time()
         self.run(self.rows)
         self.times.append((time.thread_time() - begin) / len(self.rows) * 1e6)
+
+    def microseconds(self):
+        return statistics.median(self.times)
+
+
+class FirstCalls:
+    """The first call of each of many arms, which computes what follows from the arm."""
+
+    def __init__(self, arm, poses):
+        self.arm, self.poses, self.times = arm, poses[:20], []
+
+    def measure(self):
+        arms = [beeline.Arm.load(self.arm.name) for _ in self.poses]
+        begin = time.thread_time()
+        for arm, pose in zip(arms, self.poses):
+            beeline.inverse_kinematics(arm, pose)
+        self.times.append((time.thread_time() - begin) / len(arms) * 1e6)
 
     def microseconds(self):
         return statistics.median(self.times)
@@ -85,13 +108,43 @@ def solved(case, forward, poses):
     return right / len(case.rows)
 
 
+def without_solution(arm, random):
+    """Poses within the arm's sphere, of any orientation, that no configuration reaches."""
+    found = []
+    while len(found) < ROWS:
+        pose = random_pose(arm, random)
+        if not beeline.inverse_kinematics(arm, pose):
+            found.append(pose)
+    return np.array(found)
+
+
+def random_pose(arm, random):
+    pose = np.eye(4)
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    pose[:3, :3] = turn * np.sign(np.linalg.det(turn))
+    away = random.normal(size=3)
+    centre, radius = arm.reach
+    pose[:3, 3] = centre + radius * random.uniform() ** (1 / 3) * away / np.linalg.norm(away)
+    return pose
+
+
+def own_frame(peer):
+    """Whether the peer computes with the arm of the URDF text, not with one that it brings along."""
+    return peer not in ("ssik", "frankik")
+
+
 def cases_of(library, arm, q, left_out):
     poses = np.ascontiguousarray(beeline.forward_kinematics(arm, q))
+    unreached = without_solution(arm, np.random.default_rng(SEED))
     own = {"arm": arm, "name": arm.name, "forward": beeline.forward_kinematics, "jacobian": beeline.jacobian, "middle": arm.middle,
            "inverse": beeline.inverse_kinematics, "out": np.empty(arm.dof)}
-    cases = {(what, "Beeline"): Case(call, own, q.tolist() if what == "forward_list" else q, poses)
+    def goals(what):
+        return unreached if what == "no" else poses
+
+    cases = {(what, "Beeline"): Case(call, own, q.tolist() if what == "forward_list" else q, goals(what))
              for what, call in BEELINE.items()}
-    cases |= {(what, "C++"): CppCase(library, arm, CPP.get(what, what), q, poses) for what in BEELINE}
+    cases |= {(what, "C++"): CppCase(library, arm, CPP.get(what, what), q, goals(what)) for what in BEELINE}
+    cases |= {("first", "Beeline"): FirstCalls(arm, poses), ("first", "C++"): CppCase(library, arm, "first", q[:20], poses[:20])}
     urdf, shares = urdf_of(arm), {}
     for name, peer in PEERS.items():
         try:
@@ -101,6 +154,8 @@ def cases_of(library, arm, q, left_out):
             own_poses = np.array([forward(row) for row in q])
             for what, call in calls.items():
                 cases[what, name] = Case(call, names, q, own_poses, prepare)
+            if "inverse" in calls and own_frame(name):
+                cases["no", name] = Case(calls["inverse"], names, q, unreached, prepare)
             if "inverse" in calls:
                 shares[name] = solved(cases["inverse", name], forward, own_poses)
         except Exception as error:  # a peer that is not installed, or has no such arm
@@ -112,9 +167,10 @@ def print_calls(library):
     print("| arm | call |", " | ".join(["C++", "Beeline", "difference", *PEERS]), "|")
     print("|---" * (5 + len(PEERS)) + "|")
     left_out = []
-    for name in ("ur5", "panda"):
+    for name in ARMS:
         arm = beeline.Arm.load(name)
-        q = np.random.default_rng(SEED).uniform(arm.lower, arm.upper, (ROWS, arm.dof)).clip(-3.1, 3.1)
+        lower, upper = arm.lower.clip(-3.1, 3.1), arm.upper.clip(-3.1, 3.1)
+        q = np.random.default_rng(SEED).uniform(lower, upper, (ROWS, arm.dof))
         cases, shares = cases_of(library, arm, q, left_out)
         for _ in range(ROUNDS):
             for case in cases.values():

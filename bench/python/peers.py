@@ -97,14 +97,15 @@ def eaik(arm, urdf):
     robot = EAIK.Robot(np.array(axes).T, offsets.T, home[:3, :3], [], True)
     if arm.dof != 6:
         raise ValueError("EAIK has six joints")
-    return {"robot": robot}, {"forward": "robot.fwdkin(q)", "inverse": "robot.calculate_IK(T).Q"}
+    return {"robot": robot}, {"forward": "robot.fwdkin(q)", "all": "robot.calculate_IK(T).Q"}
 
 
 def ssik(arm, urdf):
-    """Its own arms of these names. One solution within limits."""
-    name = {"ur5": "ur5_ik", "panda": "franka_panda_ik"}[arm.name]
+    """Its own arms of these names: one solution within limits; of six joints all solutions too."""
+    name = {"ur5": "ur5_ik", "panda": "franka_panda_ik", "crx10ia": "fanuc.crx10ia_ik", "gen3": "kinova.gen3_ik"}[arm.name]
     names = {"arm": importlib.import_module("ssik.prebuilt." + name)}
-    return names, {"forward": "arm.fk(q)", "inverse": "arm.solve(T, max_solutions=1)[0].q"}
+    calls = {"forward": "arm.fk(q)", "inverse": "arm.solve(T, max_solutions=1)[0].q"}
+    return names, calls | ({"all": "arm.solve(T)"} if arm.dof == 6 else {})
 
 
 def frankik(arm, urdf):
