@@ -223,12 +223,13 @@ std::optional<bool> is_solved_beyond(const SolverState& state, const Request& re
   const double intervals =
       max_range_intervals * (beyond.upper - beyond.lower) / (2 * std::numbers::pi);
   const Bounds& open = state.defaults->no_limits;
-  PieperRequest loop =
-      form.request(request.seed, request.weights, open.lower, open.upper, request.tolerance);
+  LockedRequest locked{
+      form, request,
+      form.request(request.seed, request.weights, open.lower, open.upper, request.tolerance),
+      beyond};
   LeastOutside outside;
-  const ExaminedRange found =
-      examine_range(form, request.goal, beyond, loop, request.budget, outside,
-                    std::clamp(static_cast<int>(std::ceil(intervals)), 2, max_range_intervals));
+  const ExaminedRange found = examine_range(
+      locked, outside, std::clamp(static_cast<int>(std::ceil(intervals)), 2, max_range_intervals));
   if (found.branch.lane < 0) return found.conclusive ? std::optional(false) : std::nullopt;
   Configuration q(request.arm.dof());
   form.configuration(found.branch.found, found.branch.lane, found.branch.value, q);

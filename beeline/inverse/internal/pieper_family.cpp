@@ -70,30 +70,35 @@ bool is_verified(const SolverState& state) {
 }
 
 std::string pieper_name(const SolverState& state) {
-  return state.pieper_solver().family(state.removed_coordinate);
+  if (state.removed_coordinate) return state.pieper_solver().family(state.removed_coordinate);
+  return (*state.pieper)->name;
 }
 
 constexpr unsigned all_lanes = 0xff;
 
-PieperRequest loop_of(const PieperSolver& form, const Request& request) {
-  return form.request(request.seed, request.weights, request.bounds.lower, request.bounds.upper,
-                      request.tolerance);
+LockedRequest locked_request(const PieperSolver& form, const Request& request) {
+  return {form, request,
+          form.request(request.seed, request.weights, request.bounds.lower, request.bounds.upper,
+                       request.tolerance)};
 }
 
 /// Adds the lanes of the mask that have a solution.
-void add_lanes(const PieperSolver& form, const PieperRequest& loop, const LockedBranch& branch,
-               unsigned lanes, const Request& request, StageResult& found) {
+void add_lanes(const LockedRequest& locked, const LockedBranch& branch, unsigned lanes,
+               StageResult& found) {
+  const PieperSolver& form = locked.form;
+  const Request& request = locked.request;
   const PieperBranches& branches = branch.found;
   Configuration& q = found.solutions->candidate;
   q.resize(request.arm.dof());
   for (unsigned rest = branches.found & lanes; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
     const auto has = [lane](unsigned mask) { return (mask >> lane & 1) != 0; };
-    const bool closes = branches.residual[lane] <= loop.max_residual;
+    const bool closes = branches.residual[lane] <= locked.loop.max_residual;
     // A lane that is outside by less may be within limits once it is corrected.
     constexpr double slack = 1e-6;
     const bool outside = !has(branches.within) && branches.excess[lane] >= slack;
-    const bool certain = closes && !has(branches.twin) && (outside || has(branches.within));
+    const bool regular = !has(branches.twin | branches.continuum);
+    const bool certain = closes && regular && (outside || has(branches.within));
     if (request.quick && certain && outside) continue;
     if (request.options.lock && !certain) {  // corrections would move the locked joint
       found.unconstrained.doubtful = true;
@@ -101,7 +106,7 @@ void add_lanes(const PieperSolver& form, const PieperRequest& loop, const Locked
     }
     form.configuration(branches, lane, branch.value, q);
     Knowledge known{.continuum = !form.has_virtual_joints() && has(branches.continuum),
-                    .regular = !form.has_free_joints() && !has(branches.twin),
+                    .regular = regular && !form.has_free_joints(),
                     .within = has(branches.within)};
     if (request.trusts_closed_loops && closes && known.within)
       known.error = branches.residual[lane];
@@ -110,24 +115,22 @@ void add_lanes(const PieperSolver& form, const PieperRequest& loop, const Locked
 }
 
 /// Adds the lane of the branch, if it has one.
-void add_branch(const PieperSolver& form, const PieperRequest& loop, const LockedBranch& branch,
-                const Request& request, StageResult& found) {
-  if (branch.lane >= 0) add_lanes(form, loop, branch, 1u << branch.lane, request, found);
+void add_branch(const LockedRequest& locked, const LockedBranch& branch, StageResult& found) {
+  if (branch.lane >= 0) add_lanes(locked, branch, 1u << branch.lane, found);
 }
 
 /// Adds the solutions for each value of a grid of the redundant joint.
-void solve_grid(const PieperSolver& form, const Request& request, const LockedRange& range,
-                PieperRequest& loop, StageResult& found) {
+void solve_grid(LockedRequest& locked, StageResult& found) {
   SolutionGrid& solved = found.result.grid.emplace();
-  solved.joint = *form.locked();
-  solved.values = grid_values(range, request.options.grid);
+  solved.joint = *locked.form.locked();
+  solved.values = grid_values(locked.range, locked.request.options.grid);
   LockedBranch at;
   for (const double value : solved.values) {
-    if (request.budget.ended()) break;
-    at.value = value;
-    form.branches(request.goal, value, loop, at.found);
-    add_lanes(form, loop, at, all_lanes, request, found);
-    if (at.found.continuum == 0 && !nearly_found(form, at.found)) solved.complete.push_back(value);
+    if (locked.request.budget.ended()) break;
+    evaluate(locked, value, at);
+    add_lanes(locked, at, all_lanes, found);
+    const bool complete = at.found.continuum == 0 && !nearly_found(locked.form, at.found);
+    if (complete) solved.complete.push_back(value);
   }
 }
 
@@ -177,26 +180,22 @@ bool solve_near_seed(SolverState& state, const Request& request, const LockedBra
 /// that exceed the limits least; following all branches. A few values suffice for most poses, and
 /// for the others a search succeeds more often than further values. With the option closed_form
 /// only values are tried and the branches outside them.
-void solve_redundant(SolverState& state, const Request& request, const LockedRange& range,
-                     PieperRequest& loop, StageResult& found) {
+void solve_redundant(SolverState& state, LockedRequest& locked, StageResult& found) {
   constexpr int few = 8;  // two rounds of steps: see first_within()
-  const PieperSolver& form = state.pieper_solver();
-  const Pose& goal = request.goal;
+  const Request& request = locked.request;
   const bool automatic = request.options.method == InverseMethod::automatic;
-  const int tries = std::min(request.quick ? few : request.options.grid, request.options.grid - 1);
+  const int grid = request.options.grid, tries = std::min(request.quick ? few : grid, grid - 1);
   Configuration& q = found.solutions->candidate;
   q.resize(request.arm.dof());
   LeastOutside outside, in_range;
-  LockedBranch branch = branch_at(form, goal, range.seed, loop, outside);
+  LockedBranch branch = branch_at(locked, locked.range.seed, outside);
   if (automatic && solve_near_seed(state, request, branch, q)) {
     found.result.method = "numerical";
     found.result.iterations += state.iterations();
     return add_candidate(request, q, found);
   }
-  if (branch.lane < 0) {
-    branch = first_within(form, goal, range, tries, loop, request.budget, outside);
-  }
-  if (branch.lane >= 0) return add_branch(form, loop, branch, request, found);
+  if (branch.lane < 0) branch = first_within(locked, tries, outside);
+  if (branch.lane >= 0) return add_branch(locked, branch, found);
   const auto solved_from = [&](const LeastOutside& start) {
     if (start.count == 0 || !solve_from_outside(state, request, start, q)) return false;
     add_candidate(request, q, found);
@@ -204,35 +203,33 @@ void solve_redundant(SolverState& state, const Request& request, const LockedRan
   };
   bool solved = solved_from(outside);
   if (!solved && automatic) {
-    const ExaminedRange examined = examine_range(form, goal, range, loop, request.budget, in_range);
-    add_branch(form, loop, examined.branch, request, found);
+    const ExaminedRange examined = examine_range(locked, in_range);
+    add_branch(locked, examined.branch, found);
     solved = examined.branch.lane >= 0 || solved_from(in_range);
     found.unconstrained.range_examined = !solved && examined.conclusive;
   }
   if (!(request.quick && solved)) add_outside(request, outside, in_range, found);
 }
 
-void solve_locked(SolverState& state, const Request& request, StageResult& found) {
-  const PieperSolver& form = state.pieper_solver();
-  PieperRequest loop = loop_of(form, request);
-  LockedRange range =
-      locked_range(request.arm, request.bounds, request.seed, *form.locked(), form.size());
-  range.weight = request.weights[*form.locked()];
+void solve_locked(SolverState& state, LockedRequest& locked, StageResult& found) {
+  const Request& request = locked.request;
+  const int k = *locked.form.locked();
+  locked.range = locked_range(request.arm, request.bounds, request.seed, k, locked.form.size());
+  locked.range.weight = request.weights[k];
   found.unconstrained.complete = found.unconstrained.branches_complete = false;
-  if (request.options.all) return solve_grid(form, request, range, loop, found);
-  if (!request.quick && request.redundancy != Redundancy::any) {
-    add_branch(form, loop,
-               best_within(form, request.goal, range, request.options.grid, request.redundancy,
-                           loop, request.budget),
-               request, found);
-  }
-  solve_redundant(state, request, range, loop, found);
+  if (request.options.all) return solve_grid(locked, found);
+  const bool optimises = !request.quick && request.redundancy != Redundancy::any;
+  if (optimises) add_branch(locked, best_within(locked), found);
+  solve_redundant(state, locked, found);
 }
 
 /// Adds a solution of every branch in the lanes that have a free joint. Returns whether there is
 /// one; if not, all are outside the limits.
-bool add_self_motions(const PieperSolver& form, const Request& request, PieperRequest loop,
-                      const PieperBranches& at_seed, StageResult& found) {
+bool add_self_motions(const LockedRequest& locked, const PieperBranches& at_seed,
+                      StageResult& found) {
+  const PieperSolver& form = locked.form;
+  const Request& request = locked.request;
+  PieperRequest loop = locked.loop;
   const std::vector<int> free = form.free_joints(at_seed);
   std::vector<double> values;
   for (const int joint : free) values.push_back(loop.seed[joint]);
@@ -261,27 +258,27 @@ bool add_self_motions(const PieperSolver& form, const Request& request, PieperRe
 }
 
 /// Solves without a redundant joint, or with the seed's value of the locked one.
-void solve_branches(SolverState& state, const Request& request, StageResult& found) {
-  const PieperSolver& form = state.pieper_solver();
-  PieperRequest loop = loop_of(form, request);
-  LockedBranch at;
+void solve_branches(SolverState& state, LockedRequest& locked, StageResult& found) {
+  const PieperSolver& form = locked.form;
+  const Request& request = locked.request;
+  double value = 0;
   if (request.options.lock) {
     check_lock(state, request.seed);
-    at.value = request.seed[*request.options.lock];
+    value = request.seed[*request.options.lock];
   }
-  PieperBranches& branches = at.found;
-  form.branches(request.goal, at.value, loop, branches);
+  LockedBranch at;
+  evaluate(locked, value, at);
+  const PieperBranches& branches = at.found;
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
-    at.lane = nearest_lane(loop, branches);
-    return add_branch(form, loop, at, request, found);
+    return add_branch(locked, at, found);
   }
   unsigned lanes = all_lanes;
   if (!request.quick && branches.continuum != 0 && !form.has_free_joints() &&
-      add_self_motions(form, request, loop, branches, found)) {
+      add_self_motions(locked, branches, found)) {
     lanes &= ~branches.continuum;
   }
-  add_lanes(form, loop, at, lanes, request, found);
+  add_lanes(locked, at, lanes, found);
   UnconstrainedResult& evidence = found.unconstrained;
   // The axis of a virtual joint may coincide with the axis of an arm's joint. Then only one of
   // infinitely many solutions was examined.
@@ -295,8 +292,9 @@ void solve_branches(SolverState& state, const Request& request, StageResult& fou
 }
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
-  if (request.finitely_many()) return solve_branches(state, request, found);
-  solve_locked(state, request, found);
+  LockedRequest locked = locked_request(state.pieper_solver(), request);
+  if (request.finitely_many()) return solve_branches(state, locked, found);
+  solve_locked(state, locked, found);
 }
 
 }  // namespace
@@ -304,7 +302,9 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
 PieperForm PieperForm::make(const Arm& arm, const Task& task) {
   PieperForm form;
   if (!moves_with_tool_at_rest(arm)) form.solver = PieperSolver::make(arm, task);
-  if (form.solver) form.verified = recovers_configurations(*form.solver, arm);
+  if (!form.solver) return form;
+  form.verified = recovers_configurations(*form.solver, arm);
+  form.name = form.solver->family();
   return form;
 }
 

@@ -22,7 +22,7 @@ struct Request {
   const Configuration& weights;  ///< weights of the coordinates in distances
   double tolerance;
   BudgetMeter& budget;
-  Redundancy redundancy;
+  Redundancy redundancy;  ///< options.redundancy, or `any`
   /// Whether the steps take the effort that suffices for most poses: few values of a redundant
   /// joint, few restarts, and no corrections of solutions within the tolerance.
   bool quick = false;

@@ -17,7 +17,10 @@ bool coincide(const Request& request, const Solution& a, const Solution& b) {
   constexpr double near = 0.01;  // radians or metres
   // Factor on the tolerance; the solutions themselves have errors up to 1.
   constexpr double of_tolerance = 10;
-  if (a.regular || b.regular || !same_posture(request.arm, a.q, b.q, near)) return false;
+  // At such a tolerance two solutions coincide only next to a singular one.
+  constexpr double fine = 1e-10;
+  if (request.tolerance <= fine && (a.regular || b.regular)) return false;
+  if (!same_posture(request.arm, a.q, b.q, near)) return false;
   const Configuration beside =
       nearest_representative(request.arm, b.q, a.q, no_bounds(request.arm));
   return error_at(request, (a.q + beside) / 2) <= of_tolerance * request.tolerance;
@@ -119,9 +122,8 @@ bool add_solution(const Request& request, const ConfigurationRef& q, StageResult
     const auto other = [&](std::size_t i) -> const Configuration& {
       return (solutions.begin() + i)->q;
     };
-    const bool is_new = (request.quick && known.regular) ||
-                        !found.known.contains(request.arm, before, other, added.q);
-    accepted = is_new && added.error <= request.tolerance;
+    accepted = added.error <= request.tolerance &&
+               !found.postures.contains(request.arm, before, other, added.q);
     added.regular = known.regular;
   }
   if (!accepted) solutions.resize(before);
@@ -138,6 +140,13 @@ void add_candidate(const Request& request, Configuration& q, StageResult& found,
   evidence.continuum = evidence.continuum || known.continuum;
   Knowledge now = known;
   if (std::isnan(now.error)) now.error = error_at(request, q);
+  if (request.quick && known.within && known.regular && now.error <= request.accepted_error()) {
+    Solution& added = found.solutions->add();  // the closed form gives it once
+    added.q = q;
+    added.error = now.error;
+    added.regular = true;
+    return;
+  }
   // Fraction of the arm's size. A larger error is not rounding: a virtual joint is not at zero.
   constexpr double not_a_solution = 1e-3;
   const double size = std::max(1.0, unit_of_length(request.arm));

@@ -14,7 +14,7 @@ namespace beeline::internal {
 struct Solution {
   Configuration q;
   double error = 0;      ///< larger of the position and orientation error, metres or radians
-  bool regular = false;  ///< whether it is known that no other solution is next to it
+  bool regular = false;  ///< whether it is known to be far from singular ones
   double distance = 0;   ///< distance from the seed, for sort_solutions()
 };
 
@@ -65,7 +65,7 @@ struct StageResult {
   StageResult() { solutions->resize(0); }
 
   ThreadScratch<Solutions> solutions;  ///< within limits
-  PostureIndex known;                  ///< index of the solutions
+  PostureIndex postures;               ///< index of the solutions
   InverseResult result;                ///< everything else
   UnconstrainedResult unconstrained;
 };
@@ -80,8 +80,7 @@ bool nearly_singular(const Request& request, const Configuration& q, double frac
 struct Knowledge {
   bool continuum = false;  ///< whether it represents infinitely many solutions
   bool regular = false;    ///< see Solution
-  bool within =
-      false;  ///< whether it is within limits, and no equivalent one is nearer to the seed
+  bool within = false;     ///< whether it is within limits, and none of its turns is nearer
   double error = std::numeric_limits<double>::quiet_NaN();  ///< see Solution; NaN: not known
 };
 

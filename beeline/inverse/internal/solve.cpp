@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/joint_lock.h>
 #include <beeline/inverse/internal/pose_tolerance.h>
 #include <beeline/inverse/internal/redundancy.h>
