@@ -6,7 +6,6 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/inverse/internal/solve.h>
-#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/internal/solve_unblocked.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
@@ -80,8 +79,8 @@ void explain(InverseResult& result, const Budget& budget) {
   const InverseRequest asked = *std::exchange(result.unexplained, std::nullopt);
   internal::SolverState state(asked.arm, asked.options);
   internal::BudgetMeter meter(budget);
-  InverseResult all = internal::solve(state, asked.world_T_tool, *asked.options.seed,
-                                      internal::FailureDetail::nearest, meter);
+  InverseResult all = internal::solve_thoroughly(state, asked.world_T_tool, *asked.options.seed,
+                                                 internal::FailureDetail::nearest, meter);
   if (all) {
     result = std::move(all);
     return;
@@ -99,20 +98,15 @@ int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const Configura
                        Eigen::Ref<Eigen::MatrixXd> solutions, const InverseOptions& options) {
   internal::SolverState state(arm, options);
   internal::BudgetMeter budget(options.budget);
-  check_configuration(arm, seed);
   if (solutions.rows() != arm.dof() || solutions.cols() < 1) {
     throw Error("solutions need " + std::to_string(arm.dof()) + " rows and at least one column");
   }
   if (state.plane()) state.plane()->check(world_T_tool);
-  const Pose goal = checked_pose(world_T_tool);
-  const bool any = !options.blocked_by;
-  if (any) {
-    const auto count = internal::solve_fast_path(state, goal, seed, budget, solutions);
-    if (count) return count->count;
+  if (!options.blocked_by) {
+    return internal::solve_into(state, world_T_tool, seed, budget, solutions);
   }
-  constexpr auto detail = internal::FailureDetail::none;
-  const InverseResult result = any ? internal::solve(state, goal, seed, detail, budget)
-                                   : internal::solve_unblocked(state, goal, seed, detail, budget);
+  const InverseResult result =
+      internal::solve_unblocked(state, world_T_tool, seed, internal::FailureDetail::none, budget);
   const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
   const Eigen::Index count = std::min(solutions.cols(), found);
   for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];

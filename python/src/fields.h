@@ -42,7 +42,11 @@ struct Fields;
 template <auto First, auto... Rest>
 struct Members {
   static constexpr const char* name = struct_name<decltype(struct_of(First))>.data();
-  static constexpr auto all() { return std::tuple(field<First>(First), field<Rest>(Rest)...); }
+  static constexpr auto all() {
+    // Without this constant the names are found in each call.
+    constexpr std::tuple fields(field<First>(First), field<Rest>(Rest)...);
+    return fields;
+  }
 };
 
 template <class T>

@@ -22,8 +22,8 @@ namespace beeline::HWY_NAMESPACE {
 /// check of the residual rejects a root that does not exist, so this may be generous.
 inline constexpr double root_slack = 1e-6;
 
-/// The relative radicand below which the two solutions of a root are within about 1e-4 rad.
-inline constexpr double nearly_double = 1e-9;
+/// The relative radicand below which the two solutions of a root are within about 1e-3 rad.
+inline constexpr double nearly_double = 1e-7;
 
 /// The status of each lane while the equations are solved in sequence.
 struct LaneStatus {

@@ -3,7 +3,6 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/analytic/planar_solver.h>
-#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se3.h>
 
@@ -40,26 +39,9 @@ std::vector<PlanarJoint> planar_joints(const Arm& arm, const Configuration& seed
   return joints;
 }
 
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
-
-/// Refines a solution numerically. An arm counts as planar when its axes are parallel to 1e-9,
-/// which over long links can leave an error above the tolerance. A few steps suffice if the error
-/// is within a thousand times the tolerance. With a larger error the pose is out of reach.
-void refine(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance,
-            PlanarSolution& solution) {
-  if (largest(solution.error) <= tolerance || largest(solution.error) > 1000 * tolerance) return;
-  const NumericalResult run =
-      levenberg_marquardt(arm, world_T_tool, task, no_bounds(arm), solution.q,
-                          {.tolerance = tolerance, .max_iterations = 5});
-  if (!run.converged) return;
-  solution.q = run.q;
-  solution.error = run.error;
-}
-
-/// Returns the candidates with their errors, refined.
-std::vector<PlanarSolution> refined_candidates(const Arm& arm, const Pose& world_T_tool,
-                                               const Task& task, const Configuration& seed,
-                                               double tolerance) {
+/// Returns the candidates with their errors.
+std::vector<PlanarSolution> candidates_near(const Arm& arm, const Pose& world_T_tool,
+                                            const Task& task, const Configuration& seed) {
   std::vector<PlanarJoint> joints = planar_joints(arm, seed);
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const Complex from = in_plane(at_zero.translation()), to = in_plane(world_T_tool.translation());
@@ -74,10 +56,8 @@ std::vector<PlanarSolution> refined_candidates(const Arm& arm, const Pose& world
   for (PlanarCandidate& candidate : planar_candidates(joints, rotation, to - rotation * from)) {
     candidate.q.conservativeResize(arm.dof());
     const Pose reached = forward_kinematics(arm, candidate.q);
-    PlanarSolution solution{candidate.q, candidate.continuum,
-                            task_deviation(task, world_T_tool, reached)};
-    refine(arm, world_T_tool, task, tolerance, solution);
-    solutions.push_back(solution);
+    solutions.push_back(
+        {candidate.q, candidate.continuum, task_deviation(task, world_T_tool, reached)});
   }
   return solutions;
 }
@@ -101,15 +81,17 @@ std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose&
   }
   check_configuration(arm, seed);
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has an entry that is not finite");
-  const auto reaches = [tolerance](const PlanarSolution& solution) {
-    return largest(solution.error) <= tolerance;
+  // An arm counts as planar when its axes are parallel to 1e-9, which over long links can leave an
+  // error above the tolerance.
+  const double near = 1000 * tolerance;
+  const auto reaches = [near](const PlanarSolution& solution) {
+    return std::max(solution.error.position, solution.error.orientation) <= near;
   };
-  std::vector<PlanarSolution> near_seed =
-      refined_candidates(arm, world_T_tool, task, seed, tolerance);
+  std::vector<PlanarSolution> near_seed = candidates_near(arm, world_T_tool, task, seed);
   if (std::any_of(near_seed.begin(), near_seed.end(), reaches)) return near_seed;
   // Angles near a distant seed have fewer digits. A pose counts as out of reach only if it is also
   // out of reach with angles near zero.
-  return refined_candidates(arm, world_T_tool, task, Configuration::Zero(arm.dof()), tolerance);
+  return candidates_near(arm, world_T_tool, task, Configuration::Zero(arm.dof()));
 }
 
 }  // namespace beeline::internal

@@ -21,9 +21,9 @@ struct PlanarSolution {
 /// Returns all configurations that bring the tool to `world_T_tool`, joint limits ignored, up to
 /// multiples of 2 pi: revolute coordinates are the representatives nearest to `seed`. If solutions
 /// form a continuum (parallel prismatic joints, a folded arm), the one nearest to the seed
-/// represents it. For a pose out of reach by more than `tolerance` (metres and radians), returns
-/// configurations at the workspace boundary. The best one has the least position error at the
-/// requested orientation. Throws Error unless has_planar_closed_form(arm, task).
+/// represents it. For a pose out of reach by more than 1000 times the `tolerance` (metres and
+/// radians), returns configurations at the workspace boundary. The best one has the least position
+/// error at the requested orientation. Throws Error unless has_planar_closed_form(arm, task).
 std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
                                                      const Task& task, const Configuration& seed,
                                                      double tolerance = 1e-9);

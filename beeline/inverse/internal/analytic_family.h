@@ -1,16 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include <beeline/inverse/internal/solve_fast_path.h>
+#include <beeline/inverse/internal/solutions.h>
 #include <beeline/inverse/internal/solver_state.h>
-#include <beeline/inverse/internal/stage_result.h>
 
 namespace beeline::internal {
 
 /// Analytic inverse kinematics of a family of arms. The table of families is in
-/// analytic_families.cpp.
+/// stages.cpp.
 struct AnalyticFamily {
   /// Whether the family covers the arm and the task. If so, sets the members of the state that the
   /// other functions need. With options.lock, a family applies only if the locked coordinate's
@@ -20,15 +18,10 @@ struct AnalyticFamily {
   /// Returns a description such as `three axes meet (joints 4, 5, 6)`.
   std::string (*name)(const SolverState& state);
 
-  /// Adds solutions, by CandidateSolutions. Sets evidence().complete to false if solutions may be
-  /// missing, and evidence().branches_complete to false if a whole branch may be missing.
+  /// Adds solutions by add_candidate(). Sets found.unconstrained.complete to false if solutions may
+  /// be missing, and branches_complete to false if a whole branch may be missing. With
+  /// request.quick, for one solution, the nearest to the seed suffices.
   void (*solve)(SolverState& state, const Request& request, StageResult& found);
-
-  /// Writes the solutions nearest to the seed for control loops, as many as fit; returns nothing if
-  /// the request needs solve(). Does not allocate. The pointer may be null.
-  std::optional<FastSolutions> (*solve_fast)(SolverState& state, const Pose& goal,
-                                             const ConfigurationRef& seed, BudgetMeter& budget,
-                                             Eigen::Ref<Eigen::MatrixXd> solutions) = nullptr;
 
   /// Whether the numerical stage is faster for one solution: the family then runs only if that
   /// stage finds none.

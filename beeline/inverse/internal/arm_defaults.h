@@ -31,12 +31,13 @@ struct PieperForm {
   /// Nothing too for an arm of six joints that can move with the tool at rest from every
   /// configuration.
   std::optional<PieperSolver> solver;
-  bool verified = true;  ///< whether it recovered random configurations of the arm
+  bool verified = true;   ///< whether it recovered random configurations of the arm
+  std::string name = {};  ///< PieperSolver::family()
 
   using Key = Task;
   static constexpr SharedBy shared_by = SharedBy::limits;
   static PieperForm make(const Arm& arm, const Task& task);
-  std::size_t heap_bytes() const { return 0; }
+  std::size_t heap_bytes() const { return name.capacity(); }
 };
 
 /// The coordinate that an arm of seven revolute joints locks for a closed form of the others.

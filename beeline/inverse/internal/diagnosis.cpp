@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/inverse/internal/diagnosis.h>
-#include <beeline/inverse/internal/nearest_pose.h>
 #include <beeline/inverse/internal/nearest_search.h>
-#include <beeline/inverse/internal/solution_set.h>
+#include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -80,8 +81,9 @@ void set_violation(const Infeasibility& violation, InverseResult& result) {
 }
 
 /// The reason has values if result.nearest is known.
-void set_unreachable(const Request& request, const UnconstrainedResult& evidence,
-                     InverseResult& result) {
+void set_unreachable(const Request& request, StageResult& found) {
+  const UnconstrainedResult& evidence = found.unconstrained;
+  InverseResult& result = found.result;
   if (evidence.violation && !evidence.violation->of_orientation) {
     set_violation(*evidence.violation, result);
   } else {
@@ -101,9 +103,9 @@ void set_unreachable(const Request& request, const UnconstrainedResult& evidence
 }
 
 /// The reason has values if result.nearest is known.
-void set_orientation_unreachable(const Request& request, const UnconstrainedResult& evidence,
-                                 InverseResult& result) {
-  if (evidence.violation) return set_violation(*evidence.violation, result);
+void set_orientation_unreachable(const Request& request, StageResult& found) {
+  InverseResult& result = found.result;
+  if (found.unconstrained.violation) return set_violation(*found.unconstrained.violation, result);
   const bool has_position = position_part(request.task).size() > 0;
   result.reason = {
       ReasonCode::orientation_unreachable,
@@ -113,27 +115,35 @@ void set_orientation_unreachable(const Request& request, const UnconstrainedResu
   result.reason.set(ReasonField::angle, result.residual);
 }
 
+/// Sets the status unreachable, orientation_unreachable or outside_limits, with its reason. The
+/// reason of the first two has values if found.result.nearest is known.
+void set_no(const Request& request, InverseStatus status, StageResult& found) {
+  found.result.status = status;
+  if (status == InverseStatus::unreachable) return set_unreachable(request, found);
+  if (status == InverseStatus::orientation_unreachable) {
+    return set_orientation_unreachable(request, found);
+  }
+  found.result.reason = {ReasonCode::solutions_outside_limits};
+}
+
 /// Completes the result and returns true if q is a solution that the stages missed.
-bool accept_if_solution(const Request& request, const Configuration& q, InverseResult& result) {
+bool accept_if_solution(const Request& request, const Configuration& q, StageResult& found) {
   if (error_at(request, q) > request.tolerance) return false;
   if (request.options.method == InverseMethod::closed_form) {
-    set_not_found(request, q, {ReasonCode::no_closed_form_solution}, result);
+    set_not_found(request, q, {ReasonCode::no_closed_form_solution}, found.result);
     return true;
   }
-  add_solution(request, q, result);
-  result.method = "numerical";
-  if (result.solutions.empty()) {
-    const Configuration nearest =
-        nearest_representative(request.arm, q, request.seed, request.bounds);
-    set_outside_limits(request, nearest, false, result);
-  }
+  found.result.method = "numerical";
+  if (add_solution(request, q, found)) return true;
+  const Configuration nearest =
+      nearest_representative(request.arm, q, request.seed, request.bounds);
+  set_outside_limits(request, nearest, false, found.result);
   return true;
 }
 
 /// Runs all stages again without joint limits, for all solutions, and calls accept_if_solution()
 /// with the one that exceeds the limits least.
-bool solve_without_limits(const SolverState& limited, const Request& request,
-                          InverseResult& result) {
+bool solve_without_limits(const SolverState& limited, const Request& request, StageResult& result) {
   if (!any_finite(request.bounds) || request.options.method != InverseMethod::automatic) {
     return false;
   }
@@ -148,38 +158,40 @@ bool solve_without_limits(const SolverState& limited, const Request& request,
   Configuration seed = request.seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
   const Request unlimited = make_request(state, request.goal, seed, request.budget);
-  StageResult found = run_stages(state, unlimited);
-  if (found.result.solutions.empty()) return false;
-  finish(unlimited, found.result);
+  StageResult found;
+  run_stages(state, unlimited, found);
+  if (found.solutions->empty()) return false;
+  sort_solutions(unlimited, *found.solutions);
   UnconstrainedResult evidence;
-  for (const Configuration& q : found.result.solutions) evidence.consider(request, q);
+  for (const Solution& each : *found.solutions) evidence.consider(request, each.q);
   return accept_if_solution(request, *evidence.least_outside, result);
 }
 
 /// Returns the configuration with the nearest pose, limits ignored: by position first, then by
 /// orientation. If the search finds a solution, completes the result and returns nothing.
 std::optional<Configuration> nearest_configuration(SolverState& state, const Request& request,
-                                                   InverseResult& result) {
+                                                   StageResult& found) {
   Configuration q = nearest_for(request, request.task, state, request.seed);
-  if (accept_if_solution(request, q, result)) return std::nullopt;
+  if (accept_if_solution(request, q, found)) return std::nullopt;
   const Task position = position_part(request.task);
   if (position.size() == 0 || position.size() == request.task.size()) return q;
   q = nearest_for(request, position, state, q);
   q = nearest_orientation_of_many(request, position, state, q);
-  if (accept_if_solution(request, q, result)) return std::nullopt;
+  if (accept_if_solution(request, q, found)) return std::nullopt;
   return q;
 }
 
 /// Chooses the status for a request for which no solution is known, with or without limits.
-void set_nearest(const Request& request, const UnconstrainedResult& evidence, bool proved,
-                 const Configuration& q, InverseResult& result) {
+void set_nearest(const Request& request, bool proved, const Configuration& q, StageResult& found) {
+  const UnconstrainedResult& evidence = found.unconstrained;
+  InverseResult& result = found.result;
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   const bool has_position = position_part(request.task).size() > 0;
   const bool away =
       error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
-    return set_no(request, evidence, InverseStatus::unreachable, result);
+    return set_no(request, InverseStatus::unreachable, found);
   }
   // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
@@ -188,7 +200,7 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
   if (evidence.violation || (in_position && (searched || examined))) {
-    return set_no(request, evidence, InverseStatus::orientation_unreachable, result);
+    return set_no(request, InverseStatus::orientation_unreachable, found);
   }
   Reason reason{ReasonCode::no_solution_found};
   if (result.iterations > 0) {
@@ -197,20 +209,78 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   set_not_found(request, q, std::move(reason), result);
 }
 
-}  // namespace
-
-void set_no(const Request& request, const UnconstrainedResult& evidence, InverseStatus status,
-            InverseResult& result) {
-  result.status = status;
-  if (status == InverseStatus::unreachable) return set_unreachable(request, evidence, result);
-  if (status == InverseStatus::orientation_unreachable) {
-    return set_orientation_unreachable(request, evidence, result);
-  }
-  result.reason = {ReasonCode::solutions_outside_limits};
+/// Whether the pose has a solution if limits are ignored, by the values of the redundant joint
+/// beyond its limits. Those within were examined and have none. Nothing if that is not clear.
+std::optional<bool> is_solved_beyond(const SolverState& state, const Request& request) {
+  const PieperSolver& form = state.pieper_solver();
+  const int k = *form.locked();
+  if (kind(request.arm.joint_of(k)) != JointKind::revolute) return std::nullopt;
+  const LockedRange within =
+      locked_range(request.arm, request.bounds, request.seed, k, form.size());
+  const LockedRange beyond{
+      .lower = within.upper, .upper = within.lower + 2 * std::numbers::pi, .seed = within.upper};
+  if (beyond.upper <= beyond.lower) return false;
+  const double intervals =
+      max_range_intervals * (beyond.upper - beyond.lower) / (2 * std::numbers::pi);
+  const Bounds& open = state.defaults->no_limits;
+  LockedRequest locked{
+      form, request,
+      form.request(request.seed, request.weights, open.lower, open.upper, request.tolerance),
+      beyond};
+  LeastOutside outside;
+  const ExaminedRange found = examine_range(
+      locked, outside, std::clamp(static_cast<int>(std::ceil(intervals)), 2, max_range_intervals));
+  if (found.branch.lane < 0) return found.conclusive ? std::optional(false) : std::nullopt;
+  Configuration q(request.arm.dof());
+  form.configuration(found.branch.found, found.branch.lane, found.branch.value, q);
+  return error_at(request, q) <= request.tolerance ? std::optional(true) : std::nullopt;
 }
 
-void diagnose(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
-              InverseResult& result) {
+/// The status of a pose that has no solution, with or without limits.
+std::optional<InverseStatus> status_by_position(SolverState& state, const Request& request) {
+  const Task position = position_part(request.task);
+  if (position.size() == 0 || position.size() == request.task.size()) return std::nullopt;
+  const Configuration& q = nearest_of_searches(request, position, state, request.seed);
+  if (!request.budget.complete()) return std::nullopt;
+  const double error = deviation_at(request, q).position;
+  if (error <= request.tolerance) return InverseStatus::orientation_unreachable;
+  // A minimum so far from zero is not one of rounding.
+  constexpr double far = 1e-3;  // fraction of the arm's size
+  if (error > far * unit_of_length(request.arm)) return InverseStatus::unreachable;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
+                                                    const UnconstrainedResult& evidence) {
+  if (out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance)) {
+    return InverseStatus::unreachable;
+  }
+  if (evidence.violation) {
+    return evidence.violation->of_orientation ? std::nullopt
+                                              : std::optional(InverseStatus::unreachable);
+  }
+  if (evidence.solved_outside) return InverseStatus::outside_limits;
+  if (evidence.least_outside || evidence.doubtful || !request.budget.complete())
+    return std::nullopt;
+  if (evidence.range_examined) {
+    const std::optional<bool> solved = is_solved_beyond(state, request);
+    if (!solved) return std::nullopt;
+    if (*solved) return InverseStatus::outside_limits;
+  } else if (!evidence.complete || evidence.continuum) {
+    return std::nullopt;
+  }
+  return status_by_position(state, request);
+}
+
+void set_unexplained(const Request& request, InverseStatus status, StageResult& found) {
+  found.result.residual = std::numeric_limits<double>::quiet_NaN();
+  set_no(request, status, found);
+}
+
+void diagnose(SolverState& state, const Request& request, StageResult& found) {
+  const UnconstrainedResult& evidence = found.unconstrained;
   const bool proved = evidence.violation || out_of_reach(state.defaults->ball, request.goal,
                                                          request.task, request.tolerance);
   const bool outside = evidence.least_outside && evidence.excess > 0;
@@ -218,17 +288,18 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
     const Configuration& met = state.search().nearest.q;
     const bool nearer =
         state.iterations() > 0 && error_at(request, met) < error_at(request, request.seed);
-    return set_ended_before_solution(request, nearer ? met : request.seed, result);
+    return set_ended_before_solution(request, nearer ? met : Configuration(request.seed),
+                                     found.result);
   }
   if (outside) {
     const bool all_examined = evidence.complete && !evidence.continuum;
-    return set_outside_limits(request, *evidence.least_outside, all_examined, result);
+    return set_outside_limits(request, *evidence.least_outside, all_examined, found.result);
   }
-  const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
-  if (!nearest || (!proved && solve_without_limits(state, request, result))) return;
+  const std::optional<Configuration> nearest = nearest_configuration(state, request, found);
+  if (!nearest || (!proved && solve_without_limits(state, request, found))) return;
   if (!request.budget.complete() && !proved)
-    return set_ended_before_solution(request, *nearest, result);
-  set_nearest(request, evidence, proved, *nearest, result);
+    return set_ended_before_solution(request, *nearest, found.result);
+  set_nearest(request, proved, *nearest, found);
 }
 
 }  // namespace beeline::internal

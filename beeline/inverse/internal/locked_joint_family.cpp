@@ -4,9 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include <beeline/inverse/internal/analytic_families.h>
 #include <beeline/inverse/internal/analytic_family.h>
-#include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/joint_lock.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/stages.h>
@@ -113,8 +111,7 @@ void solve_locked_joint(SolverState& state, const Request& request, StageResult&
   const KeptByThread<LockedJointGrid> grid(state.arm, {k, values}, options);
   const EliminationChoice* const similar = grid->similar ? &*grid->similar : nullptr;
   SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = k});
-  CandidateSolutions candidates(request, found);
-  candidates.evidence().complete = candidates.evidence().branches_complete = false;
+  found.unconstrained.complete = found.unconstrained.branches_complete = false;
   // The first request prepares what the arms keep, as long as the budget lasts. The later ones
   // count the same work, so that they end at the same value.
   for (const Arm& arm : grid->arms) {
@@ -126,9 +123,11 @@ void solve_locked_joint(SolverState& state, const Request& request, StageResult&
   for (std::size_t i = 0; i < values.size() && !request.budget.ended(); ++i) {
     SolverState remaining(grid->arms[i], options, similar);
     const Request locked = make_request(remaining, request.goal, seed, request.budget);
-    const StageResult there = run_stages(remaining, locked);
-    for (const Configuration& q : there.result.solutions) {
-      candidates.add(with(q, k, values[i]), false);
+    StageResult there;
+    run_stages(remaining, locked, there);
+    for (const Solution& solution : *there.solutions) {
+      found.solutions->candidate = with(solution.q, k, values[i]);
+      add_candidate(request, found.solutions->candidate, found);
     }
     if (there.unconstrained.complete && !there.unconstrained.continuum) {
       solved.complete.push_back(values[i]);

@@ -1,9 +1,124 @@
-#include <beeline/inverse/internal/nearest_pose.h>
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
 #include <beeline/inverse/internal/nearest_search.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/damped_least_squares.h>
+#include <beeline/math/minimum_norm.h>
 
 namespace beeline::internal {
 namespace {
+
+// Newton's method converges in about ten steps; Gauss-Newton at a stretched arm converges linearly.
+constexpr int max_steps = 100;
+
+double half_square(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
+  return 0.5 * task_error(task, goal, forward_kinematics(arm, q)).squaredNorm();
+}
+
+/// Returns the gradient -J^T e of half_square(): exact for the position, and for the orientation to
+/// first order in e.
+Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
+  const Eigen::VectorXd error = task_error(task, goal, forward_kinematics(arm, q));
+  return -task_jacobian(arm, q, task).transpose() * error;
+}
+
+Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
+                        const Configuration& q) {
+  // Step of central differences: truncation error h^2 and rounding error 1e-16 / h, both about
+  // 1e-10.
+  constexpr double h = 1e-5;  // radians or metres
+  Eigen::MatrixXd matrix(q.size(), q.size());
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    Configuration below = q, above = q;
+    below[k] -= h;
+    above[k] += h;
+    matrix.col(k) = (gradient(arm, goal, task, above) - gradient(arm, goal, task, below)) / (2 * h);
+  }
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+/// Returns the local minimum of |e|^2 / 2 that Newton's method with Levenberg's damping finds from
+/// q. e is the task's error in metres and radians. Limits are ignored.
+Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                               const Configuration& q) {
+  // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
+  // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
+  // short to change the cost.
+  constexpr double first_damping = 1e-3, min_damping = 1e-12, max_damping = 1e6;
+  constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
+  Configuration best = q;
+  double smallest = half_square(arm, world_T_tool, task, q), damping = first_damping;
+  for (int step = 0; step < max_steps && damping < max_damping; ++step) {
+    const Configuration slope = gradient(arm, world_T_tool, task, best);
+    Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, best);
+    matrix.diagonal().array() += damping;
+    const Eigen::LDLT<Eigen::MatrixXd> factor(matrix);
+    const Configuration next = best - factor.solve(slope);
+    const double cost = factor.isPositive() && next.allFinite()
+                            ? half_square(arm, world_T_tool, task, next)
+                            : smallest;
+    if (!(cost < smallest)) {
+      damping *= 10;
+      continue;
+    }
+    const bool done = smallest - cost < converged * smallest;
+    best = next;
+    smallest = cost;
+    damping = std::max(damping / 10, min_damping);
+    if (done) break;
+  }
+  return best;
+}
+
+/// Minimises the orientation error from q subject to the position, to a local minimum, by
+/// Gauss-Newton steps in the null space of the position's Jacobian. Requires that q satisfies the
+/// position part of the task and that the task has rows of both. Accurate to about 1e-3 rad if the
+/// arm is stretched at the minimum, unless the budget ends it.
+Configuration nearest_orientation(const Request& request, const Configuration& q) {
+  const Arm& arm = request.arm;
+  const Pose& world_T_tool = request.goal;
+  const Task& task = request.task;
+  const int positions = position_part(task).size(), angles = task.size() - positions;
+  const auto error_at = [&](const Configuration& at) {
+    return task_error(task, world_T_tool, forward_kinematics(arm, at));
+  };
+  Configuration best = q, at = q;
+  double smallest = error_at(q).tail(angles).norm();
+  for (int step = 0; step < max_steps && !request.budget.ended(); ++step) {
+    const Eigen::MatrixXd j = task_jacobian(arm, at, task);
+    const Eigen::VectorXd error = error_at(at);
+    const Eigen::MatrixXd linear = j.topRows(positions), angular = j.bottomRows(angles);
+    const Eigen::MatrixXd inverse = pseudo_inverse(linear);
+    const Configuration correction = inverse * error.head(positions);
+    const Eigen::MatrixXd null_space =
+        Eigen::MatrixXd::Identity(q.size(), q.size()) - inverse * linear;
+    // Keeps steps at singularities finite; shortens regular steps by about 1e-6.
+    constexpr double damping = 1e-6;
+    const Eigen::MatrixXd rotation = angular * null_space;
+    const Eigen::VectorXd remainder = error.tail(angles) - angular * correction;
+    Configuration change = correction + damped_least_squares(rotation, remainder, damping);
+    constexpr double longest = 0.3;  // radians or metres: the range of the linear model
+    if (change.norm() > longest) change *= longest / change.norm();
+    at += change;
+    const Eigen::VectorXd now = error_at(at);
+    // A step changes the position in second order. The result is accepted once later steps have
+    // corrected that.
+    constexpr double in_position = 1e-9;  // metres
+    if (now.head(positions).norm() < in_position && now.tail(angles).norm() < smallest) {
+      smallest = now.tail(angles).norm();
+      best = at;
+    }
+    constexpr double converged = 1e-12;  // radians or metres
+    if (change.norm() < converged) break;
+  }
+  for (int step = 0; step < 2; ++step) {  // brings the position error to rounding
+    const Eigen::MatrixXd linear = task_jacobian(arm, best, task).topRows(positions);
+    best += minimum_norm_solution(linear, error_at(best).head(positions)).x;
+  }
+  return best;
+}
 
 /// Returns the goal. A goal far beyond the reach is moved towards the arm, so that the error keeps
 /// its digits.
@@ -18,28 +133,44 @@ Pose goal_within_digits(const Request& request) {
   return goal;
 }
 
+/// Runs the searches, limits ignored. A reference into the state.
+SearchResult& search_starts(const Request& request, const Task& task, const Pose& goal,
+                            SolverState& state, const ConfigurationRef& start, int max_iterations,
+                            bool all) {
+  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{task, true});
+  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, goal, start,
+              {.tolerance = request.tolerance,
+               .max_iterations = max_iterations,
+               .max_restarts = max_starts,
+               .all = all,
+               .random_seed = request.options.random_seed,
+               .budget = request.budget},
+              state.buffers(), state.search());
+  return state.search();
+}
+
 }  // namespace
 
 Deviation deviation_at(const Request& request, const Configuration& q) {
   return task_deviation(request.task, request.goal, forward_kinematics(request.arm, q));
 }
 
+Task position_part(const Task& task) {
+  Task part = task;
+  for (std::size_t i = 3; i < 6; ++i) part.rows[i] = false;
+  return part;
+}
+
 const Configuration& nearest_of_searches(const Request& request, const Task& task,
-                                         SolverState& state, const Configuration& start) {
-  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{task, true});
-  multi_start({request.arm, *problem, seeds_for(state, true, *problem)},
-              goal_within_digits(request), start,
-              {.tolerance = request.tolerance,
-               .max_iterations = 200,  // towards a minimum above zero it converges linearly
-               .max_restarts = max_starts,
-               .random_seed = request.options.random_seed,
-               .budget = request.budget},
-              state.buffers(), state.search());
-  return state.search().nearest.q;
+                                         SolverState& state, const ConfigurationRef& start) {
+  constexpr int max_iterations = 200;  // towards a minimum above zero it converges linearly
+  return search_starts(request, task, goal_within_digits(request), state, start, max_iterations,
+                       false)
+      .nearest.q;
 }
 
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
-                          const Configuration& start) {
+                          const ConfigurationRef& start) {
   const Configuration& q = nearest_of_searches(request, task, state, start);
   if (state.search().nearest.converged || request.arm.dof() > max_refined) return q;
   return nearest_for_task(request.arm, goal_within_digits(request), task, q);
@@ -48,20 +179,12 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,
                                           SolverState& state, const Configuration& start) {
   if (deviation_at(request, start).position > request.tolerance) return start;
-  const Kept<NumericalProblem> problem(request.arm, NumericalProblem::Key{position, true});
-  multi_start({request.arm, *problem, seeds_for(state, true, *problem)}, request.goal, start,
-              {.tolerance = request.tolerance,
-               .max_restarts = max_starts,
-               .all = true,
-               .random_seed = request.options.random_seed,
-               .budget = request.budget},
-              state.buffers(), state.search());
-  Configuration best =
-      nearest_orientation(request.arm, request.goal, request.task, start, request.budget);
-  for (const Configuration& q : state.search().solutions) {
+  const SearchResult& found = search_starts(request, position, request.goal, state, start,
+                                            MultiStartOptions{}.max_iterations, true);
+  Configuration best = nearest_orientation(request, start);
+  for (const Configuration& q : found.solutions) {
     if (request.budget.ended()) break;
-    const Configuration there =
-        nearest_orientation(request.arm, request.goal, request.task, q, request.budget);
+    const Configuration there = nearest_orientation(request, q);
     if (deviation_at(request, there).orientation < deviation_at(request, best).orientation) {
       best = there;
     }

@@ -15,14 +15,17 @@ inline constexpr int max_refined = 12;
 
 Deviation deviation_at(const Request& request, const Configuration& q);
 
+/// Returns the task's rows for the position.
+Task position_part(const Task& task);
+
 /// Returns the configuration of least error in the rows of `task` among the ends of max_starts
 /// searches, limits ignored. A reference into the state.
 const Configuration& nearest_of_searches(const Request& request, const Task& task,
-                                         SolverState& state, const Configuration& start);
+                                         SolverState& state, const ConfigurationRef& start);
 
 /// The same; a local minimum is then located to rounding.
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
-                          const Configuration& start);
+                          const ConfigurationRef& start);
 
 /// Returns the configuration of least orientation error among many at the goal's position, or
 /// `start` if it does not reach that position.

@@ -2,7 +2,6 @@
 #include <bit>
 
 #include <beeline/inverse/internal/numerical_stage.h>
-#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/numerical/representative.h>
 
 namespace beeline::internal {
@@ -10,48 +9,50 @@ namespace {
 
 /// Calls multi_start() and adds its solutions; with `all`, uses all restarts.
 void search(SolverState& state, const Request& request, const Search& from, int restarts, bool all,
-            InverseResult& result) {
-  Configuration start = request.seed;
-  wrap_unlimited_angles(request.arm, from.problem.bounds, 0, start);
-  PostureIndex known;
+            StageResult& found) {
   MultiStartOptions options{.tolerance = request.tolerance,
                             .max_iterations = request.options.max_iterations,
-                            .max_restarts = restarts,
+                            .max_restarts = std::min(request.options.max_restarts, restarts),
                             .all = all,
+                            .continue_nearest = !request.quick,
                             .random_seed = request.options.random_seed,
                             .budget = request.budget};
   // There may be very many solutions, and the budget must also end their storage.
-  if (all) {
-    options.found = [&](const Configuration& q) { add_solution(request, q, result, &known); };
+  if (all) options.found = [&](const Configuration& q) { add_solution(request, q, found); };
+  SearchResult& ended = state.search();
+  if (request.quick) {
+    multi_start(from, request.goal, request.seed, options, state.buffers(), ended);
+  } else {
+    Configuration start = request.seed;
+    wrap_unlimited_angles(request.arm, from.problem.bounds, 0, start);
+    multi_start(from, request.goal, start, options, state.buffers(), ended);
   }
-  const SearchResult& found = state.search();
-  multi_start(from, request.goal, start, options, state.buffers(), state.search());
-  result.iterations += found.iterations;
-  result.restarts += found.restarts;
+  found.result.iterations += ended.iterations;
+  found.result.restarts += ended.restarts;
   if (all) return;
-  for (const Configuration& q : found.solutions) add_solution(request, q, result);
+  for (const Configuration& q : ended.solutions) add_solution(request, q, found);
 }
 
-/// Runs Levenberg-Marquardt within limits from one configuration and adds its solution.
-void solve_from(const Request& request, const Configuration& start, InverseResult& result) {
+/// Runs Levenberg-Marquardt within limits from the seed and adds its solution.
+void solve_from_seed(const Request& request, StageResult& found) {
   const NumericalResult run =
-      levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, start,
+      levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, request.seed,
                           {.tolerance = request.tolerance,
                            .max_iterations = request.options.max_iterations,
                            .budget = request.budget});
-  result.iterations += run.iterations;
-  if (run.converged) add_solution(request, run.q, result);
+  found.result.iterations += run.iterations;
+  if (run.converged) add_solution(request, run.q, found);
 }
 
 /// Steps the lanes that are started until one converges. Returns that lane, or -1.
-int first_to_converge(SolverState& state, const NumericalProblem& problem, const Pose& goal,
-                      double tolerance) {
-  LevenbergMarquardtLanes& lanes = state.buffers().lanes;
-  const int max_iterations = state.options.max_iterations;
+int first_to_converge(const Request& request, const NumericalProblem& problem,
+                      LevenbergMarquardtLanes& lanes) {
+  const int max_iterations = request.options.max_iterations;
   while (lanes.active != 0 && lanes.converged == 0) {
-    run_lanes(problem, goal,
-              {.tolerance = tolerance, .max_iterations = max_iterations, .first_is_enough = true},
-              max_iterations, lanes);
+    run_lanes(
+        problem, request.goal,
+        {.tolerance = request.tolerance, .max_iterations = max_iterations, .first_is_enough = true},
+        max_iterations, lanes);
   }
   return lanes.converged != 0 ? std::countr_zero(lanes.converged) : -1;
 }
@@ -63,13 +64,12 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
   const Search without_limits{request.arm, *unlimited, seeds_for(state, true, *unlimited)};
   // More restarts find more postures, but most requests in this stage have no solution.
   constexpr int max_restarts_without_limits = 100;
-  search(state, request, without_limits,
-         std::min(request.options.max_restarts, max_restarts_without_limits), true, found.result);
+  search(state, request, without_limits, max_restarts_without_limits, true, found);
   const std::vector<Configuration> postures = state.search().solutions;
   const NumericalProblem& problem = search_within_bounds(state).problem;
   for (const Configuration& q : postures) found.unconstrained.consider(request, q);
   for (std::size_t first = 0; first < postures.size(); first += solver_lane_count) {
-    if (!found.result.solutions.empty() || request.budget.ended()) break;
+    if (!found.solutions->empty() || request.budget.ended()) break;
     LevenbergMarquardtLanes& lanes = state.buffers().lanes;
     lanes.active = lanes.converged = 0;
     const std::size_t end = std::min(first + solver_lane_count, postures.size());
@@ -78,70 +78,53 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
           nearest_representative(request.arm, postures[i], request.seed, request.bounds);
       start_lane(problem, nearest.data(), static_cast<int>(i - first), lanes);
     }
-    const int lane = first_to_converge(state, problem, request.goal, request.tolerance);
+    const int lane = first_to_converge(request, problem, lanes);
     if (lane < 0) continue;
     Configuration q(request.arm.dof());
     lane_configuration(problem, lanes, lane, q.data());
-    add_solution(request, q, found.result);
+    add_solution(request, q, found);
   }
 }
 
 }  // namespace
 
-bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
-  // This solves nearly all poses that have a solution. For the others the numerical stage begins
-  // anew.
-  constexpr int few_restarts = 64;
-  multi_start(search_within_bounds(state), goal, seed,
-              {.tolerance = state.options.tolerance,
-               .max_iterations = state.options.max_iterations,
-               .max_restarts = std::min(state.options.max_restarts, few_restarts),
-               .continue_nearest = false,
-               .random_seed = state.options.random_seed,
-               .budget = budget},
-              state.buffers(), state.search());
-  if (state.search().solutions.empty()) return false;
-  solutions.col(0) = state.search().solutions.front();
-  return true;
-}
-
-bool search_from_seed(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      BudgetMeter& budget, Eigen::Ref<Configuration> q) {
-  const bool converged = search_from_start(search_within_bounds(state), goal, seed,
-                                           {.tolerance = state.options.tolerance,
-                                            .max_iterations = state.options.max_iterations,
-                                            .budget = budget},
+bool search_from_seed(SolverState& state, const Request& request, Configuration& q) {
+  const bool converged = search_from_start(search_within_bounds(state), request.goal, request.seed,
+                                           {.tolerance = request.options.tolerance,
+                                            .max_iterations = request.options.max_iterations,
+                                            .budget = request.budget},
                                            state.buffers(), state.search());
   if (converged) q = state.search().nearest.q;
   return converged;
 }
 
-bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,
-                        double tolerance, Eigen::Ref<Configuration> q) {
+bool solve_from_outside(SolverState& state, const Request& request, const LeastOutside& outside,
+                        Configuration& q) {
   const NumericalProblem& problem = search_within_bounds(state).problem;
   LevenbergMarquardtLanes& lanes = state.buffers().lanes;
   lanes.active = lanes.converged = 0;
   for (int i = 0; i < outside.count; ++i) start_lane(problem, outside.q[i], i, lanes);
-  const int lane = first_to_converge(state, problem, goal, tolerance);
+  const int lane = first_to_converge(request, problem, lanes);
   if (lane >= 0) lane_configuration(problem, lanes, lane, q.data());
   return lane >= 0;
 }
 
 void solve_numerical(SolverState& state, const Request& request, StageResult& found) {
-  InverseResult& result = found.result;
-  const bool first = result.solutions.empty();
+  // Few restarts solve nearly all poses that have a solution. For the others the search begins
+  // anew.
+  constexpr int few_restarts = 64;
+  const bool first = found.solutions->empty(), all = request.options.all;
   // If one solution is requested, the branch of the seed is tried first.
-  if (!request.options.all) solve_from(request, request.seed, result);
-  if (request.options.all || result.solutions.empty()) {
-    search(state, request, search_within_bounds(state), request.options.max_restarts,
-           request.options.all, result);
-    if (result.solutions.empty() && any_finite(request.bounds) && !found.unconstrained.complete &&
-        !request.budget.ended()) {
+  if (!all && !request.quick) solve_from_seed(request, found);
+  if (all || found.solutions->empty()) {
+    const int restarts = request.quick ? few_restarts : request.options.max_restarts;
+    search(state, request, search_within_bounds(state), restarts, all, found);
+    if (found.solutions->empty() && !request.quick && any_finite(request.bounds) &&
+        !found.unconstrained.complete && !request.budget.ended()) {
       search_without_limits(state, request, found);
     }
   }
-  if (first && !result.solutions.empty()) result.method = "numerical";
+  if (first && !found.solutions->empty()) found.result.method = "numerical";
 }
 
 }  // namespace beeline::internal

@@ -1,29 +1,23 @@
 #pragma once
 
 #include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/inverse/internal/solutions.h>
 #include <beeline/inverse/internal/solver_state.h>
-#include <beeline/inverse/internal/stage_result.h>
 
 namespace beeline::internal {
 
 /// Adds the solutions that multi_start() finds. If none is within limits, adds the evidence of a
-/// search without limits.
+/// search without limits. With request.quick there are few restarts, and no other searches.
 void solve_numerical(SolverState& state, const Request& request, StageResult& found);
-
-/// Writes one solution of multi_start() from the seed into the first column. Returns whether it
-/// finds one. Allocates in the thread's first call only.
-bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Writes the solution within limits to which a search from the seed converges into q, if the tool
 /// is near the pose at the seed. Returns whether there is one.
-bool search_from_seed(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      BudgetMeter& budget, Eigen::Ref<Configuration> q);
+bool search_from_seed(SolverState& state, const Request& request, Configuration& q);
 
 /// Runs Levenberg-Marquardt within limits from up to eight solutions outside them, and writes the
 /// first that converges into q. Returns whether one converges. Allocates in the thread's first call
 /// only.
-bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,
-                        double tolerance, Eigen::Ref<Configuration> q);
+bool solve_from_outside(SolverState& state, const Request& request, const LeastOutside& outside,
+                        Configuration& q);
 
 }  // namespace beeline::internal

@@ -1,6 +1,5 @@
 #include <beeline/inverse/analytic/planar_solver.h>
 #include <beeline/inverse/internal/analytic_family.h>
-#include <beeline/inverse/internal/candidate_solutions.h>
 
 namespace beeline::internal {
 namespace {
@@ -12,13 +11,12 @@ bool applies_planar(SolverState& state) {
 std::string planar_name(const SolverState&) { return "planar"; }
 
 void solve_planar(SolverState&, const Request& request, StageResult& found) {
-  CandidateSolutions candidates(request, found);
-  for (const PlanarSolution& candidate : nearest_planar_solutions(
-           request.arm, request.goal, request.task, request.seed, request.tolerance)) {
-    candidates.add(candidate.q, candidate.continuum);
+  for (PlanarSolution& candidate : nearest_planar_solutions(request.arm, request.goal, request.task,
+                                                            request.seed, request.tolerance)) {
+    add_candidate(request, candidate.q, found, {.continuum = candidate.continuum});
     if (!candidate.continuum || !any_finite(request.bounds)) continue;
     // Other solutions of the continuum may be within the limits, or apart from this one.
-    candidates.evidence().branches_complete = false;
+    found.unconstrained.branches_complete = false;
   }
 }
 

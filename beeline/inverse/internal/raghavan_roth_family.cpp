@@ -1,5 +1,4 @@
 #include <beeline/inverse/internal/analytic_family.h>
-#include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/model/internal/chain.h>
 
 namespace beeline::internal {
@@ -16,13 +15,14 @@ bool applies_raghavan_roth(SolverState& state) {
 std::string raghavan_roth_name(const SolverState&) { return "general six joints"; }
 
 void solve_raghavan_roth(SolverState& state, const Request& request, StageResult& found) {
-  CandidateSolutions candidates(request, found);
-  UnconstrainedResult& evidence = candidates.evidence();
   Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
   const Kept<RaghavanRothSolver> solver(state.arm, OnlyKey{}, **state.eliminations);
   const RaghavanRothSolver::Result all = solver->solve(request.goal, q);
-  for (int i = 0; i < all.count; ++i) candidates.add(q.col(i), false);
-  evidence.doubtful = evidence.doubtful || !all.complete;
+  for (int i = 0; i < all.count; ++i) {
+    found.solutions->candidate = q.col(i);
+    add_candidate(request, found.solutions->candidate, found);
+  }
+  found.unconstrained.doubtful |= !all.complete;
 }
 
 }  // namespace

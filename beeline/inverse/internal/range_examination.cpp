@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/inverse/internal/range_examination.h>
+#include <beeline/inverse/internal/self_motion_branches.h>
 #include <beeline/math/minimise.h>
 
 namespace beeline::internal {
@@ -10,13 +11,8 @@ namespace {
 /// The branches over the range of the redundant joint, lane by lane.
 class RangeExamination {
  public:
-  RangeExamination(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                   PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside, int intervals)
-      : form_(form),
-        goal_(goal),
-        range_(range),
-        loop_(loop),
-        budget_(budget),
+  RangeExamination(LockedRequest& locked, LeastOutside& outside, int intervals)
+      : locked_(locked),
         outside_(outside),
         intervals_(std::clamp(intervals, 1, max_range_intervals)) {}
 
@@ -32,7 +28,7 @@ class RangeExamination {
       }
     }
     const bool away = outside_.count == 0 || outside_.excess[0] > near;
-    return {branch_, clean_ && away && !budget_.ended()};
+    return {branch_, clean_ && away && !locked_.request.budget.ended()};
   }
 
  private:
@@ -43,25 +39,24 @@ class RangeExamination {
     bool hidden;  ///< whether rounding may hide a solution
     bool found(int lane) const { return cost[lane] < none; }
   };
-  static constexpr double none = 1e6;
+  static constexpr double none = no_solution;
   // Branches that come nearer to the limits, and loops that are nearer to closing, radians or
   // metres, may be solutions to rounding.
   static constexpr double near = 1e-5;
 
-  bool done() const { return branch_.lane >= 0 || budget_.ended(); }
+  bool done() const { return branch_.lane >= 0 || locked_.request.budget.ended(); }
 
   double value(int i) const {
-    return range_.lower + (range_.upper - range_.lower) * i / intervals_;
+    const LockedRange& range = locked_.range;
+    return range.lower + (range.upper - range.lower) * i / intervals_;
   }
 
   void evaluate(double value, Sample& sample) {
-    branch_.value = value;
-    PieperBranches& found = branch_.found;
-    form_.branches(goal_, value, loop_, found);
-    branch_.lane = nearest_lane(loop_, found);
+    internal::evaluate(locked_, value, branch_);
+    const PieperBranches& found = branch_.found;
     if (branch_.lane < 0 && found.within != 0) clean_ = false;  // a loop that does not close
     clean_ &= found.continuum == 0;
-    sample.hidden = nearly_found(form_, found);
+    sample.hidden = nearly_found(locked_.form, found);
     for (int lane = 0; lane < 8; ++lane) {
       const bool solved = (found.found >> lane & 1) != 0;
       sample.cost[lane] = solved ? found.excess[lane] : none + found.residual[lane];
@@ -74,20 +69,6 @@ class RangeExamination {
            (i == intervals_ || here < samples_[i + 1].cost[lane]);
   }
 
-  /// Whether a local minimum at value i may reach zero nearby: it is below twice the step to a
-  /// neighbour.
-  bool may_reach_zero(int lane, int i) const {
-    const bool found = samples_[i].found(lane);
-    const double here = samples_[i].cost[lane];
-    double step = 0;
-    for (const int next : {std::max(i - 1, 0), std::min(i + 1, intervals_)}) {
-      if (samples_[next].found(lane) == found) {
-        step = std::max(step, samples_[next].cost[lane] - here);
-      }
-    }
-    return here - (found ? 0 : none) < 2 * step;
-  }
-
   /// Whether a branch that ends between the values i and i + 1 may have zero excess there. Joints
   /// move fast next to the end.
   bool ends_near_zero(int lane, int i) const {
@@ -97,12 +78,14 @@ class RangeExamination {
   }
 
   void examine_minimum(int lane, int i) {
-    if (may_reach_zero(lane, i)) {
-      refine(lane, std::max(i - 1, 0), std::min(i + 1, intervals_));
+    const int before = std::max(i - 1, 0), after = std::min(i + 1, intervals_);
+    if (may_reach_zero(samples_[i].cost[lane], samples_[before].cost[lane],
+                       samples_[after].cost[lane])) {
+      refine(lane, before, after);
     } else if (samples_[i].found(lane)) {
       Sample sample{};
       evaluate(value(i), sample);
-      outside_.insert(form_, branch_, lane);
+      outside_.insert(locked_.form, branch_, lane);
     }
   }
 
@@ -145,15 +128,11 @@ class RangeExamination {
     evaluate(least.x, sample);
     if (done()) return;
     refined |= same & twins(sample, lane);
-    if (sample.found(lane)) outside_.insert(form_, branch_, lane);
+    if (sample.found(lane)) outside_.insert(locked_.form, branch_, lane);
     clean_ &= sample.found(lane) || least.value > none + near;
   }
 
-  const PieperSolver& form_;
-  const Pose& goal_;
-  const LockedRange& range_;
-  PieperRequest& loop_;
-  BudgetMeter& budget_;
+  LockedRequest& locked_;
   LeastOutside& outside_;
   const int intervals_;
   Sample samples_[max_range_intervals + 1]{};
@@ -165,10 +144,8 @@ class RangeExamination {
 
 }  // namespace
 
-ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside,
-                            int intervals) {
-  return RangeExamination(form, goal, range, loop, budget, outside, intervals).run();
+ExaminedRange examine_range(LockedRequest& locked, LeastOutside& outside, int intervals) {
+  return RangeExamination(locked, outside, intervals).run();
 }
 
 }  // namespace beeline::internal

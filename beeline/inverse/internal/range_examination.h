@@ -17,8 +17,7 @@ inline constexpr int max_range_intervals = 64;
 /// limits on a grid of `intervals` and refines each local minimum that may reach zero by
 /// golden-section search. The result is inconclusive if rounding may hide a solution or if a branch
 /// comes near the limits. Does not allocate.
-ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside,
+ExaminedRange examine_range(LockedRequest& locked, LeastOutside& outside,
                             int intervals = max_range_intervals);
 
 }  // namespace beeline::internal

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <beeline/inverse/internal/redundancy.h>
-#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/math/minimum_norm.h>
 
@@ -94,19 +93,24 @@ double redundancy_objective(const Request& request, const Configuration& q) {
   return -margin;
 }
 
-void optimise_redundancy(const Request& request, InverseResult& result) {
+void optimise_redundancy(const Request& request, StageResult& found) {
   const NumericalResult from_seed =
       levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, request.seed,
                           {.tolerance = request.tolerance});
-  result.iterations += from_seed.iterations;
-  if (from_seed.converged) add_solution(request, from_seed.q, result);
-  const std::vector<Configuration> found = result.solutions;
-  for (const Configuration& q : found) result.solutions.push_back(optimised(request, q));
-  result.solutions = {*std::min_element(result.solutions.begin(), result.solutions.end(),
-                                        [&request](const Configuration& a, const Configuration& b) {
-                                          return redundancy_objective(request, a) <
-                                                 redundancy_objective(request, b);
-                                        })};
+  found.result.iterations += from_seed.iterations;
+  if (from_seed.converged) add_solution(request, from_seed.q, found);
+  std::vector<Configuration> candidates;
+  for (const Solution& each : *found.solutions) candidates.push_back(each.q);
+  for (std::size_t i = 0, count = candidates.size(); i < count; ++i) {
+    candidates.push_back(optimised(request, candidates[i]));
+  }
+  const Configuration& best = *std::min_element(
+      candidates.begin(), candidates.end(),
+      [&request](const Configuration& a, const Configuration& b) {
+        return redundancy_objective(request, a) < redundancy_objective(request, b);
+      });
+  found.solutions->resize(0);
+  found.solutions->add() = {best, error_at(request, best)};
 }
 
 Configuration optimised(const Request& request, const Configuration& q) {

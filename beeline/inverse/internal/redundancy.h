@@ -1,13 +1,13 @@
 #pragma once
 
-#include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/internal/solutions.h>
 
 namespace beeline::internal {
 
 /// Replaces the solutions by the one that optimises request.options.redundancy. The candidates are
 /// these solutions, the one to which Levenberg-Marquardt converges from the seed, and the result of
 /// optimised() for each.
-void optimise_redundancy(const Request& request, InverseResult& result);
+void optimise_redundancy(const Request& request, StageResult& found);
 
 /// Returns what request.options.redundancy minimises at a solution: for Redundancy::centred, minus
 /// the least margin to the limits, else the distance from the seed.

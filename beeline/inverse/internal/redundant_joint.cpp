@@ -12,14 +12,17 @@ namespace {
 
 /// Returns the objective to be minimised: the squared distance from the seed, or minus the smallest
 /// margin to a limit.
-double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
-            const LockedRange& range, double value, Redundancy redundancy) {
-  if (redundancy == Redundancy::nearest) {
-    return found.distance[lane] + range.weight * (value - range.seed) * (value - range.seed);
+double cost(const LockedRequest& locked, const LockedBranch& branch, int lane) {
+  const LockedRange& range = locked.range;
+  const PieperBranches& found = branch.found;
+  if (locked.request.redundancy == Redundancy::nearest) {
+    const double away = branch.value - range.seed;
+    return found.distance[lane] + range.weight * away * away;
   }
-  double margin = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
+  double margin = range.limited ? limit_margin(branch.value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
-    margin = std::min(margin, limit_margin(found.q[k][lane], loop.lower[k], loop.upper[k]));
+    const double lower = locked.loop.lower[k], upper = locked.loop.upper[k];
+    margin = std::min(margin, limit_margin(found.q[k][lane], lower, upper));
   }
   return -margin;
 }
@@ -106,23 +109,25 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   return false;
 }
 
-LockedBranch branch_at(const PieperSolver& form, const Pose& goal, double value,
-                       PieperRequest& loop, LeastOutside& outside) {
-  LockedBranch branch;
+void evaluate(LockedRequest& locked, double value, LockedBranch& branch) {
   branch.value = value;
-  form.branches(goal, value, loop, branch.found);
-  branch.lane = nearest_lane(loop, branch.found);
+  locked.form.branches(locked.request.goal, value, locked.loop, branch.found);
+  branch.lane = nearest_lane(locked.loop, branch.found);
+}
+
+LockedBranch branch_at(LockedRequest& locked, double value, LeastOutside& outside) {
+  LockedBranch branch;
+  evaluate(locked, value, branch);
   if (branch.lane >= 0) return branch;
   for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
-    outside.insert(form, branch, std::countr_zero(rest));
+    outside.insert(locked.form, branch, std::countr_zero(rest));
   }
   return branch;
 }
 
-LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& loop, BudgetMeter& budget,
-                          LeastOutside& outside) {
+LockedBranch first_within(LockedRequest& locked, int tries, LeastOutside& outside) {
   // Each round halves the step and tries the values between the previous ones.
+  const LockedRange& range = locked.range;
   const double width = range.upper - range.lower;
   double step = width / 4;
   int tried = 0;
@@ -130,8 +135,8 @@ LockedBranch first_within(const PieperSolver& form, const Pose& goal, const Lock
     for (int i = 1; i * step <= width && tried < tries; i += first ? 1 : 2) {
       for (const double value : {range.seed + i * step, range.seed - i * step}) {
         if (value < range.lower || value > range.upper) continue;
-        if (budget.ended()) return {};
-        const LockedBranch branch = branch_at(form, goal, value, loop, outside);
+        if (locked.request.budget.ended()) return {};
+        const LockedBranch branch = branch_at(locked, value, outside);
         if (branch.lane >= 0) return branch;
         ++tried;
       }
@@ -149,31 +154,29 @@ std::vector<double> grid_values(const LockedRange& range, int grid) {
   return values;
 }
 
-LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& loop,
-                         BudgetMeter& budget) {
+LockedBranch best_within(LockedRequest& locked) {
+  const LockedRange& range = locked.range;
   constexpr double none = std::numeric_limits<double>::infinity();
   LockedBranch best, branch;
   double smallest = none;
   const auto cost_at = [&](double value) {
-    if (budget.ended()) return none;
-    form.branches(goal, value, loop, branch.found);
+    if (locked.request.budget.ended()) return none;
+    evaluate(locked, value, branch);
     double lowest = none;
     for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
-      if (!(branch.found.residual[lane] <= loop.max_residual)) continue;
-      const double here = cost(loop, branch.found, lane, range, value, redundancy);
+      if (!(branch.found.residual[lane] <= locked.loop.max_residual)) continue;
+      const double here = cost(locked, branch, lane);
       lowest = std::min(lowest, here);
       if (here < smallest) {
         smallest = here;
         best = branch;
-        best.value = value;
         best.lane = lane;
       }
     }
     return lowest;
   };
-  std::vector<double> values = grid_values(range, grid);
+  std::vector<double> values = grid_values(range, locked.request.options.grid);
   values.push_back(range.seed);
   std::sort(values.begin(), values.end());
   std::vector<double> costs;

@@ -18,6 +18,14 @@ struct LockedRange {
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
                          int coordinate, double size);
 
+/// A request to a closed form that has a locked coordinate.
+struct LockedRequest {
+  const PieperSolver& form;
+  const Request& request;
+  PieperRequest loop;      ///< form.request() with the seed, weights and limits that count
+  LockedRange range = {};  ///< of the locked coordinate
+};
+
 /// A branch with the value of the locked coordinate.
 struct LockedBranch {
   double value = 0;
@@ -43,22 +51,22 @@ struct LeastOutside {
   void insert(const PieperSolver& form, const LockedBranch& branch, int lane);
 };
 
+/// Computes the branches for a value of the redundant joint; the lane is the nearest_lane().
+void evaluate(LockedRequest& locked, double value, LockedBranch& branch);
+
 /// Returns the branch within limits that is nearest to the seed, for a value of the redundant
 /// joint. Adds the others to `outside` if there is none.
-LockedBranch branch_at(const PieperSolver& form, const Pose& goal, double value,
-                       PieperRequest& loop, LeastOutside& outside);
+LockedBranch branch_at(LockedRequest& locked, double value, LeastOutside& outside);
 
 /// Tries values of the redundant joint other than the seed's until a branch is within limits, up to
 /// `tries` values: at multiples of a quarter of the range from the seed's, then of an eighth, and
 /// so on, nearest to the seed first. Does not allocate.
-LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& loop, BudgetMeter& budget,
-                          LeastOutside& outside);
+LockedBranch first_within(LockedRequest& locked, int tries, LeastOutside& outside);
 
-/// Returns the branch within limits that is nearest to the seed, or farthest from the limits.
-/// Refines the three best values of a grid between their neighbours by golden-section search.
-LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& loop, BudgetMeter& budget);
+/// Returns the branch within limits that is nearest to the seed, or farthest from the limits, as
+/// the request asks. Refines the three best values of its grid between their neighbours by
+/// golden-section search.
+LockedBranch best_within(LockedRequest& locked);
 
 /// Returns the values of a grid over the range, its ends included.
 std::vector<double> grid_values(const LockedRange& range, int grid);

@@ -86,10 +86,9 @@ const InverseOptions& checked_options(const Arm& arm, const InverseOptions& opti
   return options;
 }
 
-Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                     BudgetMeter& budget) {
+Request make_request(const SolverState& state, const Pose& world_T_tool,
+                     const ConfigurationRef& seed, BudgetMeter& budget) {
   const Pose goal = checked_pose(world_T_tool);
-  check_configuration(state.arm, seed);
   return {.arm = state.arm,
           .options = state.options,
           .goal = goal,
@@ -98,12 +97,12 @@ Request make_request(const SolverState& state, const Pose& world_T_tool, const C
           .bounds = state.bounds,
           .weights = state.weights,
           .tolerance = std::max(state.options.tolerance, rounding_of(state.arm, goal)),
-          .budget = budget};
+          .budget = budget,
+          .redundancy = state.options.redundancy};
 }
 
-double distance_from_seed(const Request& request, const Configuration& q) {
-  const Configuration away = q - request.seed;
-  return std::sqrt(request.weights.dot(away.cwiseAbs2()));
+double distance_from_seed(const Request& request, const ConfigurationRef& q) {
+  return std::sqrt(request.weights.dot((q - request.seed).cwiseAbs2()));
 }
 
 void wrap_unlimited_angles(const Arm& arm, const Bounds& bounds, double beyond, Configuration& q) {

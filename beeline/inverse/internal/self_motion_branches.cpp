@@ -174,17 +174,6 @@ class SelfMotionBranches {
     }
   }
 
-  /// Whether a local minimum may reach zero nearby: it is below twice the step to a neighbour of
-  /// the same kind.
-  static bool may_reach_zero(double here, double before, double after) {
-    const double floor = here < no_solution ? 0 : no_solution;
-    double rise = 0;
-    for (const double next : {before, after}) {
-      if ((next < no_solution) == (here < no_solution)) rise = std::max(rise, next - here);
-    }
-    return here - floor < 2 * rise;
-  }
-
   const Request& request_;
   const std::vector<double>& seed_values_;
   const SolutionsAt& solutions_at_;
@@ -195,6 +184,15 @@ class SelfMotionBranches {
 };
 
 }  // namespace
+
+bool may_reach_zero(double here, double before, double after) {
+  const double floor = here < no_solution ? 0 : no_solution;
+  double rise = 0;
+  for (const double next : {before, after}) {
+    if ((next < no_solution) == (here < no_solution)) rise = std::max(rise, next - here);
+  }
+  return here - floor < 2 * rise;
+}
 
 std::vector<Configuration> self_motion_branches(const Request& request,
                                                 const std::vector<double>& seed_values,

@@ -15,6 +15,10 @@ struct FreeSolution {
 };
 inline constexpr double no_solution = 1e6;
 
+/// Whether a local minimum of `miss` may reach zero between its neighbours: it is below twice the
+/// step to a neighbour of the same kind, within no_solution or beyond.
+bool may_reach_zero(double here, double before, double after);
+
 /// A function that evaluates a closed form at given values of its free coordinates. It writes the
 /// solution for each combination of the signs of the roots, always the same number of them in the
 /// same order.

@@ -2,26 +2,21 @@
 #include <algorithm>
 #include <utility>
 
-#include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/joint_lock.h>
 #include <beeline/inverse/internal/pose_tolerance.h>
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/inverse/internal/self_motion_dimension.h>
-#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/solve.h>
-#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
-#include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
 namespace {
 
 /// Solves for the arm with the locked coordinate fixed, which the thread keeps.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
-                              const Configuration& seed, FailureDetail detail,
+                              const ConfigurationRef& seed, FailureDetail detail,
                               BudgetMeter& budget) {
-  check_configuration(state.arm, seed);
   check_lock(state, seed);
   const int k = *state.options.lock;
   const double value = seed[k];
@@ -47,16 +42,9 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
 bool has_self_motion(const Request& request, const Configuration& q) {
   constexpr double rounding = 1e-8;  // relative rounding of the singular values of a solution
   constexpr double length = 0.1;     // length of the step, radians or metres
-  const Eigen::MatrixXd j = task_jacobian(request.arm, q, request.task);
-  if (j.rows() == 6 && j.cols() == 6) {
-    // The least singular value is at least |det| / norm^5; the determinant takes a tenth of the
-    // time.
-    const double determinant = Eigen::Matrix<double, 6, 6>(j).determinant();
-    if (std::abs(determinant) > rounding * std::pow(j.squaredNorm(), 3)) return false;
-  }
-  const SixRowSvd svd = six_row_svd(j);
-  if (svd.singular_values[q.size() - 1] > rounding * svd.singular_values[0]) return false;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> full(j, Eigen::ComputeFullV);
+  if (!nearly_singular(request, q, rounding)) return false;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> full(task_jacobian(request.arm, q, request.task),
+                                               Eigen::ComputeFullV);
   const Configuration moved = q + length * full.matrixV().rightCols<1>();
   const NumericalResult back =
       levenberg_marquardt(request.arm, request.goal, request.task, no_bounds(request.arm), moved,
@@ -65,16 +53,12 @@ bool has_self_motion(const Request& request, const Configuration& q) {
 }
 
 /// Adds the Redundancy::any solution, so that the optimum is never worse than it.
-void add_any_solution(SolverState& state, const Request& request, InverseResult& result) {
-  const Redundancy requested = std::exchange(state.redundancy, Redundancy::any);
-  Configuration q(request.arm.dof());
-  const std::optional<FastSolutions> found =
-      solve_fast_path(state, request.goal, request.seed, request.budget, q);
-  state.redundancy = requested;
-  if (found && found->count == 1 && within(request.bounds, q) &&
-      error_at(request, q) <= request.tolerance) {
-    result.solutions.push_back(q);
-  }
+void add_any_solution(SolverState& state, Request request, StageResult& found) {
+  request.quick = true;
+  request.redundancy = Redundancy::any;
+  StageResult any;
+  const bool usable = run_quick_stages(state, request, any) && !any.solutions->empty();
+  if (usable) found.solutions->add() = *any.solutions->begin();
 }
 
 /// Whether the last search came so near that the searches of diagnose() may find a solution. Every
@@ -87,26 +71,24 @@ bool nearly_solved(SolverState& state) {
 }
 
 /// Sets what `detail` asks for in a result without solutions, or finds one.
-void set_failure(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
-                 FailureDetail detail, InverseResult& result) {
+void set_failure(SolverState& state, const Request& request, FailureDetail detail,
+                 StageResult& found) {
   const bool nearly = nearly_solved(state);
   if (detail == FailureDetail::none && !nearly) return;
   std::optional<InverseStatus> status;
-  if (detail == FailureDetail::status && !nearly) {
-    status = status_without_nearest(state, request, evidence);
-  }
+  if (detail == FailureDetail::status && !nearly)
+    status = status_without_nearest(state, request, found.unconstrained);
   if (status) {
-    set_unexplained(request, evidence, *status, result);
+    set_unexplained(request, *status, found);
   } else {
-    diagnose(state, request, evidence, result);
+    diagnose(state, request, found);
   }
 }
 
-/// Whether solve_fast_path() has searched for a solution with many restarts. The remaining restarts
-/// find few more solutions, and take longer than a solution within options.pose_tolerance.
-bool searched_fast(const SolverState& state) {
-  const bool finitely_many = state.arm.dof() <= state.task.size();
-  return !state.options.all && !(state.family && finitely_many);
+/// Whether run_quick_stages() has searched for a solution with many restarts. The remaining
+/// restarts find few more solutions, and take longer than a solution within options.pose_tolerance.
+bool searched_quickly(const SolverState& state, const Request& request) {
+  return !request.options.all && !(state.family && request.finitely_many());
 }
 
 /// Sets the status and reason of solutions that the budget ended the search for, unless the only
@@ -121,60 +103,134 @@ void set_incomplete(const Request& request, bool optimised, InverseResult& resul
   if (request.options.all) result.reason.set(ReasonField::count, result.solutions.size());
 }
 
-}  // namespace
-
-InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    FailureDetail detail, BudgetMeter& budget) {
-  if (state.options.lock) return solve_with_lock(state, world_T_tool, seed, detail, budget);
-  check_configuration(state.arm, seed);
-  Configuration wrapped = seed;
-  wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
-  const Request request = make_request(state, world_T_tool, wrapped, budget);
-  state.reset_search();
-  const bool tolerant = state.options.pose_tolerance.has_value();
-  const bool searched = searched_fast(state);
-  if (tolerant && searched) {
-    if (auto near = solve_within_tolerance(state, request)) return *near;
+/// Completes a result that has solutions.
+void complete(const Request& request, StageResult& found) {
+  InverseResult& result = found.result;
+  const UnconstrainedResult& evidence = found.unconstrained;
+  const bool all = request.options.all, nearest = result.singular;
+  if (all && request.finitely_many() && !result.singular) {
+    result.singular = std::any_of(
+        found.solutions->begin(), found.solutions->end(), [&](const Solution& solution) {
+          return !solution.regular && has_self_motion(request, solution.q);
+        });
   }
-  auto [result, unconstrained] = run_stages(state, request);
-  if (tolerant && !searched && result.solutions.empty()) {
-    if (auto near = solve_within_tolerance(state, request)) return *near;
-  }
-  if (result.solutions.empty()) set_failure(state, request, unconstrained, detail, result);
-  if (result.solutions.empty()) {
-    if (state.options.pose_tolerance) result.reason.set(ReasonField::within_pose_tolerance, true);
-    return result;
-  }
-  const bool redundant = request.arm.dof() > request.task.size() && !request.options.all;
-  const bool optimised = redundant && request.options.redundancy != Redundancy::any;
-  if (optimised) {
-    add_any_solution(state, request, result);
-    optimise_redundancy(request, result);
-  }
-  const bool finitely_many = request.arm.dof() <= request.task.size();
-  const bool nearest = result.singular;
-  if (request.options.all && finitely_many && !result.singular) {
-    result.singular =
-        std::any_of(result.solutions.begin(), result.solutions.end(),
-                    [&request](const Configuration& q) { return has_self_motion(request, q); });
-  }
-  result.complete = request.options.all && unconstrained.complete && !result.singular;
-  result.branches_complete = request.options.all && unconstrained.branches_complete &&
-                             (unconstrained.continuum || !result.singular);
-  finish(request, result);
+  result.complete = all && evidence.complete && !result.singular;
+  result.branches_complete =
+      all && evidence.branches_complete && (evidence.continuum || !result.singular);
+  set_solved(request, found);
   if (result.singular) {
     result.reason = {ReasonCode::self_motion,
                      {{ReasonField::arm, request.arm.name()},
                       {ReasonField::branches_complete, result.branches_complete},
                       {ReasonField::nearest_to_seed, nearest}}};
   }
-  if (request.options.all && (result.singular || !finitely_many)) {
+  if (all && (result.singular || !request.finitely_many())) {
     result.self_motion_dimension =
         std::max(self_motion_dimension(request.arm, request.task, request.goal, result.solutions),
                  result.singular ? 1 : 0);
   }
+}
+
+/// The request, whose seed is in `wrapped` if it is far from zero.
+Request request_of(const SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
+                   BudgetMeter& budget, Configuration& wrapped) {
+  check_configuration(state.arm, seed);
+  if (seed.cwiseAbs().maxCoeff() <= farthest_seed) {
+    return make_request(state, world_T_tool, seed, budget);
+  }
+  wrapped = seed;
+  wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
+  return make_request(state, world_T_tool, wrapped, budget);
+}
+
+/// The result of run_quick_stages(), or nothing if it does not suffice.
+std::optional<InverseResult> solve_quickly(SolverState& state, const Pose& world_T_tool,
+                                           const ConfigurationRef& seed, FailureDetail detail,
+                                           BudgetMeter& budget) {
+  Configuration wrapped;
+  Request request = request_of(state, world_T_tool, seed, budget, wrapped);
+  request.quick = true;
+  StageResult found;
+  if (!run_quick_stages(state, request, found)) return {};
+  if (found.solutions->empty()) {
+    if (detail != FailureDetail::status || request.options.all) return {};
+    const auto status = status_without_nearest(state, request, found.unconstrained);
+    if (!status) return {};
+    set_unexplained(request, *status, found);
+  } else {
+    complete(request, found);
+  }
+  if (found.result.method.empty()) found.result.method = method_name(state);
+  return std::move(found.result);
+}
+
+}  // namespace
+
+InverseResult solve(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
+                    FailureDetail detail, BudgetMeter& budget) {
+  if (auto found = solve_quickly(state, world_T_tool, seed, detail, budget)) {
+    return std::move(*found);
+  }
+  return solve_thoroughly(state, world_T_tool, seed, detail, budget);
+}
+
+int solve_into(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
+               BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
+  Eigen::Index count = 0;
+  const auto write = [&](const Configuration& q) {
+    if (count < solutions.cols()) solutions.col(count++) = q;
+  };
+  {
+    Configuration wrapped;
+    Request request = request_of(state, world_T_tool, seed, budget, wrapped);
+    request.quick = request.trusts_closed_loops = true;
+    StageResult found;
+    if (run_quick_stages(state, request, found)) {
+      sort_solutions(request, *found.solutions);
+      for (const Solution& each : *found.solutions) write(each.q);
+      return static_cast<int>(count);
+    }
+  }
+  for (const Configuration& q :
+       solve_thoroughly(state, world_T_tool, seed, FailureDetail::none, budget).solutions) {
+    write(q);
+  }
+  return static_cast<int>(count);
+}
+
+InverseResult solve_thoroughly(SolverState& state, const Pose& world_T_tool,
+                               const ConfigurationRef& seed, FailureDetail detail,
+                               BudgetMeter& budget) {
+  if (state.options.lock) return solve_with_lock(state, world_T_tool, seed, detail, budget);
+  Configuration wrapped;
+  const Request request = request_of(state, world_T_tool, seed, budget, wrapped);
+  state.reset_search();
+  const bool tolerant = state.options.pose_tolerance.has_value();
+  const bool searched = searched_quickly(state, request);
+  if (tolerant && searched) {
+    if (auto near = solve_within_tolerance(state, request)) return *near;
+  }
+  StageResult found;
+  InverseResult& result = found.result;
+  run_stages(state, request, found);
+  if (tolerant && !searched && found.solutions->empty()) {
+    if (auto near = solve_within_tolerance(state, request)) return *near;
+  }
+  if (result.method.empty()) result.method = method_name(state);
+  if (found.solutions->empty()) set_failure(state, request, detail, found);
+  if (found.solutions->empty()) {
+    if (tolerant) result.reason.set(ReasonField::within_pose_tolerance, true);
+    return std::move(result);
+  }
+  const bool optimised = request.arm.dof() > request.task.size() && !request.options.all &&
+                         request.options.redundancy != Redundancy::any;
+  if (optimised) {
+    add_any_solution(state, request, found);
+    optimise_redundancy(request, found);
+  }
+  complete(request, found);
   set_incomplete(request, optimised, result);
-  return result;
+  return std::move(result);
 }
 
 }  // namespace beeline::internal

@@ -6,7 +6,6 @@
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/solve.h>
-#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/internal/solve_unblocked.h>
 
 namespace beeline::internal {
@@ -17,13 +16,6 @@ constexpr double same = 1e-6;  // radians or metres
 
 bool equal(const Configuration& a, const Configuration& b) {
   return (a - b).lpNorm<Eigen::Infinity>() < same;
-}
-
-InverseResult any_result(SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
-                         FailureDetail detail, BudgetMeter& budget) {
-  if (auto found = one_solution_fast(state, world_T_tool, seed, detail, budget))
-    return std::move(*found);
-  return solve(state, world_T_tool, seed, detail, budget);
 }
 
 /// Keeps what explain() needs. The functions of the caller may not live as long as the result.
@@ -138,7 +130,7 @@ InverseResult solve_unblocked(SolverState& state, const Pose& world_T_tool,
                               const ConfigurationRef& seed, FailureDetail detail,
                               BudgetMeter& budget) {
   const InverseOptions& options = state.options;
-  InverseResult result = any_result(state, world_T_tool, seed, detail, budget);
+  InverseResult result = solve(state, world_T_tool, seed, detail, budget);
   if (result.solutions.empty() && !result.nearest && detail != FailureDetail::none) {
     keep_request(state, world_T_tool, seed, result);
   }

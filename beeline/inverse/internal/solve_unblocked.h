@@ -1,7 +1,7 @@
 #pragma once
 
 #include <beeline/internal/budget_meter.h>
-#include <beeline/inverse/internal/failure_status.h>
+#include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/solver_state.h>
 
 namespace beeline::internal {

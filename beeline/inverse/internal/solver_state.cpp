@@ -1,8 +1,9 @@
 #include <beeline/error.h>
-#include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/internal/solver_state.h>
+#include <beeline/inverse/internal/stages.h>
 
 namespace beeline::internal {
 
@@ -27,7 +28,6 @@ SolverState::SolverState(const Arm& its_arm, const InverseOptions& its_options,
       task(options.task ? *options.task : default_task(its_arm)),
       bounds(options.ignore_limits ? defaults->no_limits : defaults->limits),
       weights(options.weights ? *options.weights : defaults->ones),
-      redundancy(options.redundancy),
       similar(similar_choice) {
   select_family(*this);
   if (options.method == InverseMethod::closed_form && !options.lock && family == nullptr) {

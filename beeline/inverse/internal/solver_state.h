@@ -35,7 +35,6 @@ struct SolverState {
   const Task task;
   const Bounds& bounds;          ///< the joint limits, or none if they are ignored
   const Configuration& weights;  ///< options.weights, or ones
-  Redundancy redundancy;         ///< for solve_fast_path(): options.redundancy, or any
   /// The family of closed forms for the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
   /// A family that is tried if the numerical stage fails, or null.
@@ -73,7 +72,7 @@ std::string method_name(const SolverState& state);
 /// Throws Error if options.lock fixes a coordinate outside its limits.
 void check_lock(const SolverState& state, const ConfigurationRef& seed);
 
-/// Max angle of a seed for the fast path. Larger angles lose too many digits (see
+/// Max angle of a seed for run_quick_stages(). Larger angles lose too many digits (see
 /// wrap_unlimited_angles()).
 inline constexpr double farthest_seed = 1e3;  // radians
 

@@ -1,103 +1,147 @@
 #include <algorithm>
-#include <vector>
+#include <iterator>
 
-#include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/numerical_stage.h>
-#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/representative.h>
 
 namespace beeline::internal {
 namespace {
 
-struct Stage {
-  /// Whether the stage can add solutions or evidence to `found`.
-  bool (*applies)(const SolverState& state, const Request& request, const StageResult& found);
-  void (*run)(SolverState& state, const Request& request, StageResult& found);
+/// A new family is added as a row here, before those that cover more arms.
+constexpr const AnalyticFamily* families[] = {
+    &planar_family,
+    &pieper_family,
+    &locked_joint_family,
+    &raghavan_roth_family,
 };
 
-bool always(const SolverState&, const Request&, const StageResult&) { return true; }
-
-bool applies_to_one(const SolverState&, const Request& request, const StageResult&) {
-  return !request.options.all;
-}
-
-bool applies_to_all(const SolverState&, const Request& request, const StageResult&) {
-  return request.options.all;
+bool is_solution(const Request& request, const ConfigurationRef& q) {
+  return within(request.bounds, q) && error_at(request, q) <= request.tolerance;
 }
 
 /// Adds the seed if it is a solution, because no other one is nearer. Next to a singularity the
 /// closed form may lose it to rounding.
-void add_seed(SolverState&, const Request& request, StageResult& found) {
-  if (!within(request.bounds, request.seed)) return;
-  if (error_at(request, request.seed) > request.tolerance) return;
-  std::vector<Configuration>& solutions = found.result.solutions;
-  const auto same = std::find_if(solutions.begin(), solutions.end(), [&](const Configuration& q) {
-    return same_posture(request.arm, q, request.seed);
+void add_seed(const Request& request, StageResult& found) {
+  if (!is_solution(request, request.seed)) return;
+  Solutions& solutions = *found.solutions;
+  const auto same = std::find_if(solutions.begin(), solutions.end(), [&](const Solution& each) {
+    return same_posture(request.arm, each.q, request.seed);
   });
-  if (same != solutions.end()) {
-    *same = request.seed;
-    return;
-  }
-  solutions.push_back(request.seed);
+  const bool is_new = same == solutions.end();
+  const bool regular = !is_new && same->regular;
+  (is_new ? solutions.add() : *same) = {request.seed, error_at(request, request.seed), regular};
   UnconstrainedResult& evidence = found.unconstrained;
-  if (!evidence.continuum) evidence.complete = evidence.branches_complete = false;
+  if (is_new && !evidence.continuum) evidence.complete = evidence.branches_complete = false;
 }
 
 /// Searches for a proof that there is no solution.
-void check_invariants(SolverState&, const Request& request, StageResult& found) {
+void check_invariants(const Request& request, StageResult& found) {
   UnconstrainedResult& evidence = found.unconstrained;
   evidence.violation =
       invariant_violation(request.arm, request.goal, request.task, request.tolerance);
   evidence.complete = evidence.branches_complete = evidence.violation.has_value();
 }
 
-bool applies_analytic(const SolverState& state, const Request&, const StageResult& found) {
-  return !found.unconstrained.violation && state.family != nullptr;
+bool in_reach(const SolverState& state, const Request& request) {
+  return !out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance);
 }
 
 /// Whether a search may find solutions that are missing.
-bool applies_numerical(const SolverState& state, const Request& request, const StageResult& found) {
+bool needs_search(const SolverState& state, const Request& request, StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
-  const bool none = found.result.solutions.empty();
+  const bool none = found.solutions->empty();
   const bool missing = none || (evidence.doubtful && request.options.all);
   // All solutions were examined, except that another member of a continuum may be within limits.
   const bool proved =
       evidence.range_examined || (evidence.complete && !(evidence.continuum && none));
   return missing && !proved && state.options.method != InverseMethod::closed_form &&
-         !out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance);
+         in_reach(state, request);
 }
 
-void run_family(SolverState& state, const Request& request, StageResult& found) {
-  solve_analytic(*state.family, state, request, found);
+/// Adds the solutions of the family, and replaces the evidence by its own.
+void run_family(const AnalyticFamily& family, SolverState& state, const Request& request,
+                StageResult& found) {
+  UnconstrainedResult& evidence = found.unconstrained;
+  evidence = {};
+  evidence.complete = evidence.branches_complete = true;
+  family.solve(state, request, found);
+  evidence.complete = evidence.complete && !evidence.doubtful;
+  evidence.branches_complete = evidence.branches_complete && !evidence.doubtful;
+  found.result.singular = evidence.continuum && !found.solutions->empty();
 }
 
-/// Whether the search found nothing, which proves nothing, and a family remains.
-bool applies_fallback(const SolverState& state, const Request& request, const StageResult& found) {
-  return found.result.solutions.empty() && state.fallback &&
-         applies_numerical(state, request, found);
+/// Whether run_quick_stages() may solve the request.
+bool has_quick_stages(const SolverState& state, const Request& request) {
+  const InverseOptions& options = request.options;
+  if (request.seed.cwiseAbs().maxCoeff() > farthest_seed) return false;
+  if (options.every_turn && options.lock) return false;  // the locked joint keeps its value
+  if (state.family != nullptr && request.finitely_many()) return true;
+  const bool any_one = !options.all && request.redundancy == Redundancy::any;
+  return any_one && (state.family ? options.method == InverseMethod::automatic : !options.lock);
 }
-
-void run_fallback(SolverState& state, const Request& request, StageResult& found) {
-  if (state.fallback->applies(state)) solve_analytic(*state.fallback, state, request, found);
-}
-
-/// New stages are added as rows here.
-constexpr Stage stages[] = {
-    {applies_to_one, add_seed},       {always, check_invariants},
-    {applies_analytic, run_family},   {applies_numerical, solve_numerical},
-    {applies_fallback, run_fallback}, {applies_to_all, add_seed},
-};
 
 }  // namespace
 
-StageResult run_stages(SolverState& state, const Request& request) {
-  StageResult found;
-  found.result.method = method_name(state);
-  for (const Stage& stage : stages) {
-    if (stage.applies(state, request, found)) stage.run(state, request, found);
+bool has_revolute_joints(const SolverState& state, int count) {
+  const std::vector<Joint>& joints = state.arm.joints();
+  return state.arm.dof() == count && std::ssize(joints) == count && state.task.size() == 6 &&
+         std::all_of(joints.begin(), joints.end(),
+                     [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
+}
+
+void select_family(SolverState& state) {
+  const InverseOptions& options = state.options;
+  if (options.method == InverseMethod::numerical) return;
+  const bool one = !options.all && options.method != InverseMethod::closed_form;
+  for (const AnalyticFamily* family : families) {
+    if (one && family->slower_than_search) {
+      if (!state.fallback) state.fallback = family;
+    } else if (family->applies(state)) {
+      state.family = family;
+      state.fallback = nullptr;
+      return;
+    }
   }
-  return found;
+}
+
+void run_stages(SolverState& state, const Request& request, StageResult& found) {
+  if (!request.options.all) add_seed(request, found);
+  check_invariants(request, found);
+  if (state.family && !found.unconstrained.violation) {
+    run_family(*state.family, state, request, found);
+  }
+  if (needs_search(state, request, found)) solve_numerical(state, request, found);
+  // A search that finds nothing proves nothing.
+  if (found.solutions->empty() && state.fallback && needs_search(state, request, found) &&
+      state.fallback->applies(state)) {
+    run_family(*state.fallback, state, request, found);
+  }
+  if (request.options.all) add_seed(request, found);
+}
+
+bool run_quick_stages(SolverState& state, const Request& request, StageResult& found) {
+  if (!has_quick_stages(state, request)) return false;
+  const InverseOptions& options = request.options;
+  // run_stages() adds the seed, which the closed form may lose.
+  const bool keeps_seed =
+      options.all || (!options.lock && options.redundancy != Redundancy::centred);
+  const bool is_control_loop =
+      request.trusts_closed_loops && (!state.family || state.family == &pieper_family);
+  const bool seed_solves = keeps_seed && !is_control_loop && is_solution(request, request.seed);
+  if (seed_solves && !options.all) return false;
+  UnconstrainedResult& evidence = found.unconstrained;
+  const bool searches = state.family == nullptr || !request.finitely_many();
+  if (searches && !in_reach(state, request)) return state.family && !options.pose_tolerance;
+  if (state.family != nullptr) run_family(*state.family, state, request, found);
+  const bool none = found.solutions->empty();
+  if (searches && none && !evidence.range_examined) solve_numerical(state, request, found);
+  if (options.all) {
+    if (seed_solves) add_seed(request, found);
+    return evidence.complete && !evidence.continuum;
+  }
+  return found.solutions->empty() ? evidence.range_examined : !evidence.continuum;
 }
 
 }  // namespace beeline::internal

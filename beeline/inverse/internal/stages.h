@@ -1,13 +1,22 @@
 #pragma once
 
+#include <beeline/inverse/internal/solutions.h>
 #include <beeline/inverse/internal/solver_state.h>
-#include <beeline/inverse/internal/stage_result.h>
 
 namespace beeline::internal {
 
-/// Runs the stages of inverse kinematics in the order of their table in stages.cpp. Each adds
-/// solutions within limits, and evidence about solutions when limits are ignored. If there are no
-/// solutions, diagnose() derives the status from the evidence.
-StageResult run_stages(SolverState& state, const Request& request);
+/// Sets state.family, or state.fallback, to the first family of closed forms that applies. Neither
+/// is set for InverseMethod::numerical.
+void select_family(SolverState& state);
+
+/// Runs the stages of inverse kinematics: the seed, proofs that there is no solution, the closed
+/// form, the search. Each adds solutions within limits, and evidence about solutions when limits
+/// are ignored. If there are no solutions, diagnose() derives the status from the evidence.
+void run_stages(SolverState& state, const Request& request, StageResult& found);
+
+/// Runs the two stages that suffice for most requests, with request.quick: the closed form, and the
+/// search if it may find a solution. Returns whether their solutions need nothing else: they are
+/// all, or one if one is requested; or there is none although every branch was followed.
+bool run_quick_stages(SolverState& state, const Request& request, StageResult& found);
 
 }  // namespace beeline::internal

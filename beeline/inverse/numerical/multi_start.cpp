@@ -6,8 +6,7 @@
 #include <beeline/inverse/numerical/multi_start.h>
 #include <beeline/inverse/numerical/posture_index.h>
 #include <beeline/inverse/numerical/representative.h>
-#include <beeline/inverse/numerical/singular_configuration.h>
-#include <beeline/inverse/numerical/singular_gauss_newton.h>
+#include <beeline/inverse/numerical/singular_solution.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/so3.h>
 
@@ -167,7 +166,10 @@ class Run {
   }
 
   bool known(const Configuration& q) {
-    return postures_.contains(arm_, result_.solutions, found_, q);
+    const auto solution = [&](std::size_t i) -> const Configuration& {
+      return result_.solutions[i];
+    };
+    return postures_.contains(arm_, found_, solution, q);
   }
 
   /// A lane that has stagnated, with its error squared.
@@ -225,13 +227,10 @@ class Run {
     const NumericalOptions options{.tolerance = options_.tolerance,
                                    .max_iterations = slow_convergence * options_.max_iterations,
                                    .budget = options_.budget};
-    NumericalResult run;
-    run.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
-    for (const auto solver : {singular_configuration, singular_gauss_newton}) {
-      run = solver(arm_, world_T_tool_, problem_.task, problem_.bounds, run.q, options);
-      result_.iterations += run.iterations;
-      if (run.converged) break;
-    }
+    const Eigen::Map<const Configuration> start(q_.data(), start_.size());
+    const NumericalResult run =
+        singular_solution(arm_, world_T_tool_, problem_.task, problem_.bounds, start, options);
+    result_.iterations += run.iterations;
     if (!run.converged) return false;
     std::copy(run.q.begin(), run.q.end(), q_.begin());
     continued_error_ = run.error;

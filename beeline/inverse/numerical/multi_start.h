@@ -49,8 +49,8 @@ struct Search {
 /// `start`, seven from the seeds nearest to the pose; a lane that ends without converging starts
 /// again from a random configuration. Ends when a lane converges. If several converge in the same
 /// step, the solution is the one nearest to `start`. Lanes that have stagnated next to a solution
-/// are continued by singular_configuration() and singular_gauss_newton(): some at once, and if no
-/// lane converges, the lanes of least error. The solution is the representative nearest to
+/// are continued by singular_solution(): some at once, and if no lane converges, the lanes of least
+/// error. The solution is the representative nearest to
 /// `result` is overwritten. Throws Error for a start or a pose that is not finite or does not fit,
 /// and for an option out of range.
 void multi_start(const Search& search, const Pose& world_T_tool, const ConfigurationRef& start,

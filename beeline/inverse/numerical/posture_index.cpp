@@ -22,26 +22,26 @@ double cell_of(double coordinate, bool periodic) {
 
 }  // namespace
 
-bool PostureIndex::contains(const Arm& arm, const std::vector<Configuration>& known,
-                            std::size_t count, const Configuration& q) {
+bool PostureIndex::contains(const Arm& arm, std::size_t count, const Known& known,
+                            const Configuration& q) {
   if (count < indexed_ || count <= few) {
     cells_.clear();
     indexed_ = 0;
   }
   if (count <= few) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (same_posture(arm, known[i], q)) return true;
+      if (same_posture(arm, known(i), q)) return true;
     }
     return false;
   }
   const bool periodic = is_periodic(arm, 0);
   for (; indexed_ < count; ++indexed_)
-    cells_.emplace(cell_of(known[indexed_][0], periodic), indexed_);
+    cells_.emplace(cell_of(known(indexed_)[0], periodic), indexed_);
   // Rounding of many revolutions may move a value by one more cell.
   for (int beside = -2; beside <= 2; ++beside) {
     const auto [first, last] = cells_.equal_range(cell_of(q[0] + beside * cell_width, periodic));
     for (auto it = first; it != last; ++it) {
-      if (same_posture(arm, known[it->second], q)) return true;
+      if (same_posture(arm, known(it->second), q)) return true;
     }
   }
   return false;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <unordered_map>
-#include <vector>
 
-#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/model/arm.h>
 
 namespace beeline::internal {
 
@@ -12,10 +12,13 @@ namespace beeline::internal {
 /// for any number of postures that are spread over the range of that coordinate.
 class PostureIndex {
  public:
-  /// Whether q is the same_posture() as one of the first `count` configurations, which must begin
-  /// with the configurations of earlier calls. A smaller `count` than in the last call starts anew.
-  bool contains(const Arm& arm, const std::vector<Configuration>& known, std::size_t count,
-                const Configuration& q);
+  /// Returns known configuration i.
+  using Known = std::function<const Configuration&(std::size_t i)>;
+
+  /// Whether q is the same_posture() as one of the first `count` known configurations, which must
+  /// begin with the configurations of earlier calls. A smaller `count` than in the last call starts
+  /// anew.
+  bool contains(const Arm& arm, std::size_t count, const Known& known, const Configuration& q);
 
  private:
   /// Indices of postures by the cell of their first coordinate.

@@ -29,16 +29,21 @@ double nearest_angle_within(double angle, double reference, double lower, double
   return nearest;
 }
 
-Configuration nearest_representative(const Arm& arm, const Configuration& q,
-                                     const Configuration& reference, const Bounds& bounds) {
-  Configuration moved = q;
+void move_to_nearest(const Arm& arm, const ConfigurationRef& reference, const Bounds& bounds,
+                     Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
     if (is_periodic(arm, k))
-      moved[k] = nearest_angle_within(q[k], reference[k], lower, upper, rounding);
-    const double on_bound = std::clamp(moved[k], lower, upper);
-    if (std::abs(on_bound - moved[k]) <= rounding) moved[k] = on_bound;
+      q[k] = nearest_angle_within(q[k], reference[k], lower, upper, rounding);
+    const double on_bound = std::clamp(q[k], lower, upper);
+    if (std::abs(on_bound - q[k]) <= rounding) q[k] = on_bound;
   }
+}
+
+Configuration nearest_representative(const Arm& arm, const ConfigurationRef& q,
+                                     const ConfigurationRef& reference, const Bounds& bounds) {
+  Configuration moved = q;
+  move_to_nearest(arm, reference, bounds, moved);
   return moved;
 }
 

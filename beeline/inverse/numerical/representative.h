@@ -20,8 +20,12 @@ double nearest_angle_within(double angle, double reference, double lower, double
 /// Coordinates that are not periodic are unchanged. A coordinate without a value within the bounds
 /// gets the value that exceeds them least; one that exceeds a bound by less than 1e-9 is clamped to
 /// it.
-Configuration nearest_representative(const Arm& arm, const Configuration& q,
-                                     const Configuration& reference, const Bounds& bounds);
+Configuration nearest_representative(const Arm& arm, const ConfigurationRef& q,
+                                     const ConfigurationRef& reference, const Bounds& bounds);
+
+/// The same in place.
+void move_to_nearest(const Arm& arm, const ConfigurationRef& reference, const Bounds& bounds,
+                     Configuration& q);
 
 /// Returns all representatives of each posture within the bounds, for the periodic coordinates that
 /// have two bounds. Throws Error when there would be more than 100,000.

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/internal/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/random.h>
+
+namespace beeline {
+namespace {
+
+/// The result of all stages, without the quick ones.
+InverseResult thorough(const Arm& arm, const Pose& pose, const InverseOptions& options) {
+  internal::SolverState state(arm, options);
+  internal::BudgetMeter budget(options.budget);
+  return internal::solve_thoroughly(state, pose, *options.seed, internal::FailureDetail::status,
+                                    budget);
+}
+
+void expect_same_result(const InverseResult& quick, const InverseResult& expected) {
+  EXPECT_EQ(quick.status, expected.status);
+  EXPECT_EQ(quick.singular, expected.singular);
+  EXPECT_EQ(quick.complete, expected.complete);
+  EXPECT_EQ(quick.branches_complete, expected.branches_complete);
+  EXPECT_EQ(quick.self_motion_dimension, expected.self_motion_dimension);
+  ASSERT_EQ(quick.solutions.size(), expected.solutions.size());
+  for (std::size_t i = 0; i < quick.solutions.size(); ++i) {
+    EXPECT_LT((quick.solutions[i] - expected.solutions[i]).norm(), 1e-8);
+  }
+}
+
+/// All solutions, with limits that exclude some, from seeds at random.
+TEST(QuickStages, GiveWhatAllStagesGive) {
+  testing::Random random;
+  for (const char* name : {"ur5", "puma560", "stanford", "scara", "px150", "rrr", "gen3_lite"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < testing::cases(100); ++i) {
+      SCOPED_TRACE(name + std::string(", pose ") + std::to_string(i));
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      InverseOptions options{.seed = random.configuration(arm), .all = true};
+      options.ignore_limits = i % 3 == 1;
+      if (i % 3 == 2) options.weights = random.configuration(arm).cwiseAbs().cwiseMax(0.1);
+      expect_same_result(inverse_kinematics(arm, pose, options), thorough(arm, pose, options));
+    }
+  }
+}
+
+/// A locked first or last joint is an input of the closed form; the other stages see an arm of six
+/// joints.
+TEST(QuickStages, GiveWhatAllStagesGiveWithALockedJoint) {
+  testing::Random random;
+  for (const char* name : {"panda", "iiwa14", "fr3"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < testing::cases(100); ++i) {
+      SCOPED_TRACE(name + std::string(", pose ") + std::to_string(i));
+      const Configuration from = random.configuration(arm);
+      Configuration seed = i % 4 == 0 ? from : random.configuration(arm);
+      seed[6] = from[6];
+      const InverseOptions options{.seed = seed, .all = true, .lock = 6};
+      const Pose pose = forward_kinematics(arm, from);
+      const InverseResult result = inverse_kinematics(arm, pose, options);
+      expect_same_result(result, thorough(arm, pose, options));
+      ASSERT_FALSE(result.solutions.empty());
+      if (i % 4 == 0) {
+        EXPECT_EQ(result.solutions.front(), from);
+      }
+      for (const Configuration& q : result.solutions) EXPECT_EQ(q[6], seed[6]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beeline
