@@ -210,8 +210,8 @@ Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q) {
     if (is_deeper) blocking = pair;
   });
   if (!blocking) return {};
-  return is_proved(*blocking) ? internal::too_close_reason(*blocking)
-                              : internal::not_decided_reason(*blocking);
+  return is_proved(*blocking) ? internal::too_close_reason(*blocking, model.links())
+                              : internal::not_decided_reason(*blocking, model.links());
 }
 
 }  // namespace beeline
