@@ -41,7 +41,7 @@ class Region:
         """The points whose spheres meet the region: of many every second, third or further one."""
         points = np.asarray(cloud.points).reshape(-1, 3)
         near = points[abs(points - self.centre).max(axis=1) <= self.half + cloud.radius]
-        return near[:: -(-len(near) // MAX_POINTS) or 1]
+        return np.asarray(near[:: -(-len(near) // MAX_POINTS) or 1])
 
     def meets(self, points: Array) -> bool:
         nearest = np.clip(self.centre, points.min(axis=(0, 1)), points.max(axis=(0, 1)))
