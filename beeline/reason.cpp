@@ -49,6 +49,7 @@ constexpr ReasonField reals[] = {fraction,
                                  shortest_duration,
                                  dwell,
                                  error,
+                                 held_value,
                                  proof_rate,
                                  proved_rate,
                                  proved_speed,
@@ -56,9 +57,9 @@ constexpr ReasonField reals[] = {fraction,
                                  kept_speed,
                                  kept_rate,
                                  kept_ramp};
-constexpr ReasonField texts[] = {move_name, segment_name,  arm,       joint,
-                                 body,      other_body,    unit,      quantity,
-                                 parts,     interpolation, direction, frame};
+constexpr ReasonField texts[] = {move_name,  segment_name,  arm,       joint,     body,
+                                 other_body, unit,          quantity,  held_body, held_joint,
+                                 parts,      interpolation, direction, frame};
 constexpr ReasonField points[] = {position, centre, nearest, normal};
 constexpr ReasonField endings[] = {ending, search_ending};
 constexpr std::span<const ReasonField> lists[] = {flags, counts, reals, texts, points, endings};

@@ -152,6 +152,9 @@ enum class ReasonField {
   body,        ///< link or obstacle
   other_body,  ///< link or obstacle
   point,       ///< index from 0 of a point of `other_body`, if that is a point cloud
+  held_body,   ///< the one of two bodies that a joint beside the chain carries
+  held_joint,  ///< that joint
+  held_value,  ///< the value at which it is held, rad or m
   // How much.
   value,
   lower,

@@ -171,9 +171,10 @@ Verb reach_place_verb() {
           "margin to the joint limits first: the least margin and the least manipulability over "
           "all poses; at each position the best heading. With --scene, which stands in the world "
           "of the poses while the mount moves, or --self, and with --arm, solutions and lines "
-          "count only if each pair of bodies is proved to keep its clearance. Link 0, which stands "
-          "at the mount, is not checked against obstacles. Obstacles in the frame of a link of the "
-          "base are refused. Exit code 1: there is none.",
+          "count only if each pair of bodies is proved to keep its clearance. Link 0 must keep it "
+          "too, except from what it stands on: shapes that end at most 20 mm above its lowest "
+          "point, along its z axis. Obstacles in the frame of a link of the base are refused. Exit "
+          "code 1: there is none.",
       .arguments = {file_argument("MAP", "A file of `beeline reach map`, not of one orientation.",
                                   &arguments->map)},
       .options =

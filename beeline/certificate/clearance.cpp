@@ -19,14 +19,14 @@ void check_options(const ClearanceOptions& options) {
   }
 }
 
-Reason reason_of(const ClearanceProof& proof, Ending ending) {
+Reason reason_of(const ClearanceProof& proof, Ending ending, std::span<const LinkShapes> links) {
   if (proof.status == ClearanceStatus::clear) return {};
   if (proof.status > ClearanceStatus::not_decided) {
     return internal::ended_reason(ReasonCode::ended_before_check, ending);
   }
   const bool undecided = proof.status == ClearanceStatus::not_decided;
-  Reason reason =
-      undecided ? internal::not_decided_reason(proof.pair) : internal::too_close_reason(proof.pair);
+  Reason reason = undecided ? internal::not_decided_reason(proof.pair, links)
+                            : internal::too_close_reason(proof.pair, links);
   reason.set(ReasonField::time, proof.time);
   if (undecided) reason.set(ReasonField::begin, proof.begin).set(ReasonField::end, proof.end);
   return reason;
@@ -62,7 +62,7 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
     internal::find_closest_approach(model, tubes, options, budget, proof);
   if (!proof) proof.least_distance = ClearanceProof().least_distance;
   proof.pairs = internal::counted_pairs(model, tubes);
-  proof.reason = reason_of(proof, budget.ending());
+  proof.reason = reason_of(proof, budget.ending(), model.links());
   return proof;
 }
 

@@ -122,6 +122,17 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
 /// clearance. For InverseOptions::blocked_by.
 Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q);
 
+/// Returns why the arm cannot stand at its mount; no reason if link 0, whose pairs with obstacles
+/// do not count anywhere else, is proved to keep its clearance from each of them. Allowed pairs do
+/// not count, nor does what link 0 stands on: a shape or a point that ends, along the z axis of
+/// link 0, at most max_standing_overlap above the lowest point of its shapes. Reasons as of
+/// blocked_by().
+Reason base_blocked_by(const CollisionModel& model);
+
+/// Overlap, m, of link 0 with what it stands on. Shapes contain their links: the built-in ones
+/// exceed them by up to 15 mm.
+constexpr double max_standing_overlap = 0.02;
+
 /// Returns the names of the obstacles that are farther from the arm than ten times its reach, as
 /// numbers in millimetres put them. Requires valid shapes.
 std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene);

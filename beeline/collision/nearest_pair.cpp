@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include <beeline/collision/internal/collision_bodies.h>
 #include <beeline/collision/internal/nearest_pair.h>
@@ -62,13 +63,27 @@ class Distances {
       for (const auto& pair : bodies_.apart_pairs) visit_links(pair, within, found);
     }
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      const auto& link = bodies_.link_bodies[i];
-      if (!CollisionBodies::meets_obstacles(link)) continue;
-      if (!bodies_.tree.empty()) visit_tree(i, 0, within, found);
-      for (std::size_t k = bodies_.finite_obstacles; k < bodies_.obstacle_bodies.size(); ++k) {
-        visit_obstacle(i, bodies_.obstacle_bodies[k], within, found);
+      if (CollisionBodies::meets_obstacles(bodies_.link_bodies[i])) {
+        visit_obstacles(i, within, found);
       }
     }
+  }
+
+  /// The same for the pairs of link 0 with obstacles, except those that it stands on.
+  void visit_base(double& within, const std::function<void(const FoundPair&)>& found) {
+    const Vector3 up = bodies_.arm.base().linear().col(2);
+    double lowest = std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> of_base;
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (CollisionBodies::meets_obstacles(bodies_.link_bodies[i])) continue;
+      lowest = std::min(lowest, -support(placed_[i], -up));
+      of_base.push_back(i);
+    }
+    standing_ = [up, lowest](const ConvexBody& obstacle) {
+      return support(obstacle, up) <= lowest + max_standing_overlap;
+    };
+    for (const std::size_t i : of_base) visit_obstacles(i, within, found);
+    standing_ = nullptr;
   }
 
  private:
@@ -82,6 +97,13 @@ class Distances {
     const CollisionBodies::ObstacleBody* obstacle = nullptr;  // null: another link's body
     const CollisionBodies::LinkBody* link = nullptr;
   };
+
+  void visit_obstacles(std::size_t i, const double& within, const Found& found) const {
+    if (!bodies_.tree.empty()) visit_tree(i, 0, within, found);
+    for (std::size_t k = bodies_.finite_obstacles; k < bodies_.obstacle_bodies.size(); ++k) {
+      visit_obstacle(i, bodies_.obstacle_bodies[k], within, found);
+    }
+  }
 
   double rounding(const CollisionBodies::LinkBody& link) const {
     return motion_.rounding(link.carried.frame, magnitude(link.carried.body));
@@ -118,6 +140,7 @@ class Distances {
                       const Found& found) const {
     const auto& link = bodies_.link_bodies[i];
     if (bodies_.allowed(link, obstacle.obstacle)) return;
+    if (standing_ && standing_(obstacle.body)) return;
     visit_pair({.first = i,
                 .second = &obstacle.body,
                 .frame = 0,
@@ -147,6 +170,33 @@ class Distances {
   ChainMotion motion_;
   std::vector<ConvexBody> placed_;
   bool keeps_apart_ = true;
+  /// Whether link 0 stands on an obstacle, if its pairs are visited.
+  std::function<bool(const ConvexBody&)> standing_;
+};
+
+/// The pair that blocks the arm: the deepest that is proved to be too close or, if there is none,
+/// the deepest that is not decided.
+class BlockingPair {
+ public:
+  void add(const BodyDistance& pair) {
+    if (pair.lower >= pair.clearance) return;
+    const bool is_deeper =
+        !deepest_ || (is_proved(pair) == is_proved(*deepest_)
+                          ? pair.lower - pair.clearance < deepest_->lower - deepest_->clearance
+                          : is_proved(pair));
+    if (is_deeper) deepest_ = pair;
+  }
+
+  Reason reason(std::span<const LinkShapes> links) const {
+    if (!deepest_) return {};
+    return is_proved(*deepest_) ? internal::too_close_reason(*deepest_, links)
+                                : internal::not_decided_reason(*deepest_, links);
+  }
+
+ private:
+  static bool is_proved(const BodyDistance& pair) { return pair.upper < pair.clearance; }
+
+  std::optional<BodyDistance> deepest_;
 };
 
 }  // namespace
@@ -196,22 +246,20 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
 
 Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q) {
   check_configuration(model.arm(), q);
-  std::optional<BodyDistance> blocking;
-  const auto is_proved = [](const BodyDistance& pair) { return pair.upper < pair.clearance; };
+  BlockingPair blocking;
   double within = 0;
   const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
-  distances.visit(within, [&](const FoundPair& found) {
-    const BodyDistance& pair = found.distance;
-    if (pair.lower >= pair.clearance) return;
-    const bool is_deeper =
-        !blocking || (is_proved(pair) == is_proved(*blocking)
-                          ? pair.lower - pair.clearance < blocking->lower - blocking->clearance
-                          : is_proved(pair));
-    if (is_deeper) blocking = pair;
-  });
-  if (!blocking) return {};
-  return is_proved(*blocking) ? internal::too_close_reason(*blocking)
-                              : internal::not_decided_reason(*blocking);
+  distances.visit(within, [&](const FoundPair& found) { blocking.add(found.distance); });
+  return blocking.reason(model.links());
+}
+
+Reason base_blocked_by(const CollisionModel& model) {
+  const Configuration any = Configuration::Zero(model.arm().dof());
+  BlockingPair blocking;
+  double within = 0;
+  Distances distances(model.bodies(), any, internal::ApartPairs::outside_limits);
+  distances.visit_base(within, [&](const FoundPair& found) { blocking.add(found.distance); });
+  return blocking.reason(model.links());
 }
 
 }  // namespace beeline

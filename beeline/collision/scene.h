@@ -123,6 +123,9 @@ struct LinkShapes {
   /// neighbouring links.
   bool at_proximal_joint = true;
   bool at_distal_joint = true;  ///< likewise of the next joint, `link` + 1
+  /// Values, rad or m, of the joints beside the chain that carry the body and can be held at other
+  /// ones, by name, for reasons. The poses of the shapes include them.
+  std::map<std::string, double> held = {};
 };
 
 }  // namespace beeline

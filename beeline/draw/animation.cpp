@@ -55,9 +55,9 @@ class LoopImages {
     Picture picture;
     picture.width = layout_.width;
     picture.height = layout_.height;
-    for (FrameMark& mark : frame_marks(layout_, &animation_.frames[k])) {
+    for (const FrameMark& mark : frame_marks(layout_, &animation_.frames[k])) {
       const bool hidden = mark.appears > 0 && mark.appears > animation_.times[k];
-      if (!hidden) picture.marks.push_back(std::move(mark.mark));
+      if (!hidden) picture.marks.push_back(*mark.mark);
     }
     return pixels_of(picture, even(layout_.width), even(layout_.height), scale);
   }

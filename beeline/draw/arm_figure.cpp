@@ -172,7 +172,8 @@ Animation moving_arm(const Arm& arm, const ModelsOverTime& models, const Traject
   Drawing drawing;
   if (options.ghosts > 0)
     add_arm(drawing, arm, trajectory.positions.front(), {.faded = true, .thin = thin});
-  if (models && !models.change()) add_obstacles(drawing, models.at(0));
+  const std::set<std::string> still = models.still_obstacles();
+  if (models) add_obstacles(drawing, models.at(trajectory.times.front()), still, true);
   add_trail(drawing, arm, trajectory, {.dots = options.dots, .growing = true});
   add_poses(drawing, waypoints);
   double arrow_scale = 0;
@@ -180,7 +181,7 @@ Animation moving_arm(const Arm& arm, const ModelsOverTime& models, const Traject
     add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian, .thin = thin});
     if (models) {
       const CollisionModel& model = models.at(time);
-      if (models.change()) add_obstacles(frame, model);
+      add_obstacles(frame, model, still);
       add_link_shapes(frame, model, q);
       if (has_pairs(model, q)) add_nearest_pair(frame, beeline::nearest_pair(model, q), false);
     }

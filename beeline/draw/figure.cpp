@@ -37,8 +37,8 @@ Picture compose(const Figure& figure) {
   Picture picture;
   picture.width = layout.width;
   picture.height = layout.height;
-  for (internal::FrameMark& mark : internal::frame_marks(layout, nullptr)) {
-    picture.marks.push_back(std::move(mark.mark));
+  for (const internal::FrameMark& mark : internal::frame_marks(layout, nullptr)) {
+    picture.marks.push_back(*mark.mark);
   }
   return picture;
 }

@@ -8,6 +8,11 @@ namespace beeline {
 std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionModel& model) {
   return [&model](const Pose& world_T_mount) -> BlockedAtMount {
     const auto there = std::make_shared<const CollisionModel>(with_mount(model, world_T_mount));
+    const Reason base = base_blocked_by(*there);
+    if (base) {
+      return {.configuration = [base](const ConfigurationRef&) { return base; },
+              .motion = [base](const Trajectory&, const Budget&) { return base; }};
+    }
     return {.configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
             .motion =
                 [there](const Trajectory& motion, const Budget& budget) {

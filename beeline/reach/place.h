@@ -22,8 +22,8 @@ struct BlockedAtMount {
 };
 
 /// Returns PlacementOptions::blocked_by for a model of the map's arm, whose obstacles stay while
-/// the arm moves: blocked_by() and prove_clearance() of its with_mount(). The model must outlive
-/// the function. Link 0 is not tested, as anywhere.
+/// the arm moves: base_blocked_by() of its with_mount() or, if link 0 can stand there, blocked_by()
+/// and prove_clearance(). The model must outlive the function.
 std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionModel& model);
 
 /// The mounts that are searched: a grid of positions, each with rotations about the world's z axis.

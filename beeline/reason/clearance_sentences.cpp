@@ -19,6 +19,15 @@ std::string other_of(const ReasonText& reason) {
   return reason.text(other_body) + index;
 }
 
+/// "; finger is carried by joint slide, held at 0; the option hold sets another value,
+/// slide=VALUE".
+std::string held_advice(const ReasonText& reason) {
+  if (!reason.has(held_joint)) return "";
+  const std::string& joint = reason.text(held_joint);
+  return "; " + reason.text(held_body) + " is carried by joint " + joint + ", held at " +
+         reason.number(held_value) + "; the option hold sets another value, " + joint + "=VALUE";
+}
+
 std::string not_decided(const ReasonText& reason) {
   const std::string bodies = reason.text(body) + " is about " + reason.number(distance, " m") +
                              " from " + other_of(reason) + ", too near to the clearance of " +
@@ -36,11 +45,12 @@ std::string clearance_sentence(const ReasonText& reason) {
       return at_time(reason) + reason.text(body) + " and " + other_of(reason) + " collide at " +
              place_of(reason) + ": a translation of " + reason.text(body) + " by " +
              reason.number(depth, " m") + " along " + point_text(reason.point(normal)) +
-             " would separate them";
+             " would separate them" + held_advice(reason);
     case ReasonCode::bodies_too_close:
       return at_time(reason) + reason.text(body) + " is " + reason.number(distance, " m") +
              " from " + other_of(reason) + " at " + place_of(reason) +
-             ", closer than the clearance of " + reason.number(clearance, " m");
+             ", closer than the clearance of " + reason.number(clearance, " m") +
+             held_advice(reason);
     case ReasonCode::clearance_not_decided:
       return not_decided(reason);
     case ReasonCode::start_not_free:

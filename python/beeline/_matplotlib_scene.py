@@ -13,7 +13,7 @@ from ._matplotlib import dots, line
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ._core import BodyDistance, Obstacle, Shape
+    from ._core import BodyDistance, Obstacle, PointCloud, Shape
 
     Array = NDArray[np.float64]
 
@@ -21,6 +21,8 @@ SAND, SAND_LINE = (0.82, 0.70, 0.50), (0.44, 0.35, 0.20)  # obstacles
 STEEL, STEEL_LINE = (0.66, 0.74, 0.82), (0.33, 0.43, 0.56)  # shapes of links
 CLEAR, CLOSE = (0.0, 0.55, 0.58), (0.83, 0.13, 0.15)  # pairs that keep their clearance, and others
 MAX_LABELS = 12
+MAX_POINTS = 5000  # of a point cloud
+PICTURE = 200  # side of the region in a picture of the usual size, points
 OBSTACLES, LINKS, PAIR = 0.6, 0.8, 7  # zorder: between the grid and the arm, and above the arm
 TIMES = 201  # of a motion, at which the nearest pair is looked for, as `draw()` does
 
@@ -34,6 +36,12 @@ class Region:
 
     def clamped(self, points: Array) -> Array:
         return np.clip(points, self.centre - self.half, self.centre + self.half)
+
+    def of_cloud(self, cloud: PointCloud) -> Array:
+        """The points whose spheres meet the region: of many every second, third or further one."""
+        points = np.asarray(cloud.points).reshape(-1, 3)
+        near = points[abs(points - self.centre).max(axis=1) <= self.half + cloud.radius]
+        return np.asarray(near[:: -(-len(near) // MAX_POINTS) or 1])
 
     def meets(self, points: Array) -> bool:
         nearest = np.clip(self.centre, points.min(axis=(0, 1)), points.max(axis=(0, 1)))
@@ -151,14 +159,38 @@ class DrawnScene:
             faces = [faces_of(shape, self.region) for shape in obstacle.shapes]
             near = [self.region.clamped(part) for part in faces if len(part) and self.region.meets(part)]
             shown += near
-            if near:
-                labels.append((self._place_of_label(np.concatenate(near).reshape(-1, 3)), obstacle.name))
+            points = [part.reshape(-1, 3) for part in near]
+            name = obstacle.name
+            if obstacle.cloud is not None:
+                cloud = self.region.of_cloud(obstacle.cloud)
+                self._draw_cloud(cloud, obstacle.cloud.radius)
+                points.append(cloud)
+                if len(cloud) < len(obstacle.cloud.points):
+                    name += f": {len(cloud)} of {len(obstacle.cloud.points)} points"
+            if sum(map(len, points)) > 0:
+                labels.append((self._place_of_label(np.concatenate(points)), name))
         Bodies(self.ax, arm.planar, SAND, SAND_LINE, 0.5, OBSTACLES).show(shown)
         self._contain(shown)
         if len(labels) > MAX_LABELS:
             return
         for at, name in labels:
             self._write(at, name, SAND_LINE, ha="center", va="bottom")
+
+    def _draw_cloud(self, points: Array, radius: float) -> None:
+        """Spheres as discs: in a plane of their size, in space of about their size at the middle of the picture."""
+        if len(points) == 0:
+            return
+        if self.model.arm.planar:
+            module = importlib.import_module("matplotlib.collections")
+            discs = module.EllipseCollection(2 * radius, 2 * radius, 0, units="xy", offsets=points[:, :2],
+                                             offset_transform=self.ax.transData, facecolor=(*SAND, 0.5),
+                                             edgecolor=SAND_LINE, linewidth=0.3, zorder=OBSTACLES, label="_cloud")
+            self.ax.add_collection(discs, autolim=False)
+        else:
+            size = 2 * radius * PICTURE / (2 * self.region.half)
+            dots(self.model.arm, self.ax, points, color=[SAND], edgecolor=SAND_LINE, linewidth=0.2, s=max(size, 1) ** 2,
+                 zorder=OBSTACLES, label="_cloud")
+        self._contain([self.region.clamped(points)])
 
     def _place_of_label(self, points: Array) -> Array:
         """Above the middle of a body; of one that is at the base, at the corner that is near the viewer."""

@@ -258,6 +258,12 @@ void bind_blocked_by(nb::module_& m) {
         return Value<Reason>::to(blocked_by(model, Value<Configuration>::from(q, "q")));
       },
       blocked, nb::arg("model"), nb::arg("q"));
+  Signature base("base_blocked_by", "Reason", comment("base_blocked_by"));
+  base.takes("model", "CollisionModel", "The arm among obstacles.")
+      .returns("Empty, which is false, if the arm can stand there.");
+  define(
+      m, [](const CollisionModel& model) { return Value<Reason>::to(base_blocked_by(model)); },
+      base, nb::arg("model"));
 }
 
 void bind_distances(nb::module_& m) {

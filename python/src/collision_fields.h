@@ -154,8 +154,9 @@ struct Fields<Scene> : Members<&Scene::obstacles, &Scene::allowed_pairs, &Scene:
 };
 
 template <>
-struct Fields<LinkShapes> : Members<&LinkShapes::name, &LinkShapes::link, &LinkShapes::shapes,
-                                    &LinkShapes::at_proximal_joint, &LinkShapes::at_distal_joint> {
+struct Fields<LinkShapes>
+    : Members<&LinkShapes::name, &LinkShapes::link, &LinkShapes::shapes,
+              &LinkShapes::at_proximal_joint, &LinkShapes::at_distal_joint, &LinkShapes::held> {
   static constexpr std::size_t required = 3;
 };
 

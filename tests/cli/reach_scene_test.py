@@ -60,6 +60,27 @@ def test_mounts_whose_solutions_are_blocked_are_left_out(beeline, written, tmp_p
     assert "other joints" in beeline(*command, "--scene", post, "--arm", "RRR:1,1,1").err
 
 
+def test_mounts_whose_base_is_in_an_obstacle_are_left_out(beeline, written, tmp_path):
+    """The tool's bodies alone would be free: the pedestal is not."""
+    bodies = [{"name": "pedestal", "shapes": [{"cylinder": {"radius": 0.3, "length": 0.4}}]},
+              {"joint": "joint3", "name": "hand", "shapes": [{"sphere": {"radius": 0.1}}]}]
+    arm = written("arm.json", json.dumps({"name": "planar", "joint_string": "RRR:3.5,3.5,2", "shapes": bodies}))
+    cell = lambda top: json.dumps({"obstacles": [{"name": "crate", "shapes": [
+        {"box": {"size": [2, 2, 2]}, "pose": {"xyz": [0, 0, top - 1]}}]}]})
+    poses = written("poses.csv", "x,y,theta\n4,3,0\n")
+    assert beeline("reach", "map", arm, "--resolution", "1.5", "--out", tmp_path / "m.h5").code == 0
+    command = ["reach", "place", tmp_path / "m.h5", "--poses", poses, "--lower=-3,0,0", "--upper=3,0,0", "--step", "0.5",
+               "--headings", "1", "--count", "100", "--arm", arm, "--no-self", "--scene"]
+    places = lambda scene, *more: sorted(float(one["mount"].split(",")[0])
+                                         for one in beeline(*command, scene, *more, "--json").json["placements"])
+    standing, inside = written("floor.json", cell(-0.2)), written("crate.json", cell(0.5))
+    allowed = places(inside, "--allow", "pedestal,crate")
+    assert places(standing) == allowed and 0.0 in allowed
+    assert places(inside) == [x for x in allowed if abs(x) > 1.3]
+    text = beeline(*command, inside).out
+    assert " left out: blocked in the scene\n  the first: pedestal and crate collide at " in text, text
+
+
 def test_obstacles_that_the_mount_would_move_are_refused(beeline, written, tmp_path):
     """A scene of MoveIt may give a pose in a link of the base, which ik --mount moves."""
     box = '<collision><origin xyz="0.5 0 0"/><geometry><box size="1 .1 .1"/></geometry></collision>'

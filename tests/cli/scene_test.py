@@ -299,6 +299,7 @@ def test_shapes_of_a_urdf_file(beeline, written):
     held = check(beeline, arm, still, *ends, "--scene", post, "--hold", "grip=0.4")
     assert held["status"] == "collides" and held["clearance"]["pair"] == ["finger", "post"]
     assert held["clearance"]["held"] == {"grip": 0.4}
+    assert {"held_body": "finger", "held_joint": "grip", "held_value": 0.4}.items() <= held["clearance"]["fields"].items()
     states = "".join(f'<group_state name="{name}" group="hand"><joint name="{joint}" value="{value}"/></group_state>'
                      for name, joint, value in (("home", "j1", 0), ("far", "grip", 0.6), ("open", "grip", 0.4),
                                                 ("close", "grip", 0)))

@@ -142,7 +142,7 @@ void expect_shows_every_frame(const Animation& animation, double tolerance) {
     std::size_t paths = 0;
     std::vector<std::vector<double>> left = shown;
     for (const FrameMark& mark : frame_marks(layout, &animation.frames[k])) {
-      const auto* stroke = std::get_if<PaperStroke>(&mark.mark);
+      const auto* stroke = std::get_if<PaperStroke>(mark.mark.get());
       if (stroke == nullptr || mark.appears > animation.times[k] + later * timeline.seconds)
         continue;
       ++paths;

@@ -127,8 +127,10 @@ TEST(SceneFigure, OfAProgramHasThePartWhereItIsCarried) {
   slide.limits = {.lower = -1, .upper = 3, .velocity = 1, .acceleration = 4};
   const Arm arm("slide", {slide});
   const Pose below = make_pose({0, 0, -0.5}, Rotation::Identity());
-  const CollisionModel model(arm, {{"hand", 1, {{Box{Vector3::Constant(0.1)}}}}},
-                             {.obstacles = {{"part", {{Box{Vector3::Constant(0.2)}, below}}}}});
+  const CollisionModel model(
+      arm, {{"hand", 1, {{Box{Vector3::Constant(0.1)}}}}},
+      {.obstacles = {{"part", {{Box{Vector3::Constant(0.2)}, below}}},
+                     {"wall", {{Box{Vector3::Constant(0.3)}, make_pose({0, 1, 0})}}}}});
   Program program;
   for (const double x : {0.0, 1.0, 2.0}) {
     program.moves.push_back({.kind = MoveKind::joint, .q = Configuration{{x}}});
@@ -151,6 +153,10 @@ TEST(SceneFigure, OfAProgramHasThePartWhereItIsCarried) {
     const double x = sample(motion.trajectory, animation.times[i]).position[0];
     EXPECT_NEAR(part_at(animation.frames[i]), std::clamp(x, 0.0, 1.0), 1e-9) << animation.times[i];
   }
+  // What stands still is drawn once.
+  const auto solids_of = [](const Drawing& drawing) { return kinds_of<Solid>(drawing).size(); };
+  EXPECT_EQ(solids_of(animation.figure.columns[0][0].drawing), 1);
+  for (const Drawing& frame : animation.frames) EXPECT_EQ(solids_of(frame), 2);  // hand and part
   const Figure figure = motion_figure(scenes, motion.trajectory);
   EXPECT_NEAR(part_at(figure.columns[0][0].drawing), 1, 1e-9);
   testing::expect_within_page(compose(figure), "program");

@@ -156,6 +156,30 @@ def test_an_arm_among_obstacles(name, tmp_path):
     assert len(faces_in(plot.arm(model, q, shapes=False))) == 1
 
 
+@pytest.mark.parametrize("name", ["rrr", "panda"])
+def test_point_clouds_are_drawn_as_far_as_they_are_near(name, tmp_path):
+    arm = beeline.Arm.load(name)
+    size, rng = arm.reach[1], np.random.default_rng(7)
+    links = [beeline.LinkShapes("tip", len(arm.joints), [beeline.Shape(beeline.Sphere(0.03 * size))])]
+    near = size * rng.uniform([0.5, -0.5, 0], [1, 0.5, 0.1], (12_000, 3))
+    few, far = near[:100] + [0, 0, 0.2 * size], near + [9 * size, 0, 0]
+    clouds = {"scan": near, "few": few, "far": far}
+    scene = beeline.Scene([beeline.Obstacle(name, [], cloud=beeline.PointCloud(points, 0.01 * size))
+                           for name, points in clouds.items()])
+    ax = plot.arm(beeline.CollisionModel(arm, links, scene), np.zeros(len(arm.joints)))
+    dimensions = 2 if arm.planar else 3
+    shown = [np.column_stack(drawn._offsets3d) if dimensions == 3 else drawn.get_offsets()
+             for drawn in ax.collections if drawn.get_label() == "_cloud"]
+    np.testing.assert_allclose(shown[0], near[::3, :dimensions])  # at most 5,000
+    np.testing.assert_allclose(shown[1], few[:, :dimensions])
+    assert len(shown) == 2
+    texts = [text.get_text() for text in ax.texts]
+    assert "scan: 4000 of 12000 points" in texts and "few" in texts and not any("far" in text for text in texts)
+    limits = np.array([ax.get_xlim(), ax.get_ylim()])
+    assert np.all(limits[:, 0] < near[:, :2].min(axis=0)) and np.all(near[:, :2].max(axis=0) < limits[:, 1])
+    ax.figure.savefig(tmp_path / "clouds.png")
+
+
 def test_faces_are_on_the_surface_of_their_shape():
     from beeline._matplotlib_scene import Region, faces_of
 

@@ -51,6 +51,19 @@ def test_what_a_scene_does_not_have():
         beeline.find_placements(beeline.reach_map(UR5, blocked_by=model, **GRID), [np.eye(4)])
 
 
+def test_the_base_must_not_stand_in_an_obstacle():
+    base = beeline.LinkShapes("base", 0, [beeline.Shape(beeline.Sphere(0.1))])
+    box = np.eye(4)
+    box[:3, 3] = [0, 0, 0.3]
+    scene = beeline.Scene([beeline.Obstacle("box", [beeline.Shape(beeline.Box([1, 1, 0.3]), box)])])
+    model = beeline.CollisionModel(UR5, [base, *LINKS], scene)
+    assert not beeline.base_blocked_by(model), "0.05 m apart"
+    up = np.eye(4)
+    up[2, 3] = 0.1
+    reason = beeline.base_blocked_by(model.with_mount(up))
+    assert reason.code == "bodies_collide" and (reason.fields["body"], reason.fields["other_body"]) == ("base", "box")
+
+
 def test_placements_are_free_where_the_arm_stands():
     map = beeline.reach_map(UR5, resolution=0.3, directions=math.radians(90))
     q = np.array([0.2, -1.2, 1.6, -1.9, -1.5, 0.3])

@@ -1,6 +1,30 @@
 #include <tests/reason/said.h>
 
 namespace beeline::testing {
+namespace {
+
+/// A body that a held joint carries; `bodies` are the fields of its pair.
+std::vector<Said> said_of_held_bodies(const Fields& bodies) {
+  using enum ReasonField;
+  return {
+      {{ReasonCode::bodies_too_close,
+        with(bodies,
+             {{distance, 0.0004}, {held_body, "hand"}, {held_joint, "slide"}, {held_value, 0.02}})},
+       "at 0.5 s hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of "
+       "0.001 m; hand is carried by joint slide, held at 0.02; the option hold sets another value, "
+       "slide=VALUE"},
+      {{ReasonCode::bodies_collide, with(bodies, {{depth, 0.012},
+                                                  {normal, Eigen::Vector3d(0, 0, 1)},
+                                                  {held_body, "table"},
+                                                  {held_joint, "slide"},
+                                                  {held_value, 0.0}})},
+       "at 0.5 s hand and table collide at (0.1, 0, 0.3) m: a translation of hand by 0.012 m "
+       "along (0, 0, 1) would separate them; table is carried by joint slide, held at 0; the "
+       "option hold sets another value, slide=VALUE"},
+  };
+}
+
+}  // namespace
 
 std::vector<Said> said_of_clearances() {
   using enum ReasonField;
@@ -18,7 +42,7 @@ std::vector<Said> said_of_clearances() {
                       {position, Eigen::Vector3d(0.1, 0, 0.3)}}};
   const std::string said_close =
       "hand is 0.004 m from table at (0.1, 0, 0.3) m, closer than the clearance of 0.01 m";
-  return {
+  std::vector<Said> said{
       {{ReasonCode::all_solutions_blocked, {{count, std::size_t{8}}}, {close}},
        "every solution is blocked, 8 in all; the first: " + said_close},
       {{ReasonCode::solutions_blocked, {{count, std::size_t{90}}}, {close}},
@@ -53,6 +77,8 @@ std::vector<Said> said_of_clearances() {
        "no path was found that keeps the clearance, with 900 straight joint motions; one may "
        "exist"},
   };
+  for (Said& row : said_of_held_bodies(bodies)) said.push_back(std::move(row));
+  return said;
 }
 
 }  // namespace beeline::testing

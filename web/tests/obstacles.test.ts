@@ -8,7 +8,7 @@ import { compile, instantiateCommand } from "../src/core/load.js";
 import { movedBody, poseOfShape, roundedPose, type SceneBody, type SceneDocument } from "../src/core/scene.js";
 import { SceneModule } from "../src/core/scene_module.js";
 import type { NearestPair } from "../src/core/scene.js";
-import { axe, drag, frames, pages } from "./browser.js";
+import { axe, drag, frames, ofPixels, pages } from "./browser.js";
 import { binaryStl } from "./meshes.js";
 import { commandParts, json, random, run } from "./native.js";
 
@@ -157,19 +157,42 @@ test("a scene from a file is shown; an obstacle is dragged, and the distance fol
   await expect.poll(() => distanceTo(page, "crate")).toBeGreaterThan(first);
 });
 
-/** A pixel of the crate: where the mouse names it. */
-async function crateAt(page: Page): Promise<{ x: number; y: number }> {
+/** A pixel of an obstacle: where the mouse names it. */
+async function crateAt(page: Page, name = "crate"): Promise<{ x: number; y: number }> {
   const box = await page.locator("#stage").boundingBox();
   for (let row = 0.75; row > 0.2; row -= 0.08) {
     for (let column = 0.5; column < 0.95; column += 0.08) {
       const at = { x: (box?.x ?? 0) + column * (box?.width ?? 0), y: (box?.y ?? 0) + row * (box?.height ?? 0) };
       await page.mouse.move(at.x, at.y);
       await frames(page, 2);
-      if ((await page.locator(".overlay .hint-text").textContent()) === "crate") return at;
+      if ((await page.locator(".overlay .hint-text").textContent()) === name) return at;
     }
   }
-  throw new Error("the picture shows no crate");
+  throw new Error(`the picture shows no ${name}`);
 }
+
+test("a point cloud is seen, named where the mouse points at it, and dragged", async () => {
+  const row = Array.from({ length: 15 }, (_, i) => 0.04 * (i - 7));
+  const points = row.flatMap((y) => row.map((z) => [0.7, y, 0.5 + z]));
+  const scan: SceneDocument = { obstacles: [{ name: "scan", shapes: [], point_cloud: { radius: 0.03, points } }] };
+  const page = await opened(await hashOf(scan, `section=obstacles&q=${start.join(",")}`));
+  await nearest(page).filter({ hasText: "scan" }).waitFor();
+  const sandy = (): Promise<number> =>
+    ofPixels<number>(
+      page,
+      `let count = 0;
+       for (let i = 0; i < data.length; i += 4) if (data[i] > 1.3 * data[i + 2] && data[i + 1] > 1.1 * data[i + 2]) ++count;
+       return count;`,
+    );
+  await expect.poll(sandy).toBeGreaterThan(2000);
+  const seen = await sandy();
+  const at = await crateAt(page, "scan");
+  const first = await distanceTo(page, "scan");
+  await drag(page, at, { x: at.x + 60, y: at.y });
+  await expect.poll(() => distanceTo(page, "scan")).not.toBe(first);
+  await page.getByRole("button", { name: "Remove scan" }).click();
+  await expect.poll(sandy).toBeLessThan(seen / 2); // the arm has such pixels too
+});
 
 test("obstacles that are added do not hit the arm, and are kept in the link; one is removed", async () => {
   const page = await opened(`#arm=panda&section=obstacles&q=${start.join(",")}`);

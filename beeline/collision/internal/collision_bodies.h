@@ -105,7 +105,9 @@ struct CollisionBodies {
   /// `pair_count` from the other members.
   void set_groups();
 
-  /// Whether the pairs of the link's body with obstacles count: link 0 does not move.
+  /// Whether the pairs of the link's body with obstacles count: link 0 does not move, so no
+  /// configuration changes whether it may stand there, and it touches what it is mounted on. Where
+  /// the mount is searched, base_blocked_by() tests it.
   static bool meets_obstacles(const LinkBody& link) { return link.carried.frame > 0; }
 
   const std::string& name_of(const LinkBody& body) const { return links[body.link_shapes].name; }

@@ -42,6 +42,10 @@ std::vector<MarkKey> in_order_of(const std::vector<MarkKey>& frame,
   return keys;
 }
 
+bool same_mark(const FrameMark& a, const FrameMark& b) {
+  return a.mark == b.mark || *a.mark == *b.mark;
+}
+
 /// Returns the marks that are equal in all frames and stand in one order, in that order.
 std::vector<MarkKey> still_marks(const Frames& frames,
                                  const std::vector<std::vector<MarkKey>>& keys) {
@@ -56,7 +60,7 @@ std::vector<MarkKey> still_marks(const Frames& frames,
         i = static_cast<std::size_t>(std::find(keys[0].begin(), keys[0].end(), keys[k][n]) -
                                      keys[0].begin());
       }
-      if (frames[k][n].mark == frames[0][i].mark) equal.insert(keys[k][n]);
+      if (same_mark(frames[k][n], frames[0][i])) equal.insert(keys[k][n]);
       ++i;
     }
     still = std::move(equal);
@@ -112,14 +116,17 @@ Elements elements_of(const CutFrames& cut_frames, const Timeline& timeline, doub
                      const std::function<double(double)>& fraction) {
   Elements result;
   for (std::size_t i = 0; i < cut_frames.parts.size(); ++i) {
-    const std::string moving = moving_elements(timeline, cut_frames.parts[i], tolerance);
+    const std::vector<FrameSlice>& part = cut_frames.parts[i];
+    const bool is_empty = std::all_of(part.begin(), part.end(),
+                                      [](const FrameSlice& slice) { return slice.empty(); });
+    const std::string moving = is_empty ? "" : moving_elements(timeline, part, tolerance);
     result.moving_size += moving.size();
     result.text += moving;
     if (i == cut_frames.still.size()) continue;
     const FrameMark& mark = *cut_frames.still[i];
     const bool later = mark.appears > 0;
     result.text += svg_element(
-        mark.mark, later ? visible_between(timeline, fraction(mark.appears), 1) : std::string());
+        *mark.mark, later ? visible_between(timeline, fraction(mark.appears), 1) : std::string());
   }
   return result;
 }
@@ -173,7 +180,7 @@ std::string animated_svg(const Animation& animation, const PlaybackOptions& opti
   svg += bounded_elements(frames, timeline_of(animation, options),
                           [&](double t) { return fraction_at(animation, options, t); });
   svg += "</g>\n<g class=\"still\" display=\"none\">\n";
-  for (const FrameMark& mark : frames.back()) svg += svg_element(mark.mark);
+  for (const FrameMark& mark : frames.back()) svg += svg_element(*mark.mark);
   return svg + "</g>\n" + svg_end;
 }
 

@@ -13,9 +13,9 @@ constexpr double same_colour = 0.0157;  // four steps of 255
 /// Returns whether two marks differ only in the positions of points and in colours.
 bool correspond(const FrameMark& a, const FrameMark& b) {
   if (a.source != b.source || a.appears != b.appears) return false;
-  const auto *stroke_a = std::get_if<PaperStroke>(&a.mark),
-             *stroke_b = std::get_if<PaperStroke>(&b.mark);
-  if (stroke_a == nullptr || stroke_b == nullptr) return a.mark == b.mark;
+  const auto *stroke_a = std::get_if<PaperStroke>(a.mark.get()),
+             *stroke_b = std::get_if<PaperStroke>(b.mark.get());
+  if (stroke_a == nullptr || stroke_b == nullptr) return *a.mark == *b.mark;
   return stroke_a->path.verbs == stroke_b->path.verbs && stroke_a->width == stroke_b->width &&
          stroke_a->dashes == stroke_b->dashes && stroke_a->fill.alpha == stroke_b->fill.alpha &&
          stroke_a->line.alpha == stroke_b->line.alpha;
@@ -65,13 +65,13 @@ class Run {
   std::string elements() const {
     std::string text;
     const FrameSlice& end = frames_[last_];
-    for (std::size_t j = 0; j < end.size(); ++j) text += svg_element(end[j].mark, animations(j));
+    for (std::size_t j = 0; j < end.size(); ++j) text += svg_element(*end[j].mark, animations(j));
     return text;
   }
 
  private:
   const PaperStroke* stroke(std::size_t k, std::size_t j) const {
-    return std::get_if<PaperStroke>(&frames_[k][j].mark);
+    return std::get_if<PaperStroke>(frames_[k][j].mark.get());
   }
 
   bool keeps_colours(std::size_t j) const {

@@ -144,21 +144,57 @@ std::vector<PaperMark> placed_labels(const Cell& cell, const PaperPoint& corner,
   return {drawn.begin() + shapes, drawn.end()};
 }
 
+std::vector<FrameMark> frame_marks_of(std::vector<PaperMark> drawn, const MarkSource& source,
+                                      double appears = 0) {
+  std::vector<FrameMark> marks;
+  for (PaperMark& mark : drawn) {
+    marks.push_back({std::make_shared<const PaperMark>(std::move(mark)), source, appears});
+  }
+  return marks;
+}
+
+std::vector<FrameMark> marks_of(const Item& item, const Projection& projection,
+                                const MarkSource& source) {
+  std::vector<PaperMark> drawn;
+  draw(item.shape, projection, drawn);
+  return frame_marks_of(std::move(drawn), source, item.appears);
+}
+
+/// A cell with the marks that all frames share.
+PageLayout::PlacedCell placed_cell(const Cell& cell, const PaperPoint& corner, std::size_t panel,
+                                   std::span<const Drawing> frames) {
+  const Plot plot = plot_of(cell, corner);
+  const auto source = [panel](MarkSource::Kind kind) { return MarkSource{kind, panel}; };
+  PageLayout::PlacedCell placed{.cell = cell, .corner = corner};
+  placed.background = frame_marks_of(background(cell, plot), source(MarkSource::Kind::background));
+  placed.labels =
+      frame_marks_of(placed_labels(cell, corner, frames), source(MarkSource::Kind::label));
+  placed.caption = frame_marks_of(caption(cell, plot, corner), source(MarkSource::Kind::caption));
+  const std::vector<Item>& items = cell.panel->drawing.items;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    placed.still.push_back(
+        marks_of(items[i], plot.projection, {MarkSource::Kind::still, panel, i}));
+  }
+  return placed;
+}
+
 void draw_cell(const PageLayout::PlacedCell& placed, std::size_t panel, const Drawing* frame,
                std::vector<FrameMark>& marks) {
   const Plot plot = plot_of(placed.cell, placed.corner);
-  const auto add = [&](std::vector<PaperMark> drawn, MarkSource source, double appears = 0) {
-    source.panel = panel;
-    for (PaperMark& mark : drawn) marks.push_back({std::move(mark), source, appears});
+  const auto add = [&marks](const std::vector<FrameMark>& drawn) {
+    marks.insert(marks.end(), drawn.begin(), drawn.end());
   };
-  add(background(placed.cell, plot), {MarkSource::Kind::background});
-  for (const Sourced& sourced : in_order(placed.cell, frame, plot.projection)) {
-    std::vector<PaperMark> drawn;
-    draw(sourced.item->shape, plot.projection, drawn);
-    add(std::move(drawn), sourced.source, sourced.item->appears);
+  add(placed.background);
+  for (Sourced& sourced : in_order(placed.cell, frame, plot.projection)) {
+    sourced.source.panel = panel;
+    if (sourced.source.kind == MarkSource::Kind::still) {
+      add(placed.still[sourced.source.item]);
+    } else {
+      add(marks_of(*sourced.item, plot.projection, sourced.source));
+    }
   }
-  add(placed.labels, {MarkSource::Kind::label});
-  add(caption(placed.cell, plot, placed.corner), {MarkSource::Kind::caption});
+  add(placed.labels);
+  add(placed.caption);
 }
 
 void check_figure(const Figure& figure) {
@@ -194,14 +230,14 @@ PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames) {
   Picture title;
   title.width = layout.width;
   double top = draw_title(figure.title, size.x(), title);
-  layout.title = std::move(title.marks);
+  layout.title = frame_marks_of(std::move(title.marks), {});
   if (!figure.title.empty()) top += 5;
   layout.height = std::ceil(top + size.y() + page_margin);
   std::vector<std::vector<PageCell>> cells(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (const Cell& cell : columns[i]) {
       const auto place = [&](const PaperPoint& corner) {
-        layout.cells.push_back({cell, corner, placed_labels(cell, corner, frames)});
+        layout.cells.push_back(placed_cell(cell, corner, layout.cells.size(), frames));
       };
       cells[i].push_back({{cell.width(), cell.height() + panel_gap}, place});
     }
@@ -211,8 +247,7 @@ PageLayout laid_out(const Figure& figure, std::span<const Drawing> frames) {
 }
 
 std::vector<FrameMark> frame_marks(const PageLayout& layout, const Drawing* frame) {
-  std::vector<FrameMark> marks;
-  for (const PaperMark& mark : layout.title) marks.push_back({mark, {}});
+  std::vector<FrameMark> marks = layout.title;
   for (std::size_t i = 0; i < layout.cells.size(); ++i) {
     draw_cell(layout.cells[i], i, frame, marks);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,9 +60,10 @@ struct MarkSource {
   auto operator<=>(const MarkSource&) const = default;
 };
 
-/// A mark of one frame. It is drawn from the time `appears` on; see Item.
+/// A mark of one frame. It is drawn from the time `appears` on; see Item. Frames share the marks
+/// that are the same in all of them: a scene may have thousands.
 struct FrameMark {
-  PaperMark mark;
+  std::shared_ptr<const PaperMark> mark;
   MarkSource source;
   double appears = 0;
 };
@@ -72,10 +74,12 @@ struct PageLayout {
   struct PlacedCell {
     Cell cell;
     PaperPoint corner = PaperPoint::Zero();
-    std::vector<PaperMark> labels;
+    std::vector<FrameMark> background = {}, labels = {}, caption = {};
+    /// The marks of each item of the panel's drawing.
+    std::vector<std::vector<FrameMark>> still = {};
   };
   std::vector<PlacedCell> cells;
-  std::vector<PaperMark> title;
+  std::vector<FrameMark> title;
 };
 
 /// Lays the figure out. Each panel has room for the items of all frames, because every panel shows

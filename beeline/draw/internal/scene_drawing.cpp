@@ -157,14 +157,22 @@ bool keeps_clearance(const BodyDistance& pair) { return pair.upper >= pair.clear
 /// The distance of a pair, or the depth by which it overlaps, below 0.
 double shown_distance(const BodyDistance& pair) { return pair.lower > 0 ? pair.upper : pair.lower; }
 
+/// Whether an obstacle of two scenes of a program, which moves as a whole, is where it was.
+bool same_place(const Obstacle& a, const Obstacle& b) {
+  if (a.shapes.empty() || b.shapes.empty()) return a.shapes.empty() == b.shapes.empty();
+  return a.shapes.front().pose.matrix() == b.shapes.front().pose.matrix();
+}
+
 }  // namespace
 
-void add_obstacles(Drawing& drawing, const CollisionModel& model) {
+void add_obstacles(Drawing& drawing, const CollisionModel& model,
+                   const std::set<std::string>& names, bool among) {
   constexpr std::size_t max_labels = 12;
   const Region region(model.arm());
   const std::vector<Obstacle>& obstacles = model.bodies().scene.obstacles;
   std::vector<Label> labels;
   for (const Obstacle& obstacle : obstacles) {
+    if (names.contains(obstacle.name) != among) continue;
     std::vector<Vector3> framed;
     std::vector<Solid> solids = solids_of(obstacle.cloud);
     for (const Shape& shape : obstacle.shapes) {
@@ -222,6 +230,22 @@ std::string nearest_text(const BodyDistance& pair) {
 ModelsOverTime::ModelsOverTime(std::span<const ProgramScene> scenes) {
   if (scenes.empty()) throw Error("a motion of a program has at least one scene; none is given");
   for (const ProgramScene& scene : scenes) from_.emplace_back(scene.begin, &scene.model);
+}
+
+std::set<std::string> ModelsOverTime::still_obstacles() const {
+  std::set<std::string> still;
+  if (from_.empty()) return still;
+  const std::vector<Obstacle>& first = from_.front().second->bodies().scene.obstacles;
+  for (const Obstacle& obstacle : first) {
+    const bool stands = std::all_of(from_.begin(), from_.end(), [&](const auto& scene) {
+      const std::vector<Obstacle>& others = scene.second->bodies().scene.obstacles;
+      return std::any_of(others.begin(), others.end(), [&](const Obstacle& other) {
+        return other.name == obstacle.name && same_place(other, obstacle);
+      });
+    });
+    if (stands) still.insert(obstacle.name);
+  }
+  return still;
 }
 
 const CollisionModel& ModelsOverTime::at(double time) const {

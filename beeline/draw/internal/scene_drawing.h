@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,8 +16,10 @@
 namespace beeline::internal {
 
 /// Adds the obstacles of the model to the drawing, up to twelve with their names. The page contains
-/// what is within 1.2 times the arm's reach of its base; half-spaces are drawn as slabs there.
-void add_obstacles(Drawing& drawing, const CollisionModel& model);
+/// what is within 1.2 times the arm's reach of its base; half-spaces are drawn as slabs there. With
+/// `names`, those in it if `among`, else the others.
+void add_obstacles(Drawing& drawing, const CollisionModel& model,
+                   const std::set<std::string>& names = {}, bool among = false);
 
 /// Adds the shapes of the arm's links at configuration q.
 void add_link_shapes(Drawing& drawing, const CollisionModel& model, const ConfigurationRef& q,
@@ -49,6 +52,8 @@ class ModelsOverTime {
   explicit operator bool() const { return !from_.empty(); }
   /// Whether there is more than one.
   bool change() const { return from_.size() > 1; }
+  /// The names of the obstacles that stand in one place at all times.
+  std::set<std::string> still_obstacles() const;
   /// The model of a time. Requires one.
   const CollisionModel& at(double time) const;
 

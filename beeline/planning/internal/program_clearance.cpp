@@ -154,7 +154,7 @@ std::optional<ClearanceProof> refused_change(const ProgramScenes& scenes,
       if (pair.names[0] != part && pair.names[1] != part) continue;
       const double time = trajectory.times[section.first];
       ClearanceProof proof{.status = ClearanceStatus::collides,
-                           .reason = too_close_reason(pair),
+                           .reason = too_close_reason(pair, section.model.links()),
                            .pair = pair,
                            .time = time,
                            .begin = time,

@@ -192,6 +192,11 @@ TEST(ArmShapes, AreHeldBesideTheChain) {
   ArmShapes shapes = robot_shapes(shaped_chain + finger, to_b);
   EXPECT_EQ(shapes.held, (std::map<std::string, double>{{"other", -0.1}, {"slide", 0.2}}));
   EXPECT_NEAR(shapes.links.at(2).shapes.at(0).pose.translation().z(), -0.1, 1e-12);
+  // Of each body the joints that can be held: not the one that follows.
+  EXPECT_TRUE(shapes.links.at(0).held.empty());
+  for (const std::size_t i : {1U, 2U}) {
+    EXPECT_EQ(shapes.links.at(i).held, (std::map<std::string, double>{{"slide", 0.2}}));
+  }
   shapes = robot_shapes(shaped_chain + finger, to_b, {{"slide", 0.5}});
   EXPECT_NEAR(shapes.held.at("other"), -0.4, 1e-12);
   EXPECT_REFUSED(robot_shapes(shaped_chain + finger, to_b, {{"slide", 1}}), "outside its limits");

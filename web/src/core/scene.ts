@@ -21,11 +21,18 @@ export interface SceneShape {
   hull_of?: string;
 }
 
+/** Spheres of one radius, m, around points in the frame of `pose`. */
+export interface PointCloud {
+  radius: number;
+  points?: number[][];
+  pose?: ScenePose;
+}
+
 export interface SceneBody {
   name: string;
   shapes: SceneShape[];
-  /** Spheres of one radius, beside the shapes: they count, and are not drawn. */
-  point_cloud?: { radius: number; points?: number[][]; pose?: ScenePose };
+  /** Beside the shapes. */
+  point_cloud?: PointCloud;
   clearance?: number;
 }
 
@@ -126,6 +133,15 @@ export function poseOfShape({ pose = {} }: Pick<SceneShape, "pose">): number[] {
 /** Where an obstacle stands: the pose of its first shape, or of its points. */
 export function poseOfBody({ shapes, point_cloud: cloud }: SceneBody): number[] {
   return poseOfShape(shapes[0] ?? cloud ?? {});
+}
+
+/** A point in an obstacle: where its first shape stands, or the mean of its points. */
+export function middleOfBody(body: SceneBody): number[] {
+  const pose = poseOfBody(body);
+  const points = body.shapes.length > 0 ? [] : (body.point_cloud?.points ?? []);
+  if (points.length === 0) return pose.slice(12, 15);
+  const mean = [0, 1, 2].map((k) => points.reduce((sum, point) => sum + (point[k] ?? 0), 0) / points.length);
+  return product(pose, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...mean, 1]).slice(12, 15);
 }
 
 /** The product of two column-major 4 x 4 matrices. */

@@ -129,6 +129,8 @@ function remarks({ shapes, clearance, point_cloud: cloud }: SceneBody): string {
   const several = shapes.length > 1 ? `${shapes.length} shapes, which move together; the pose is the first one's.` : "";
   const own = clearance === undefined ? "" : `It has a clearance of its own, ${clearance} m.`;
   const frame = shapes.length === 0 ? "; the pose is the one of their frame" : "";
-  const points = cloud ? `Its ${cloud.points?.length ?? 0} points are checked, and not drawn${frame}.` : "";
+  const points = cloud
+    ? `It has ${cloud.points?.length ?? 0} points, spheres of radius ${cloud.radius} m${frame}.`
+    : "";
   return [several, own, points].filter((remark) => remark !== "").join(" ");
 }

@@ -140,4 +140,10 @@ void HeldJoints::add_held(std::size_t index, const std::string& link,
   held[joint.name] = has_one_dof(joint) ? value(index) : 0;
 }
 
+void HeldJoints::add_leader(std::size_t joint, std::map<std::string, double>& leaders) const {
+  const std::size_t leader = leaders_[joint]->index;
+  const UrdfFile::Joint& leading = file_.joints[leader];
+  if (has_one_dof(leading) && !on_chain_[leader]) leaders[leading.name] = value(leader);
+}
+
 }  // namespace beeline::internal

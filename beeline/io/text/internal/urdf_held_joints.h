@@ -33,6 +33,10 @@ class HeldJoints {
   void add_held(std::size_t joint, const std::string& link,
                 std::map<std::string, double>& held) const;
 
+  /// Adds the joint that gives the joint its value, itself or the one that it follows, with that
+  /// one's value; none for a joint that cannot be held.
+  void add_leader(std::size_t joint, std::map<std::string, double>& leaders) const;
+
   /// Returns the name of the named state from which the joint's value comes; empty: of none.
   std::string state_of(std::size_t joint) const;
 

@@ -71,13 +71,18 @@ class LinkPlacement {
       const std::string state = joints_.state_of(joint);
       if (!state.empty()) read.held_by_state[file_.joints[joint].name] = state;
     }
+    std::map<std::string, double> held;
+    for (std::size_t at = link; placed_[at]->joint != none; at = placed_[at]->before) {
+      joints_.add_leader(placed_[at]->joint, held);
+    }
     const PlacedLink& placed = *placed_[link];
     for (Shape& shape : shapes) shape.pose = placed.pose * shape.pose;
     return {.name = of_file.name,
             .link = placed.frame,
             .shapes = std::move(shapes),
             .at_proximal_joint = placed.at_proximal_joint,
-            .at_distal_joint = placed.at_distal_joint};
+            .at_distal_joint = placed.at_distal_joint,
+            .held = std::move(held)};
   }
 
  private:

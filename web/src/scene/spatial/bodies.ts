@@ -10,9 +10,10 @@ import {
   MeshLambertMaterial,
   type Object3D,
 } from "three";
-import { poseOfShape, type SceneShape } from "../../core/scene.js";
+import { poseOfShape, type PointCloud, type SceneShape } from "../../core/scene.js";
 import { resolved } from "../colours.js";
 import type { DrawnBody } from "../picture.js";
+import { Cloud } from "./cloud.js";
 import { geometryOf } from "./shape_geometry.js";
 
 const opacity = { obstacle: 0.72, wall: 0.15, link: 0.3 };
@@ -24,9 +25,17 @@ interface Piece {
   root: Group;
 }
 
-/** Obstacles as solids, or the shapes of links around the arm: translucent, so that they hide nothing. */
+/** A point cloud that is drawn, with the points of which it is made. */
+interface DrawnCloud {
+  of: PointCloud;
+  drawn: Cloud;
+}
+
+/** Obstacles as solids and spheres, or the shapes of links around the arm: solids are translucent, so that they hide
+ * nothing. */
 export class Bodies extends Group {
   private pieces: Piece[][] = [];
+  private clouds: (DrawnCloud | undefined)[] = [];
   private frames: Group[] = [];
   private bodies: DrawnBody[] = [];
   private readonly fills = new Map<string, MeshLambertMaterial>();
@@ -51,6 +60,7 @@ export class Bodies extends Group {
       frame.matrixAutoUpdate = false;
       frame.visible = body.hidden !== true;
       this.fit(i, body.shapes);
+      this.fitCloud(i, body.point_cloud);
     });
     this.dress();
   }
@@ -80,6 +90,7 @@ export class Bodies extends Group {
   paint(): void {
     this.edge.color = new Color(resolved("--ink"));
     for (const [key, material] of this.fills) material.color = new Color(resolved(toneOf(key)));
+    if (this.clouds.length > 0) this.dress();
   }
 
   override dispose(): this {
@@ -106,6 +117,28 @@ export class Bodies extends Group {
     });
   }
 
+  /** Makes the points of a body if they are others, and puts them at their pose. */
+  private fitCloud(index: number, cloud: PointCloud | undefined): void {
+    const before = this.clouds[index];
+    if (before && (before.of.points !== cloud?.points || before.of.radius !== cloud?.radius)) this.dropCloud(index);
+    if (!cloud) return;
+    let kept = this.clouds[index];
+    if (!kept) {
+      kept = { of: cloud, drawn: new Cloud(cloud) };
+      this.clouds[index] = kept;
+      kept.drawn.userData["body"] = index;
+      kept.drawn.matrixAutoUpdate = false;
+      this.frames[index]?.add(kept.drawn);
+    }
+    put(kept.drawn, poseOfShape(cloud));
+  }
+
+  private dropCloud(index: number): void {
+    this.clouds[index]?.drawn.removeFromParent();
+    this.clouds[index]?.drawn.dispose();
+    this.clouds[index] = undefined;
+  }
+
   private made(shape: SceneShape, index: number): Group {
     const geometry = geometryOf(shape, this.size);
     const solid = new Mesh(geometry);
@@ -120,12 +153,15 @@ export class Bodies extends Group {
 
   private drop(): void {
     for (const piece of this.pieces.pop() ?? []) remove(piece);
+    this.dropCloud(this.frames.length - 1);
     this.frames.pop()?.removeFromParent();
   }
 
   private dress(): void {
     this.bodies.forEach(({ name }, i) => {
       const tone = this.close.includes(name) ? "close" : i === this.selected ? "selected" : "plain";
+      const cloud = this.clouds[i];
+      if (cloud) cloud.drawn.tone = new Color(resolved(toneOf(`${this.kind}-${tone}`)));
       for (const { root } of this.pieces[i] ?? []) {
         const solid = root.children[0] as Mesh;
         solid.material = this.fill(solid.userData["wall"] === true ? `wall-${tone}` : `${this.kind}-${tone}`);
@@ -156,7 +192,7 @@ function toneOf(key: string): string {
   return kind === "link" ? "--steel" : "--obstacle";
 }
 
-function put(group: Group, pose: number[]): void {
+function put(group: Object3D, pose: number[]): void {
   group.matrix.copy(new Matrix4().fromArray(pose));
   group.matrixWorldNeedsUpdate = true;
 }

@@ -1,5 +1,5 @@
 import { Box3, type Group, Matrix4, Quaternion, Vector3 } from "three";
-import { poseOfBody } from "../../core/scene.js";
+import { middleOfBody } from "../../core/scene.js";
 import type { Skeleton } from "../../core/types.js";
 import { Callout } from "../callout.js";
 import { onTheme } from "../colours.js";
@@ -199,7 +199,7 @@ export class SpatialPicture implements Picture {
   /** Points of what is drawn beside the arm, m. */
   private beside(): number[][] {
     const { ghosts, trails, waypoints, columns, obstacles } = this.marks;
-    const stands = obstacles.map((body) => poseOfBody(body).slice(12, 15));
+    const stands = obstacles.map(middleOfBody);
     const [x = 0, y = 0, z = 0] = this.bones.tool;
     const tip = ([dx = 0, dy = 0, dz = 0]: number[]): number[] => [
       x + shortening * dx,
