@@ -172,9 +172,9 @@ void bind_timing(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, nb::handle waypoints, const nb::kwargs& keywords) {
-        const auto through = Value<std::vector<Configuration>>::from(waypoints, "waypoints");
+        const auto given = Value<std::vector<Configuration>>::from(waypoints, "waypoints");
         auto asked = options<RetimeOptions>(keywords);
-        return unlocked(asked.budget, [&] { return move_through(arm, through, asked); });
+        return unlocked(asked.budget, [&] { return move_through(arm, given, asked); });
       },
       through, nb::arg("arm"), nb::arg("waypoints"), nb::arg("keywords"));
   Signature assumed(
