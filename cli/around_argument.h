@@ -24,7 +24,7 @@ struct AroundArgument {
 
   std::vector<Option> options();
 
-  /// Plans, proves and writes the motion from a configuration to another or, where that is not
+  /// Plans, proves and writes the motion from a configuration to another or, if that is not
   /// given, to one of the solutions of inverse kinematics for the pose.
   Answer answer(const Arm& arm, const Configuration& from, const std::optional<Configuration>& to,
                 const SceneArgument& scene_argument, const CheckedScene& scene,

@@ -10,7 +10,10 @@ namespace beeline::command {
 std::vector<Option> JointPathArgument::options(const std::string& quickest,
                                                const std::string& other) {
   const std::vector<std::string> methods = {quickest, other};
-  return {
+  std::vector<Option> reading = recording.reading_options();
+  std::erase_if(reading, [](const Option& option) { return option.name == "--time-unit"; });
+  for (Option& option : reading) option.needs = "--through";
+  std::vector<Option> own{
       Option("--through FILE",
              "Configurations that the quickest motion passes after --from, without a stop, up to "
              "the last, where it ends; instead of --to. A .csv file with a row for each, with "
@@ -28,6 +31,14 @@ std::vector<Option> JointPathArgument::options(const std::string& quickest,
                       "", methods),
       rate_option(&rate, ". Default: 100; with --through as few samples as the motion needs.",
                   methods)};
+  return joined({own, reading});
+}
+
+std::vector<Configuration> JointPathArgument::waypoints(const Arm& arm,
+                                                        const UnitArgument& unit) const {
+  RecordingArgument reading = recording;
+  if (unit.degrees && reading.angle_unit.empty()) reading.angle_unit = name(JointUnit::degrees);
+  return matched_to(arm, reading.read(through, arm, unit, {.times = false}).trajectory).positions;
 }
 
 RetimeOptions JointPathArgument::through_options() const {

@@ -15,7 +15,6 @@
 #include "joint_path_argument.h"
 #include "json_reason.h"
 #include "motion_report.h"
-#include "recording_argument.h"
 #include "result_files.h"
 #include "retimed_answer.h"
 #include "sampling_argument.h"
@@ -61,6 +60,10 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
   return motion;
 }
 
+std::string tool_text(const MoveArguments& arguments, const Arm& arm, const Pose& goal) {
+  return "tool at the goal\n" + pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
+}
+
 std::string move_text(const MoveArguments& arguments, const Arm& arm,
                       const ControlledMotion& motion, const Pose& goal) {
   std::string text;
@@ -82,8 +85,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
   if (!motion) return text;
   text += position_text(motion.limits) + limits_text(motion.limits) +
           start_jump_text(arm, motion.start_jump, arguments.unit);
-  return text + "tool at the goal\n" +
-         pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
+  return text + tool_text(arguments, arm, goal);
 }
 
 /// The proportional gains as typed.
@@ -127,16 +129,21 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
 /// The quickest motion through the configurations of --through.
 Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const Configuration& from,
                          const std::optional<CheckedScene>& scene) {
-  const RecordingArgument recording{.angle_unit = arguments.unit.degrees ? "deg" : ""};
-  const Trajectory path =
-      recording.read(arguments.path.through, arm, arguments.unit, {.times = false}).trajectory;
-  std::vector<Configuration> waypoints = matched_to(arm, path).positions;
+  std::vector<Configuration> waypoints = arguments.path.waypoints(arm, arguments.unit);
   waypoints.insert(waypoints.begin(), from);
   RetimeOptions options = arguments.path.through_options();
   options.budget = arguments.budget.next();
   const Retimed retimed = beeline::move_through(arm, waypoints, options);
-  return RetimedResult{arguments.scene, scene, arguments.budget, arguments.files}.answer(arm,
-                                                                                         retimed);
+  RetimedResult result{arguments.scene, scene, arguments.budget, arguments.files};
+  for (const Configuration& q : waypoints) result.waypoints.push_back(forward_kinematics(arm, q));
+  Answer answer = result.answer(arm, retimed);
+  answer.document.add("method", quickest);
+  if (!answer.yes) return answer;
+  answer.document.add(
+      "error", (retimed.trajectory.positions.back() - waypoints.back()).lpNorm<Eigen::Infinity>());
+  answer.units = {{"error", "rad or m"}};
+  answer.text += tool_text(arguments, arm, result.waypoints.back());
+  return answer;
 }
 
 /// The configuration of --to; --pose or --through may be given instead.
@@ -234,7 +241,8 @@ std::vector<Option> move_options(MoveArguments& arguments) {
           Option("--method METHOD",
                  "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                  "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                 "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m; around: a "
+                 "rest; with --to the start may be outside the limits by up to 0.1 rad or 0.01 m; "
+                 "around: a "
                  "motion from rest to rest around the obstacles of --scene.",
                  &arguments.method, {.choices = {feedback, quickest, around}})};
 }
@@ -258,10 +266,12 @@ std::vector<Option> feedback_options(MoveArguments& arguments) {
 }
 
 std::vector<Option> quickest_options(MoveArguments& arguments) {
-  return {Option("--synchronise KIND",
-                 "time: each joint has its own profile of the same duration; straight: all joints "
-                 "move in proportion, on a straight line in joint space.",
-                 &arguments.synchronise, {.choices = {"time", "straight"}, .methods = {quickest}})};
+  return {
+      Option("--synchronise KIND",
+             "time: each joint has its own profile of the same duration; straight: all joints "
+             "move in proportion, on a straight line in joint space.",
+             &arguments.synchronise,
+             {.choices = {"time", "straight"}, .methods = {quickest}, .excludes = "--through"})};
 }
 
 }  // namespace

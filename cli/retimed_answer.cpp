@@ -17,14 +17,13 @@ std::string blends_text(const std::vector<double>& blends) {
   std::vector<double> radii;
   std::copy_if(blends.begin(), blends.end(), std::back_inserter(radii),
                [](double radius) { return radius > 0; });
-  const auto stops = static_cast<std::int64_t>(blends.size() - radii.size());
   std::string text = "blends        " + counted(static_cast<std::int64_t>(radii.size()), "blend");
   if (!radii.empty()) {
     const auto [least, largest] = std::minmax_element(radii.begin(), radii.end());
     text += " of radius " + shown(*least);
     if (*least != *largest) text += " to " + shown(*largest);
   }
-  return text + ", " + counted(stops, "stop") + " between\n";
+  return text + "\n";
 }
 
 std::string retimed_text(const Arm& arm, const Retimed& retimed,
@@ -60,7 +59,8 @@ Answer RetimedResult::answer(const Arm& arm, const Retimed& retimed,
   const bool refused = clearance && !clearance->proof;
   const bool found = retimed && !refused;
   if (found) {
-    files.write(arm, retimed.trajectory, {}, {}, std::nullopt, scene ? &scene->model : nullptr);
+    files.write(arm, retimed.trajectory, waypoints, {}, std::nullopt,
+                scene ? &scene->model : nullptr);
   }
   Answer answer{
       .text = retimed_text(arm, retimed, duration_before),

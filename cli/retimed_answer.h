@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <beeline/timing/retime.h>
 
@@ -17,9 +18,10 @@ struct RetimedResult {
   const std::optional<CheckedScene>& scene;
   const BudgetArgument& budget;  ///< of the proof
   const ResultFiles& files;
+  std::vector<Pose> waypoints = {};  ///< of the tool, for pictures
 
   /// Proves that the motion keeps its clearance, writes the files and reports. `duration_before`:
-  /// of the trajectory that was retimed, s, where that had times.
+  /// of the trajectory that was retimed, s, if it had times.
   Answer answer(const Arm& arm, const Retimed& retimed,
                 const std::optional<double>& duration_before = std::nullopt) const;
 };

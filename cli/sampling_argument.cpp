@@ -28,8 +28,8 @@ Option joint_blend_option(Target target, const std::string& otherwise,
                           std::vector<std::string> methods) {
   return {"--joint-blend D",
           "Largest distance of the joints from a position, the norm of the difference, at which "
-          "the motion leaves the straight joint motion to pass it without a stop; 0: the arm stops "
-          "there. Default: " +
+          "the motion leaves the straight joint motion to pass it without a stop, rad and m added; "
+          "0: the arm stops there. Default: " +
               otherwise,
           target,
           {.range = zero_or_more, .methods = std::move(methods)}};

@@ -25,7 +25,7 @@ Reason reason_of(const ClearanceProof& proof, Ending ending, std::span<const Lin
     return internal::ended_reason(ReasonCode::ended_before_check, ending);
   }
   const bool undecided = proof.status == ClearanceStatus::not_decided;
-  Reason reason = undecided ? internal::not_decided_reason(proof.pair, links)
+  Reason reason = undecided ? internal::not_decided_reason(proof.pair)
                             : internal::too_close_reason(proof.pair, links);
   reason.set(ReasonField::time, proof.time);
   if (undecided) reason.set(ReasonField::begin, proof.begin).set(ReasonField::end, proof.end);

@@ -80,7 +80,11 @@ class Distances {
       of_base.push_back(i);
     }
     standing_ = [up, lowest](const ConvexBody& obstacle) {
-      return support(obstacle, up) <= lowest + max_standing_overlap;
+      constexpr double rounding = 1e-9;  // of the directions of a mount and of its floor
+      const Vector3 normal = obstacle.axes.col(2);
+      const bool is_floor =
+          obstacle.core == ConvexBody::Core::half_space && (normal - up).norm() <= rounding;
+      return support(obstacle, is_floor ? normal : up) <= lowest + max_standing_overlap;
     };
     for (const std::size_t i : of_base) visit_obstacles(i, within, found);
     standing_ = nullptr;
@@ -190,7 +194,7 @@ class BlockingPair {
   Reason reason(std::span<const LinkShapes> links) const {
     if (!deepest_) return {};
     return is_proved(*deepest_) ? internal::too_close_reason(*deepest_, links)
-                                : internal::not_decided_reason(*deepest_, links);
+                                : internal::not_decided_reason(*deepest_);
   }
 
  private:

@@ -237,6 +237,13 @@ Retimed retimed_with(const std::vector<std::vector<double>>& radii, const Arm& a
   return timed;
 }
 
+/// The shortest duration of a motion that is refused because it takes longer; infinite if it is
+/// refused otherwise, s.
+double shortest_duration(const Retimed& refused) {
+  const ReasonValue* shortest = refused.reason.find(ReasonField::shortest_duration);
+  return shortest != nullptr ? std::get<double>(*shortest) : Limits::none;
+}
+
 /// The motion with the largest blends or, if that is quicker, with stops in place of small ones.
 Retimed retimed_with_blends(const Arm& arm, const std::vector<std::vector<Configuration>>& sections,
                             const RetimeOptions& options, internal::BudgetMeter& budget) {
@@ -248,8 +255,10 @@ Retimed retimed_with_blends(const Arm& arm, const std::vector<std::vector<Config
   Retimed timed = retimed_with(radii, arm, sections, options, budget);
   if (stopping == radii || !budget.complete()) return timed;
   Retimed stopped = retimed_with(stopping, arm, sections, options, budget);
-  const bool quicker = stopped && (!timed || stopped.duration() < timed.duration());
-  return quicker ? stopped : timed;
+  if (!budget.complete()) return stopped;
+  const bool quicker = stopped ? !timed || stopped.duration() < timed.duration()
+                               : !timed && shortest_duration(stopped) < shortest_duration(timed);
+  return quicker ? std::move(stopped) : std::move(timed);
 }
 
 }  // namespace

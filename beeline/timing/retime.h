@@ -21,8 +21,9 @@ struct RetimeOptions {
   Interpolation interpolation = Interpolation::quintic;  ///< interpolation of the result
   /// Largest distance from a position, the norm of the difference, at which the path leaves the
   /// straight joint motions between positions to pass this one in a blend, without a stop; 0: the
-  /// arm stops at each position, as it does where the path turns back. Of blends below 0.05 it is
-  /// tried whether stops are quicker. Default: the path is the spline through the positions.
+  /// arm stops at each position, as it does where the path turns back, and where a neighbour is
+  /// nearer than 2e-3. Of blends below 0.05 it is tried whether stops are quicker. Default: the
+  /// path is the spline through the positions.
   std::optional<double> joint_blend = std::nullopt;
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
@@ -80,8 +81,9 @@ void check_moves(const Trajectory& trajectory);
 /// The result is within the limits at all times, for the motion that its columns mean (see
 /// Interpolation): the acceleration of a cubic or quintic motion does not jump, so it takes up to 1
 /// % longer than a time scaling with jumps, and more if known jerk limits need wider ramps. With a
-/// rate each section takes about a period more. Without a rate every position remains a sample, to
-/// the motion of a nanosecond, unless it follows the one before within 10 microseconds. With a rate
+/// rate each section takes about a period more. Without a rate every position that the path passes
+/// remains a sample, to the motion of a nanosecond, unless it follows the one before within 10
+/// microseconds. With a rate
 /// only the first and the last position of each section remain samples, and each section lasts a
 /// whole number of periods.
 ///
@@ -91,9 +93,9 @@ void check_moves(const Trajectory& trajectory);
 /// positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
-/// Plans the motion from rest to rest through configurations, in order, without stops: retime() of
-/// a trajectory with these positions. Joint values are numbers; angles are not unwrapped. Throws
-/// Error as retime() does.
+/// Plans the motion from rest to rest through configurations, in order: retime() of a trajectory
+/// with these positions, which stops at repeated ones. Joint values are numbers; angles are not
+/// unwrapped. Throws Error as retime() does.
 Retimed move_through(const Arm& arm, std::span<const Configuration> waypoints,
                      const RetimeOptions& options = {});
 

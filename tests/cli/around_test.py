@@ -41,6 +41,9 @@ def test_a_motion_goes_around_what_the_quickest_one_hits(cell, beeline, tmp_path
     again = cell("--to", GOAL, "--out", "n.csv")
     assert (tmp_path / "n.csv").read_bytes() == (tmp_path / "m.csv").read_bytes()
     assert "straight joint motions, length" in again.out
+    slow = cell("--to", GOAL, "--duration", "20", "--json")
+    assert slow.code == 0 and slow.json["duration"] == 20, slow.err
+    assert cell("--to", GOAL, "--duration", "20", "--rate", "100").code == 2
     stops = cell("--to", GOAL, "--joint-blend", "0", "--json").json
     assert stops["duration"] > answer.json["duration"] and set(stops["path"]["blends"]) == {0.0}
 

@@ -28,6 +28,7 @@ def test_the_spline_passes_the_configurations(through, tmp_path):
     answer = through("--out", "m.csv", "--json")
     assert answer.code == 0, answer.err
     assert answer.json["sections"] == 1 and "blends" not in answer.json
+    assert answer.json["method"] == "quickest" and answer.json["error"] < 1e-8
     rows = rows_of(tmp_path / "m.csv")
     assert all(nearest(rows, waypoint) < 1e-8 for waypoint in WAYPOINTS)
     assert rows[0] == pytest.approx(WAYPOINTS[0]) and rows[-1] == pytest.approx(WAYPOINTS[-1])
@@ -40,12 +41,19 @@ def test_blends_pass_near_them(through, beeline, tmp_path):
     assert answer.json["blends"] == [0.1, 0.1] and answer.json["sections"] == 1
     assert all(nearest(rows_of(tmp_path / "m.csv"), waypoint) < 0.1 for waypoint in WAYPOINTS)
     stops = through("--joint-blend", "0")
-    assert stops.code == 0 and "blends        0 blends, 2 stops between" in stops.out
-    assert "2 blends of radius 0.1, 0 stops between" in through("--joint-blend", "0.1").out
+    assert stops.code == 0 and "with 2 stops between" in stops.out and "blends        0 blends\n" in stops.out
+    assert "2 blends of radius 0.1\n" in through("--joint-blend", "0.1").out
     (tmp_path / "all.csv").write_text("".join(f"{a},{b},{c}\n" for a, b, c in WAYPOINTS))
     again = beeline("retime", "rrr", "all.csv", "--joint-blend", "0.1", "--out", "r.csv")
     assert again.code == 0 and (tmp_path / "r.csv").read_bytes() == (tmp_path / "m.csv").read_bytes()
     assert beeline("check", "rrr", "m.csv").code == 0
+
+
+def test_positions_that_are_close_are_stops(beeline, written):
+    written("dense.csv", "".join(f"{k / 1000},0.5,0\n" for k in range(1, 6)))
+    answer = beeline("move", "rrr", "--from", "0,0.5,0", "--method", "quickest", "--through", "dense.csv",
+                     "--joint-blend", "0.05", "--json")
+    assert answer.code == 0 and answer.json["blends"] == [0] * 4
 
 
 def test_degrees_and_durations(through, beeline, written, tmp_path):
@@ -72,4 +80,6 @@ def test_refusals_are_one_line(through, beeline, written):
     assert "two.csv" in refused("--method", "quickest", "--through", "two.csv", code=3)
     assert "input" in refused("--method", "quickest", "--through", "q.csv", "--out", "q.csv")
     assert through("--joint-blend", "-1").code == 2
+    assert "--synchronise" in refused("--method", "quickest", "--through", "q.csv", "--synchronise", "straight")
+    assert "--through" in refused("--method", "quickest", "--to", "1,1,1", "--angle-unit", "deg")
     assert json.loads(through("--json").out)["status"] == "reached"

@@ -59,6 +59,15 @@ TEST(BaseContact, StandsOnTheWallAtWhichItIsMounted) {
   EXPECT_EQ(base_reason(arm, cube, {floor}).code, ReasonCode::bodies_collide);
 }
 
+TEST(BaseContact, StandsOnTheFloorInEveryHeading) {
+  const Obstacle floor{.name = "floor", .shapes = {{.body = HalfSpace{}}}};
+  for (int i = 0; i < 360; ++i) {
+    const Rotation heading(Eigen::AngleAxisd(i * testing::deg, Vector3::UnitZ()));
+    const Arm arm = with_mount(built_in("ur5"), make_pose({1, 2, 0}, heading));
+    EXPECT_FALSE(base_reason(arm, cube, {floor})) << i;
+  }
+}
+
 TEST(BaseContact, KeepsTheClearanceBesideIt) {
   const Arm arm = built_in("ur5");
   const auto beside = [&](double gap, const CollisionOptions& options = {}) {

@@ -2,6 +2,7 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/internal/solve.h>
+#include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -17,6 +18,16 @@ InverseResult thorough(const Arm& arm, const Pose& pose, const InverseOptions& o
   internal::BudgetMeter budget(options.budget);
   return internal::solve_thoroughly(state, pose, *options.seed, internal::FailureDetail::status,
                                     budget);
+}
+
+/// Whether the quick stages suffice.
+bool suffice(const Arm& arm, const Pose& pose, const InverseOptions& options) {
+  internal::SolverState state(arm, options);
+  internal::BudgetMeter budget(options.budget);
+  internal::Request request = internal::make_request(state, pose, *options.seed, budget);
+  request.quick = true;
+  internal::StageResult found;
+  return internal::run_quick_stages(state, request, found);
 }
 
 void expect_same_result(const InverseResult& quick, const InverseResult& expected) {
@@ -36,6 +47,7 @@ TEST(QuickStages, GiveWhatAllStagesGive) {
   testing::Random random;
   for (const char* name : {"ur5", "puma560", "stanford", "scara", "px150", "rrr", "gen3_lite"}) {
     const Arm arm = built_in(name);
+    int quick = 0;
     for (int i = 0; i < testing::cases(100); ++i) {
       SCOPED_TRACE(name + std::string(", pose ") + std::to_string(i));
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
@@ -43,7 +55,9 @@ TEST(QuickStages, GiveWhatAllStagesGive) {
       options.ignore_limits = i % 3 == 1;
       if (i % 3 == 2) options.weights = random.configuration(arm).cwiseAbs().cwiseMax(0.1);
       expect_same_result(inverse_kinematics(arm, pose, options), thorough(arm, pose, options));
+      quick += suffice(arm, pose, options);
     }
+    EXPECT_GE(quick, testing::cases(90)) << name;
   }
 }
 
@@ -67,6 +81,23 @@ TEST(QuickStages, GiveWhatAllStagesGiveWithALockedJoint) {
         EXPECT_EQ(result.solutions.front(), from);
       }
       for (const Configuration& q : result.solutions) EXPECT_EQ(q[6], seed[6]);
+    }
+  }
+}
+
+TEST(QuickStages, KeepALockedValueOfManyTurns) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (int i = 0; i < 20; ++i) {
+    Configuration seed = random.configuration(arm);
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    seed[6] = 2000 + i;
+    const InverseOptions options{.seed = seed, .ignore_limits = true, .lock = 6};
+    const InverseResult result = inverse_kinematics(arm, pose, options);
+    for (const Configuration& q : result.solutions) EXPECT_EQ(q[6], seed[6]);
+    Eigen::MatrixXd column(7, 1);
+    if (inverse_kinematics(arm, pose, seed, column, options) == 1) {
+      EXPECT_EQ(column(6, 0), seed[6]);
     }
   }
 }

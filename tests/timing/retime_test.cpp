@@ -300,7 +300,9 @@ TEST(MoveThrough, PassesConfigurationsInBlends) {
     ASSERT_EQ(blended.blends.size(), waypoints.size() - 2);
     // The other profiles have one shape for the whole path, and its curves slow all of it down.
     const bool follows_curves = profile == Profile::fastest || profile == Profile::jerk;
-    if (follows_curves) EXPECT_LE(blended.duration(), stopping.duration());
+    if (follows_curves) {
+      EXPECT_LE(blended.duration(), stopping.duration());
+    }
     EXPECT_LE(blended.limits.velocity.fraction, 1 + 1e-9);
     EXPECT_LE(blended.limits.acceleration.fraction, 1 + 1e-9);
     double passing = 0;

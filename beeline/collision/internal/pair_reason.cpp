@@ -3,7 +3,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Adds the joint beside the chain that carries one of the bodies: another value may part them.
+/// Adds the joint beside the chain that carries one of the bodies.
 void add_held_joint(Reason& reason, const BodyDistance& pair, std::span<const LinkShapes> links) {
   for (const std::string& body : pair.names) {
     for (const LinkShapes& link : links) {
@@ -18,14 +18,13 @@ void add_held_joint(Reason& reason, const BodyDistance& pair, std::span<const Li
 }
 
 /// The reason with the fields that each reason of a pair has.
-Reason reason_of(ReasonCode code, const BodyDistance& pair, std::span<const LinkShapes> links) {
+Reason reason_of(ReasonCode code, const BodyDistance& pair) {
   Reason reason{code,
                 {{ReasonField::body, pair.names[0]},
                  {ReasonField::other_body, pair.names[1]},
                  {ReasonField::clearance, pair.clearance},
                  {ReasonField::position, Vector3((pair.on_first + pair.on_second) / 2)}}};
   if (pair.point) reason.set(ReasonField::point, *pair.point);
-  add_held_joint(reason, pair, links);
   return reason;
 }
 
@@ -33,17 +32,19 @@ Reason reason_of(ReasonCode code, const BodyDistance& pair, std::span<const Link
 
 Reason too_close_reason(const BodyDistance& pair, std::span<const LinkShapes> links) {
   if (pair.lower > 0) {
-    Reason reason = reason_of(ReasonCode::bodies_too_close, pair, links);
+    Reason reason = reason_of(ReasonCode::bodies_too_close, pair);
+    add_held_joint(reason, pair, links);
     return reason.set(ReasonField::distance, pair.upper);
   }
-  Reason reason = reason_of(ReasonCode::bodies_collide, pair, links);
+  Reason reason = reason_of(ReasonCode::bodies_collide, pair);
+  add_held_joint(reason, pair, links);
   // The translation of the first body is away from the second.
   return reason.set(ReasonField::depth, -pair.lower)
       .set(ReasonField::normal, Vector3(-pair.normal));
 }
 
-Reason not_decided_reason(const BodyDistance& pair, std::span<const LinkShapes> links) {
-  Reason reason = reason_of(ReasonCode::clearance_not_decided, pair, links);
+Reason not_decided_reason(const BodyDistance& pair) {
+  Reason reason = reason_of(ReasonCode::clearance_not_decided, pair);
   return reason.set(ReasonField::distance, pair.upper);
 }
 

@@ -13,6 +13,6 @@ namespace beeline::internal {
 Reason too_close_reason(const BodyDistance& pair, std::span<const LinkShapes> links);
 
 /// Returns the reason of a pair whose distance is not decided to be its clearance or more.
-Reason not_decided_reason(const BodyDistance& pair, std::span<const LinkShapes> links);
+Reason not_decided_reason(const BodyDistance& pair);
 
 }  // namespace beeline::internal

@@ -15,9 +15,9 @@
 
 namespace beeline::internal {
 
-/// Adds the obstacles of the model to the drawing, up to twelve with their names. The page contains
-/// what is within 1.2 times the arm's reach of its base; half-spaces are drawn as slabs there. With
-/// `names`, those in it if `among`, else the others.
+/// Adds the obstacles of the model to the drawing, the first twelve of a call with their names. The
+/// page contains what is within 1.2 times the arm's reach of its base; half-spaces are drawn as
+/// slabs there. With `names`, those in it if `among`, else the others.
 void add_obstacles(Drawing& drawing, const CollisionModel& model,
                    const std::set<std::string>& names = {}, bool among = false);
 

@@ -101,9 +101,9 @@ inline void set_root(QuarticLanes& lanes, int i, double c, double s) {
   }
 }
 
-/// Marks roots that are within 1e-4 of each other as twins.
+/// Marks roots that are within about 1e-3 rad of each other as twins.
 inline void mark_twins(const std::array<double, 4>& roots, int count, QuarticLanes& lanes) {
-  constexpr double close = 1e-4;
+  constexpr double close = 5e-4;  // of the tangent of half an angle
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
       const double a = roots[i], b = roots[j];

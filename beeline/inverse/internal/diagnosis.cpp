@@ -117,7 +117,7 @@ void set_orientation_unreachable(const Request& request, StageResult& found) {
 
 /// Sets the status unreachable, orientation_unreachable or outside_limits, with its reason. The
 /// reason of the first two has values if found.result.nearest is known.
-void set_no(const Request& request, InverseStatus status, StageResult& found) {
+void set_negative_status(const Request& request, InverseStatus status, StageResult& found) {
   found.result.status = status;
   if (status == InverseStatus::unreachable) return set_unreachable(request, found);
   if (status == InverseStatus::orientation_unreachable) {
@@ -191,7 +191,7 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   const bool away =
       error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
-    return set_no(request, InverseStatus::unreachable, found);
+    return set_negative_status(request, InverseStatus::unreachable, found);
   }
   // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
@@ -200,7 +200,7 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
   if (evidence.violation || (in_position && (searched || examined))) {
-    return set_no(request, InverseStatus::orientation_unreachable, found);
+    return set_negative_status(request, InverseStatus::orientation_unreachable, found);
   }
   Reason reason{ReasonCode::no_solution_found};
   if (result.iterations > 0) {
@@ -276,7 +276,7 @@ std::optional<InverseStatus> status_without_nearest(SolverState& state, const Re
 
 void set_unexplained(const Request& request, InverseStatus status, StageResult& found) {
   found.result.residual = std::numeric_limits<double>::quiet_NaN();
-  set_no(request, status, found);
+  set_negative_status(request, status, found);
 }
 
 void diagnose(SolverState& state, const Request& request, StageResult& found) {

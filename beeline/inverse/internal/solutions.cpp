@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <beeline/inverse/internal/solutions.h>
@@ -152,6 +153,10 @@ void add_candidate(const Request& request, Configuration& q, StageResult& found,
   const double size = std::max(1.0, unit_of_length(request.arm));
   if (!(now.error <= not_a_solution * size)) return;
   if (now.error > request.accepted_error()) {
+    if (request.options.lock) {  // a correction would move the locked joint
+      evidence.doubtful = true;
+      return;
+    }
     const NumericalResult corrected =
         levenberg_marquardt(request.arm, request.goal, request.task, no_bounds(request.arm), q,
                             {.tolerance = request.tolerance});

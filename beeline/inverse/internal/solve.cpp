@@ -143,12 +143,19 @@ Request request_of(const SolverState& state, const Pose& world_T_tool, const Con
   return make_request(state, world_T_tool, wrapped, budget);
 }
 
+/// Whether the request of this seed may go to run_quick_stages(): a locked joint keeps a value that
+/// request_of() would wrap.
+bool keeps_locked_value(const SolverState& state, const ConfigurationRef& seed) {
+  return !state.options.lock || seed.cwiseAbs().maxCoeff() <= farthest_seed;
+}
+
 /// The result of run_quick_stages(), or nothing if it does not suffice.
 std::optional<InverseResult> solve_quickly(SolverState& state, const Pose& world_T_tool,
                                            const ConfigurationRef& seed, FailureDetail detail,
                                            BudgetMeter& budget) {
   Configuration wrapped;
   Request request = request_of(state, world_T_tool, seed, budget, wrapped);
+  if (!keeps_locked_value(state, seed)) return {};
   request.quick = true;
   StageResult found;
   if (!run_quick_stages(state, request, found)) return {};
@@ -185,7 +192,7 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
     Request request = request_of(state, world_T_tool, seed, budget, wrapped);
     request.quick = request.trusts_closed_loops = true;
     StageResult found;
-    if (run_quick_stages(state, request, found)) {
+    if (keeps_locked_value(state, seed) && run_quick_stages(state, request, found)) {
       sort_solutions(request, *found.solutions);
       for (const Solution& each : *found.solutions) write(each.q);
       return static_cast<int>(count);

@@ -72,8 +72,8 @@ std::string method_name(const SolverState& state);
 /// Throws Error if options.lock fixes a coordinate outside its limits.
 void check_lock(const SolverState& state, const ConfigurationRef& seed);
 
-/// Max angle of a seed for run_quick_stages(). Larger angles lose too many digits (see
-/// wrap_unlimited_angles()).
+/// Max angle of a seed for run_quick_stages(), after wrap_unlimited_angles(): larger angles lose
+/// too many digits.
 inline constexpr double farthest_seed = 1e3;  // radians
 
 }  // namespace beeline::internal

@@ -16,7 +16,8 @@ void run_stages(SolverState& state, const Request& request, StageResult& found);
 
 /// Runs the two stages that suffice for most requests, with request.quick: the closed form, and the
 /// search if it may find a solution. Returns whether their solutions need nothing else: they are
-/// all, or one if one is requested; or there is none although every branch was followed.
+/// all, or one if one is requested; or there is none, as every branch was followed or the pose is
+/// out of reach.
 bool run_quick_stages(SolverState& state, const Request& request, StageResult& found);
 
 }  // namespace beeline::internal

@@ -10,10 +10,9 @@
 
 namespace beeline::internal {
 
-/// Radius of a blend; one that is smaller is no quicker than a stop.
-constexpr double least_blend = 1e-3;
-/// Radius of a blend that a stop may be quicker than, as the jerk is limited.
-constexpr double small_blend = 0.05;
+// A small blend curves so much that a stop may be quicker, as the jerk is limited.
+constexpr double small_blend = 0.05;  ///< radius below which both are tried
+constexpr double least_blend = 1e-3;  ///< radius below which the arm stops
 
 /// A waypoint that straight joint motions pass without a stop: its blend leaves the line before it
 /// `radius` in front of it and meets the line after it as far behind.
