@@ -75,7 +75,8 @@ extern "C" double time_calls(const char* name, const char* what, const double* q
   }
   beeline::InverseOptions options;
   options.all = call == "all";
-  return time_of(count, [&](long i) { sink = inverse_kinematics(arm, poses[i], options).residual; });
+  return time_of(count,
+                 [&](long i) { sink = inverse_kinematics(arm, poses[i], options).residual; });
 }
 
 /// The time of a batch, seconds: CPU time with one thread, else wall time. Without `results` the

@@ -9,23 +9,14 @@
 #include <tests/random.h>
 #include <tests/reason.h>
 #include <tests/refusal.h>
+#include <tests/timing/random_section.h>
+#include <tests/timing/random_waypoints.h>
 
 namespace beeline {
 namespace {
 
-constexpr Profile profiles[] = {Profile::fastest, Profile::jerk, Profile::trapezoidal,
-                                Profile::quintic, Profile::s_curve};
-
-/// Waypoints well within the arm's limits, a second apart.
-Trajectory random_waypoints(testing::Random& random, const Arm& arm, int count) {
-  Trajectory given{arm.joint_names(), {}, {}, {}, {}};
-  const Configuration middle = middle_configuration(arm);
-  for (int k = 0; k < count; ++k) {
-    given.times.push_back(k);
-    given.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
-  }
-  return given;
-}
+using testing::profiles;
+using testing::random_waypoints;
 
 TEST(Retime, KeepsEverySampleAndItsLimitsWithEveryProfile) {
   testing::Random random;
@@ -276,107 +267,6 @@ TEST(Retime, ReportsARateThatIsPossibleForTheWholeMotion) {
     EXPECT_LE(sparse.trajectory.size(), static_cast<std::size_t>(options.max_samples));
     EXPECT_GT(4 * sparse.trajectory.size(), static_cast<std::size_t>(options.max_samples));
   }
-}
-
-/// Distance of q from the line between a and b.
-double distance_from(const Configuration& q, const Configuration& a, const Configuration& b) {
-  const double fraction = std::clamp((q - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (a + fraction * (b - a) - q).norm();
-}
-
-TEST(MoveThrough, PassesConfigurationsInBlends) {
-  testing::Random random;
-  const Arm arm = built_in("panda");
-  for (int i = 0; i < 10; ++i) {
-    const std::vector<Configuration> waypoints =
-        random_waypoints(random, arm, random.integer(3, 12)).positions;
-    const Profile profile = profiles[i % std::size(profiles)];
-    const Retimed stopping = move_through(arm, waypoints, {.profile = profile, .joint_blend = 0});
-    ASSERT_FALSE(stopping.reason) << stopping.reason;
-    ASSERT_EQ(stopping.sections, waypoints.size() - 1);
-    const double most = random.uniform(0.1, 0.5);
-    const Retimed blended = move_through(arm, waypoints, {.profile = profile, .joint_blend = most});
-    ASSERT_FALSE(blended.reason) << blended.reason;
-    ASSERT_EQ(blended.blends.size(), waypoints.size() - 2);
-    // The other profiles have one shape for the whole path, and its curves slow all of it down.
-    const bool follows_curves = profile == Profile::fastest || profile == Profile::jerk;
-    if (follows_curves) {
-      EXPECT_LE(blended.duration(), stopping.duration());
-    }
-    EXPECT_LE(blended.limits.velocity.fraction, 1 + 1e-9);
-    EXPECT_LE(blended.limits.acceleration.fraction, 1 + 1e-9);
-    double passing = 0;
-    for (std::size_t k = 1; k + 1 < waypoints.size(); ++k) {
-      const double radius = blended.blends[k - 1];
-      ASSERT_GE(radius, 0);
-      ASSERT_LE(radius, most);
-      passing += radius > 0;
-      double nearest = 1e9;
-      for (const Configuration& q : blended.trajectory.positions) {
-        nearest = std::min(nearest, (q - waypoints[k]).norm());
-      }
-      EXPECT_LE(nearest, radius + 1e-8) << k;
-    }
-    EXPECT_GT(passing, 0);
-    EXPECT_EQ(blended.sections, waypoints.size() - 1 - static_cast<std::size_t>(passing));
-    // Off the lines it is in a blend, whose triangle is at most half its radius high.
-    for (const Configuration& q : blended.trajectory.positions) {
-      double nearest = 1e9;
-      for (std::size_t k = 1; k < waypoints.size(); ++k) {
-        nearest = std::min(nearest, distance_from(q, waypoints[k - 1], waypoints[k]));
-      }
-      EXPECT_LE(nearest, most / 2 + 1e-8);
-    }
-  }
-}
-
-TEST(MoveThrough, StopsWhereItTurnsBack) {
-  const Arm arm = built_in("rrr");
-  const Configuration a = Eigen::Vector3d(0, 0.5, 0), b = Eigen::Vector3d(1, 0.5, 0);
-  const Retimed there_and_back = move_through(arm, std::vector{a, b, a}, {.joint_blend = 0.1});
-  ASSERT_FALSE(there_and_back.reason) << there_and_back.reason;
-  EXPECT_EQ(there_and_back.blends, std::vector<double>{0});
-  EXPECT_EQ(there_and_back.sections, 2u);
-  const auto& positions = there_and_back.trajectory.positions;
-  EXPECT_NE(std::find(positions.begin(), positions.end(), b), positions.end());
-}
-
-TEST(MoveThrough, StopsAtRepeatedConfigurationsAndAtTinyBlends) {
-  const Arm arm = built_in("rrr");
-  const Configuration a = Eigen::Vector3d(0, 0.5, 0), b = Eigen::Vector3d(1, 0.5, 0),
-                      c = Eigen::Vector3d(1, 1, 0.5), d = Eigen::Vector3d(0, 1, 0.7);
-  const std::vector<Configuration> waypoints{a, b, b, c, d};
-  const Retimed moving = move_through(arm, waypoints, {.joint_blend = 0.2});
-  ASSERT_FALSE(moving.reason) << moving.reason;
-  EXPECT_EQ(moving.blends, (std::vector<double>{0, 0.2}));
-  EXPECT_EQ(moving.sections, 2u);
-  const Retimed stopping = move_through(arm, waypoints, {.joint_blend = 0});
-  for (const double tiny : {1e-300, 1e-12, 1e-6, 1e-4}) {
-    EXPECT_EQ(move_through(arm, waypoints, {.joint_blend = tiny}).duration(), stopping.duration());
-  }
-  const Retimed small = move_through(arm, waypoints, {.joint_blend = 2e-3});
-  EXPECT_LE(small.duration(), stopping.duration());
-}
-
-TEST(MoveThrough, WithoutBlendsFollowsTheSplineOfRetime) {
-  testing::Random random;
-  const Arm arm = built_in("ur5");
-  const Trajectory given = random_waypoints(random, arm, 6);
-  const Retimed through = move_through(arm, given.positions);
-  const Retimed expected = retime(arm, given, {.no_unwrap = true});
-  EXPECT_EQ(through.trajectory.positions, expected.trajectory.positions);
-  EXPECT_EQ(through.trajectory.times, expected.trajectory.times);
-  EXPECT_TRUE(through.blends.empty());
-}
-
-TEST(MoveThrough, RefusesWhatDoesNotFit) {
-  const Arm arm = built_in("rrr");
-  const Configuration a = Eigen::Vector3d(0, 0.5, 0), b = Eigen::Vector3d(1, 0.5, 0);
-  EXPECT_REFUSED(move_through(arm, std::vector{a, b}, {.joint_blend = -1}), "joint_blend");
-  EXPECT_REFUSED(move_through(arm, std::vector{a}), "one sample");
-  EXPECT_REFUSED(move_through(arm, {}), "no samples");
-  EXPECT_REFUSED(move_through(arm, std::vector{a, Configuration(Configuration::Zero(2))}),
-                 "takes 3 joint values");
 }
 
 TEST(Retime, RefusesOptionsOutOfRange) {
