@@ -52,10 +52,8 @@ std::string path_text(const FreeMotion& motion) {
 Json path_document(const Arm& arm, const FreeMotion& motion, const UnitArgument& unit) {
   Json waypoints = Json::list();
   for (const Configuration& q : motion.path.waypoints) waypoints.append(unit.shown(arm, q));
-  Json blends = Json::list();
-  for (const double radius : motion.blends) blends.append(radius);
   return {{"waypoints", waypoints},
-          {"blends", blends},
+          {"blends", json_blends(motion.blends)},
           {"length", motion.path.length},
           {"edges", motion.path.edges}};
 }

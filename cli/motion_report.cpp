@@ -88,6 +88,12 @@ Json json_limits(const LimitUsage& limits) {
           {"jerk", json_usage(limits.jerk)}};
 }
 
+Json json_blends(const std::vector<double>& radii) {
+  Json blends = Json::list();
+  for (const double radius : radii) blends.append(radius);
+  return blends;
+}
+
 std::string start_jump_text(const Arm& arm, const StartJump& jump, const UnitArgument& unit) {
   if (jump.joint.empty()) return "";
   const int k = coordinate_named(arm, jump.joint);

@@ -33,6 +33,9 @@ std::string position_text(const LimitUsage& limits);
 std::string limits_text(const LimitUsage& limits);
 Json json_limits(const LimitUsage& limits);
 
+/// The radii of the blends at the inner waypoints of a path in joint space.
+Json json_blends(const std::vector<double>& radii);
+
 /// The jump of velocity with which a motion begins; nothing, and null, for a motion from rest.
 std::string start_jump_text(const Arm& arm, const StartJump& jump, const UnitArgument& unit);
 Json json_start_jump(const Arm& arm, const StartJump& jump, const UnitArgument& unit);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -7,9 +6,6 @@
 
 #include "arm_argument.h"
 #include "budget_argument.h"
-#include "format.h"
-#include "json_reason.h"
-#include "motion_report.h"
 #include "profile_argument.h"
 #include "recording_argument.h"
 #include "result_files.h"

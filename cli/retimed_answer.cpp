@@ -12,7 +12,7 @@
 namespace beeline::command {
 namespace {
 
-/// The positions that are passed in blends, and those that are stops, with their sizes.
+/// The number of the positions that are passed in blends, and the sizes of these.
 std::string blends_text(const std::vector<double>& blends) {
   std::vector<double> radii;
   std::copy_if(blends.begin(), blends.end(), std::back_inserter(radii),
@@ -76,11 +76,7 @@ Answer RetimedResult::answer(const Arm& arm, const Retimed& retimed,
       .yes = found,
       .reason = refused ? clearance->reason_text() : sentence(retimed.reason)};
   answer.document.add(json_reason(refused ? clearance->proof.reason : retimed.reason));
-  if (!retimed.blends.empty()) {
-    Json blends = Json::list();
-    for (const double radius : retimed.blends) blends.append(radius);
-    answer.document.add("blends", blends);
-  }
+  if (!retimed.blends.empty()) answer.document.add("blends", json_blends(retimed.blends));
   if (clearance) {
     answer.text += clearance->text();
     answer.document.add("clearance", clearance->document());
