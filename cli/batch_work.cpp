@@ -263,6 +263,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   const auto scene = scene_of(arguments, arm, options);
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
+  if (!options.seed && !options.redundancy) options.redundancy = Redundancy::any;
   // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
   inverse_kinematics(arm, forward_kinematics(arm, seed), seed, any, options);

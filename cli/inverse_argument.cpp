@@ -57,12 +57,15 @@ std::vector<Option> InverseArgument::choice_options() {
                &values.ignore_limits),
         Option("--lock JOINT[=VALUE]", "Keep this joint at the value given, or at the seed's.",
                &lock),
-        Option("--redundancy CHOICE",
-               "Which of infinitely many solutions of a redundant arm: any; the one nearest to the "
-               "seed; or the most centred between the position limits.",
-               &redundancy,
-               {.choices = {name(Redundancy::any), name(Redundancy::nearest),
-                            name(Redundancy::centred)}}),
+        Option(
+            "--redundancy CHOICE",
+            "Which of infinitely many solutions of a redundant arm: any; the one nearest to the "
+            "seed; or the most centred between the position limits. Default: with a seed the "
+            "nearest one that a search from it finds, if the arm has a closed form for each value "
+            "of its redundant joint; otherwise any.",
+            &redundancy,
+            {.choices = {name(Redundancy::any), name(Redundancy::nearest),
+                         name(Redundancy::centred)}}),
         Option("--pose-tolerance X,Y,Z,ROLL,PITCH,YAW",
                "How far the tool may deviate, in the axes of the pose, where the pose itself has "
                "no solution; planar arms: X,Y,THETA.",
@@ -101,7 +104,7 @@ InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument
   InverseOptions options = values;
   options.task = task.read(arm);
   options.method = inverse_method_named(method);
-  options.redundancy = redundancy_named(redundancy);
+  if (!redundancy.empty()) options.redundancy = redundancy_named(redundancy);
   if (!seed.empty()) options.seed = argument.configuration(arm, seed, "--seed", unit);
   if (!pose_tolerance.empty()) {
     options.pose_tolerance = pose_tolerance_of(pose_tolerance, arm, unit);

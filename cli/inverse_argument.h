@@ -14,7 +14,7 @@ struct InverseArgument {
   WorkArgument work = {};
   std::string seed = {}, lock = {}, pose_tolerance = {}, weights = {};
   std::string method = name(InverseMethod::automatic);
-  std::string redundancy = name(Redundancy::any);
+  std::string redundancy = {};
   InverseOptions values = {};
   BudgetArgument budget = {};
 

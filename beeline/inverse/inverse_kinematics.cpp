@@ -97,6 +97,7 @@ void explain(InverseResult& result, const Budget& budget) {
 int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
                        Eigen::Ref<Eigen::MatrixXd> solutions, const InverseOptions& options) {
   internal::SolverState state(arm, options);
+  state.set_near_seed();
   internal::BudgetMeter budget(options.budget);
   if (solutions.rows() != arm.dof() || solutions.cols() < 1) {
     throw Error("solutions need " + std::to_string(arm.dof()) + " rows and at least one column");

@@ -157,8 +157,11 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   constexpr std::int64_t most = internal::max_nearby_path_work;
   if (!all.max_work || *all.max_work > most) all.max_work = most;
   internal::BudgetMeter budget(all);
-  const InverseOptions one{
-      .task = options.task, .grid = 16, .max_restarts = 32, .budget = budget.part()};
+  const InverseOptions one{.task = options.task,
+                           .redundancy = Redundancy::any,
+                           .grid = 16,
+                           .max_restarts = 32,
+                           .budget = budget.part()};
   Trial trial{arm, start, path, rotate, options, options, one, middle_configuration(arm)};
   trial.exact.reasons = BranchOptions::Reasons::none;
   trial.exact.budget = budget.part();

@@ -34,6 +34,7 @@ int solve_into(const Arm& arm, const Pose& world_T_tool, nb::handle out, Inverse
   OutputArray results(out, "out", shape, Real::float64);
   Eigen::Map<Eigen::MatrixXd> columns(results.data(), arm.dof(), shaped.rows(1));
   const Configuration seed = with.seed ? *with.seed : middle_configuration(arm);
+  if (!with.seed && !with.redundancy) with.redundancy = Redundancy::any;
   const int count = unlocked(
       with.budget, [&] { return inverse_kinematics(arm, world_T_tool, seed, columns, with); });
   columns.rightCols(columns.cols() - count).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -124,6 +125,7 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, nb::handle see
   with.budget.progress = progress_of(progress);
   const PoseColumns poses = pose_columns(PosePlane(arm), world_T_tool, with.layout);
   const Eigen::MatrixXd seeds = seeds_from(arm, seed, poses);
+  if (seed.is_none() && !inverse.redundancy) inverse.redundancy = Redundancy::any;
   std::vector<Index> shape = poses.shape;
   shape.push_back(arm.dof());
   OutputArray results(out, "out", shape, Real::float64);
@@ -209,8 +211,9 @@ void bind_inverse_kinematics(nb::module_& m) {
          many_signature(
              "batch_inverse",
              "Computes one solution for each of many poses, by all cores. It takes the keywords "
-             "of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
-             "`all` and `every_turn` are ignored; the budget is for the whole batch."),
+             "of inverse_kinematics(); `seed` is also (..., n), one for each pose, and without it "
+             "the default of `redundancy` is `any`; `all` and `every_turn` are ignored; the budget "
+             "is for the whole batch."),
          nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("seed") = nb::none(),
          nb::arg("out") = nb::none(), nb::arg("options"));
 }

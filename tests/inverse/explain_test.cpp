@@ -142,7 +142,7 @@ TEST(QuickStatus, IsThatOfTheBatch) {
     for (int i = 0; i < count; ++i) {
       Pose pose;
       pose.matrix() = poses.col(i).reshaped(4, 4);
-      InverseResult single = inverse_kinematics(arm, pose);
+      InverseResult single = inverse_kinematics(arm, pose, {.seed = seed});
       const auto outcome = outcomes[static_cast<std::size_t>(i)];
       EXPECT_EQ(single.status, outcome.status) << arm.name() << ' ' << single.reason;
       explain(single);

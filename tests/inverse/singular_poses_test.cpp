@@ -42,9 +42,10 @@ Configuration special(const Arm& arm, double probability, bool at_limits, Random
 
 void expect_answer(const Arm& arm, const Configuration& q, int& unanswered) {
   const Pose pose = forward_kinematics(arm, q);
-  const InverseResult result = inverse_kinematics(arm, pose);
+  const Configuration seed = middle_configuration(arm);
+  const InverseResult result = inverse_kinematics(arm, pose, {.seed = seed});
   Eigen::MatrixXd column(arm.dof(), 1);
-  const int count = inverse_kinematics(arm, pose, middle_configuration(arm), column);
+  const int count = inverse_kinematics(arm, pose, seed, column);
   ASSERT_EQ(count == 1, static_cast<bool>(result)) << arm.name() << ' ' << q.transpose();
   if (!result) {
     ++unanswered;

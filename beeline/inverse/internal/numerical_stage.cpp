@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/numerical/nearest_on_self_motion.h>
 #include <beeline/inverse/numerical/representative.h>
 
 namespace beeline::internal {
@@ -86,6 +87,19 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
   }
 }
 
+LaneOptions lane_options(const Request& request) {
+  return {.tolerance = request.tolerance,
+          .max_iterations = request.options.max_iterations,
+          .wraps = false};
+}
+
+void write_solution(const NumericalProblem& problem, const GaussNewtonState& near,
+                    Configuration& q) {
+  for (std::size_t k = 0; k < near.q.size(); ++k) {
+    q[static_cast<Eigen::Index>(k)] = near.q[k] * problem.coordinates[k].unit;
+  }
+}
+
 }  // namespace
 
 bool search_from_seed(SolverState& state, const Request& request, Configuration& q) {
@@ -96,6 +110,52 @@ bool search_from_seed(SolverState& state, const Request& request, Configuration&
                                            state.buffers(), state.search());
   if (converged) q = state.search().nearest.q;
   return converged;
+}
+
+bool solution_from(SolverState& state, const Request& request, const double* start, bool damped,
+                   Configuration& q) {
+  const NumericalProblem& problem = problem_within_bounds(state);
+  if (damped) {
+    LevenbergMarquardtLanes& lanes = state.buffers().lanes;
+    lanes.active = lanes.converged = 0;
+    start_lane(problem, start, 0, lanes);
+    if (first_to_converge(request, problem, lanes) < 0) return false;
+    lane_configuration(problem, lanes, 0, q.data());
+    start = q.data();
+  }
+  GaussNewtonState& near = state.buffers().near;
+  if (!gauss_newton(problem, request.goal, start, lane_options(request), near)) return false;
+  write_solution(problem, near, q);
+  return true;
+}
+
+bool approach_seed(SolverState& state, const Request& request, Configuration& q) {
+  const NumericalProblem& problem = problem_within_bounds(state);
+  GaussNewtonState& near = state.buffers().near;
+  if (!approach_start(problem, request.goal, request.seed.data(), request.weights.data(),
+                      lane_options(request), near)) {
+    return false;
+  }
+  write_solution(problem, near, q);
+  return true;
+}
+
+void approach_seed(SolverState& state, const Request& request, StageResult& found) {
+  if (!request.near_seed || found.near_seed) return;
+  Configuration& q = found.solutions->candidate;
+  q.resize(request.arm.dof());
+  for (Solution& each : *found.solutions) {
+    if (!solution_from(state, request, each.q.data(), false, q) ||
+        !approach_seed(state, request, q)) {
+      continue;
+    }
+    const double error = error_at(request, q);
+    const bool nearer = distance_from_seed(request, q) < distance_from_seed(request, each.q);
+    if (!nearer || error > request.tolerance) continue;
+    each.q = q;  // in its memory
+    each.error = error;
+    each.regular = false;
+  }
 }
 
 bool solve_from_outside(SolverState& state, const Request& request, const LeastOutside& outside,

@@ -211,6 +211,45 @@ void solve_redundant(SolverState& state, LockedRequest& locked, StageResult& fou
   if (!(request.quick && solved)) add_outside(request, outside, in_range, found);
 }
 
+/// Adds the solution nearest to the seed that is found from the seed or, if that is far away, from
+/// few values of the redundant joint. Returns whether there is one.
+bool solve_near(SolverState& state, LockedRequest& locked, StageResult& found) {
+  constexpr double near = 0.1;         // distance up to which no other branch is examined
+  constexpr double far = 0.5;          // distance from which the other branches are examined first
+  constexpr double at_the_pose = 0.1;  // metres and radians
+  constexpr double same = 1e-3;        // max correction of a branch
+  const Request& request = locked.request;
+  const double least_weight = request.weights.minCoeff();
+  const auto square = [&](const auto& away) { return request.weights.dot(away.cwiseAbs2()); };
+  Configuration& q = found.solutions->candidate;
+  q.resize(request.arm.dof());
+  bool solved = solution_from(state, request, request.seed.data(), false, q);
+  const bool tool_is_near = !solved && error_at(request, request.seed) < at_the_pose;
+  if (tool_is_near) solved = solution_from(state, request, request.seed.data(), true, q);
+  const bool is_far = !solved || square(q - request.seed) > far * far * least_weight;
+  if (!is_far) approach_seed(state, request, q);
+  if (is_far || square(q - request.seed) > near * near * least_weight) {
+    const LockedBranch branch =
+        nearest_of_few(locked, tool_is_near, solved ? square(q - request.seed) : Limits::none);
+    if (branch.lane >= 0) {
+      Eigen::Matrix<double, 7, 1> start;
+      locked.form.configuration(branch.found, branch.lane, branch.value, start);
+      const bool converges = solution_from(state, request, start.data(), false, q);
+      if (!converges || square(q - start) > same * same) {  // next to a singularity
+        add_branch(locked, branch, found);
+        return !found.solutions->empty();
+      }
+    }
+    if (branch.lane >= 0 || (solved && is_far)) approach_seed(state, request, q);
+    if (branch.lane < 0 && !solved) return false;
+  }
+  found.result.method = "numerical";
+  found.result.iterations += state.buffers().near.iterations;
+  found.near_seed = true;
+  add_candidate(request, q, found, {.regular = true, .within = true});
+  return !found.solutions->empty();
+}
+
 void solve_locked(SolverState& state, LockedRequest& locked, StageResult& found) {
   const Request& request = locked.request;
   const int k = *locked.form.locked();
@@ -220,6 +259,7 @@ void solve_locked(SolverState& state, LockedRequest& locked, StageResult& found)
   if (request.options.all) return solve_grid(locked, found);
   const bool optimises = !request.quick && request.redundancy != Redundancy::any;
   if (optimises) add_branch(locked, best_within(locked), found);
+  if (request.near_seed && solve_near(state, locked, found)) return;
   solve_redundant(state, locked, found);
 }
 

@@ -40,8 +40,8 @@ Cost nearness_to_limits(const Request& request, const Configuration& q) {
 }
 
 Cost cost_at(const Request& request, const Configuration& q) {
-  return request.options.redundancy == Redundancy::nearest ? squared_distance(request, q)
-                                                           : nearness_to_limits(request, q);
+  return request.redundancy == Redundancy::nearest ? squared_distance(request, q)
+                                                   : nearness_to_limits(request, q);
 }
 
 /// Returns Newton's step for the cost, with gradient g and diagonal Hessian H, in the null space of
@@ -85,7 +85,7 @@ double first_scale(const Configuration& last, double applied, const Configuratio
 }  // namespace
 
 double redundancy_objective(const Request& request, const Configuration& q) {
-  if (request.options.redundancy != Redundancy::centred) return distance_from_seed(request, q);
+  if (request.redundancy != Redundancy::centred) return distance_from_seed(request, q);
   double margin = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     margin = std::min(margin, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));

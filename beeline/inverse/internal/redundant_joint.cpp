@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/math/minimise.h>
@@ -10,14 +11,19 @@
 namespace beeline::internal {
 namespace {
 
+/// Returns the squared distance of a lane from the seed.
+double squared_distance(const LockedRange& range, const LockedBranch& branch, int lane) {
+  const double away = branch.value - range.seed;
+  return branch.found.distance[lane] + range.weight * away * away;
+}
+
 /// Returns the objective to be minimised: the squared distance from the seed, or minus the smallest
 /// margin to a limit.
 double cost(const LockedRequest& locked, const LockedBranch& branch, int lane) {
   const LockedRange& range = locked.range;
   const PieperBranches& found = branch.found;
   if (locked.request.redundancy == Redundancy::nearest) {
-    const double away = branch.value - range.seed;
-    return found.distance[lane] + range.weight * away * away;
+    return squared_distance(range, branch, lane);
   }
   double margin = range.limited ? limit_margin(branch.value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -143,6 +149,27 @@ LockedBranch first_within(LockedRequest& locked, int tries, LeastOutside& outsid
     }
   }
   return {};
+}
+
+LockedBranch nearest_of_few(LockedRequest& locked, bool tool_is_near, double least) {
+  // Fractions of the range. Next to a singularity small steps change the solutions much.
+  constexpr double fine_steps[] = {0, 0.005, -0.005, 0.02, -0.02, 0.08, -0.08, 0.3, -0.3};
+  constexpr double steps[] = {0, 0.2, -0.2};
+  const LockedRange& range = locked.range;
+  LockedBranch nearest, branch;
+  for (const double step : tool_is_near ? std::span<const double>(fine_steps) : std::span(steps)) {
+    const double value = range.seed + step * (range.upper - range.lower);
+    if (range.weight * (value - range.seed) * (value - range.seed) >= least) break;
+    if (value < range.lower || value > range.upper) continue;
+    if (locked.request.budget.ended()) break;
+    evaluate(locked, value, branch);
+    if (branch.lane < 0) continue;
+    const double distance = squared_distance(range, branch, branch.lane);
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = branch;
+  }
+  return nearest;
 }
 
 std::vector<double> grid_values(const LockedRange& range, int grid) {

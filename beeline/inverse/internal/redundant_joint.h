@@ -63,6 +63,11 @@ LockedBranch branch_at(LockedRequest& locked, double value, LeastOutside& outsid
 /// so on, nearest to the seed first. Does not allocate.
 LockedBranch first_within(LockedRequest& locked, int tries, LeastOutside& outside);
 
+/// Returns the branch within limits that is nearest to the seed among few values of the redundant
+/// joint, which are denser if the tool is near the pose at the seed, if its squared distance is
+/// below `least`. Does not allocate.
+LockedBranch nearest_of_few(LockedRequest& locked, bool tool_is_near, double least);
+
 /// Returns the branch within limits that is nearest to the seed, or farthest from the limits, as
 /// the request asks. Refines the three best values of its grid between their neighbours by
 /// golden-section search.

@@ -98,7 +98,8 @@ Request make_request(const SolverState& state, const Pose& world_T_tool,
           .weights = state.weights,
           .tolerance = std::max(state.options.tolerance, rounding_of(state.arm, goal)),
           .budget = budget,
-          .redundancy = state.options.redundancy};
+          .redundancy = state.redundancy,
+          .near_seed = state.near_seed};
 }
 
 double distance_from_seed(const Request& request, const ConfigurationRef& q) {

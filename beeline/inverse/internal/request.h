@@ -22,7 +22,8 @@ struct Request {
   const Configuration& weights;  ///< weights of the coordinates in distances
   double tolerance;
   BudgetMeter& budget;
-  Redundancy redundancy;  ///< options.redundancy, or `any`
+  Redundancy redundancy;   ///< options.redundancy, or `any`
+  bool near_seed = false;  ///< whether `any` solution moves to a local minimum of the distance
   /// Whether the steps take the effort that suffices for most poses: few values of a redundant
   /// joint, few restarts, and no corrections of solutions within the tolerance.
   bool quick = false;

@@ -68,6 +68,7 @@ struct StageResult {
   PostureIndex postures;               ///< index of the solutions
   InverseResult result;                ///< everything else
   UnconstrainedResult unconstrained;
+  bool near_seed = false;  ///< whether the solutions are local minima of the distance
 };
 
 /// Returns the larger of the task's position and orientation error at q, by forward kinematics.

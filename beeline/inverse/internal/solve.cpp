@@ -230,7 +230,7 @@ InverseResult solve_thoroughly(SolverState& state, const Pose& world_T_tool,
     return std::move(result);
   }
   const bool optimised = request.arm.dof() > request.task.size() && !request.options.all &&
-                         request.options.redundancy != Redundancy::any;
+                         request.redundancy != Redundancy::any;
   if (optimised) {
     add_any_solution(state, request, found);
     optimise_redundancy(request, found);

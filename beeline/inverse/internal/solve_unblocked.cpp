@@ -22,6 +22,7 @@ bool equal(const Configuration& a, const Configuration& b) {
 void keep_request(const SolverState& state, const Pose& world_T_tool, const ConfigurationRef& seed,
                   InverseResult& result) {
   InverseOptions options = state.options;
+  if (!options.seed && !options.redundancy) options.redundancy = Redundancy::any;
   options.seed = seed;
   options.budget = {};
   options.blocked_by = {};

@@ -30,10 +30,18 @@ SolverState::SolverState(const Arm& its_arm, const InverseOptions& its_options,
       weights(options.weights ? *options.weights : defaults->ones),
       similar(similar_choice) {
   select_family(*this);
+  redundancy = options.redundancy.value_or(Redundancy::any);
+  if (options.seed) set_near_seed();
   if (options.method == InverseMethod::closed_form && !options.lock && family == nullptr) {
     throw Error::of("method", "arm " + arm.name() + " has no closed form for the task " +
                                   name(task) + "; method numerical solves it");
   }
+}
+
+void SolverState::set_near_seed() {
+  near_seed = !options.redundancy && !options.all && !options.lock &&
+              options.method == InverseMethod::automatic && family == &pieper_family &&
+              arm.dof() > task.size();
 }
 
 const ToolPlane* SolverState::plane() const {
@@ -57,13 +65,17 @@ void SolverState::reset_search() {
   if (scratch) (*scratch)->result.iterations = (*scratch)->result.restarts = 0;
 }
 
-Search search_within_bounds(SolverState& state) {
-  const bool ignore_limits = state.options.ignore_limits;
+const NumericalProblem& problem_within_bounds(SolverState& state) {
   if (!state.bounded_problem) {
-    state.bounded_problem.emplace(state.arm, NumericalProblem::Key{state.task, ignore_limits});
+    state.bounded_problem.emplace(state.arm,
+                                  NumericalProblem::Key{state.task, state.options.ignore_limits});
   }
-  const NumericalProblem& problem = **state.bounded_problem;
-  return {state.arm, problem, seeds_for(state, ignore_limits, problem)};
+  return **state.bounded_problem;
+}
+
+Search search_within_bounds(SolverState& state) {
+  const NumericalProblem& problem = problem_within_bounds(state);
+  return {state.arm, problem, seeds_for(state, state.options.ignore_limits, problem)};
 }
 
 const SeedTable& seeds_for(SolverState& state, bool ignore_limits,

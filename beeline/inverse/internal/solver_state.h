@@ -33,8 +33,10 @@ struct SolverState {
   const InverseOptions& options;
   const Kept<ArmDefaults> defaults;
   const Task task;
-  const Bounds& bounds;          ///< the joint limits, or none if they are ignored
-  const Configuration& weights;  ///< options.weights, or ones
+  const Bounds& bounds;                     ///< the joint limits, or none if they are ignored
+  const Configuration& weights;             ///< options.weights, or ones
+  Redundancy redundancy = Redundancy::any;  ///< options.redundancy, or `any`
+  bool near_seed = false;                   ///< see Request
   /// The family of closed forms for the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
   /// A family that is tried if the numerical stage fails, or null.
@@ -50,6 +52,8 @@ struct SolverState {
   std::optional<Kept<SeedTable>> seeds[2] = {};  ///< within limits, and with limits ignored
   std::optional<ThreadScratch<SearchScratch>> scratch = std::nullopt;
 
+  /// Sets near_seed for a request that has a seed.
+  void set_near_seed();
   /// The plane in which poses must be, or null.
   const ToolPlane* plane() const;
   const PieperSolver& pieper_solver() const { return *(*pieper)->solver; }
@@ -59,6 +63,9 @@ struct SolverState {
   int iterations() const { return scratch ? (*scratch)->result.iterations : 0; }
   void reset_search();
 };
+
+/// The problem of the searches within state.bounds.
+const NumericalProblem& problem_within_bounds(SolverState& state);
 
 /// The search for configurations within state.bounds.
 Search search_within_bounds(SolverState& state);

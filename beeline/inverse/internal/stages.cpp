@@ -119,6 +119,7 @@ void run_stages(SolverState& state, const Request& request, StageResult& found) 
     run_family(*state.fallback, state, request, found);
   }
   if (request.options.all) add_seed(request, found);
+  approach_seed(state, request, found);
 }
 
 bool run_quick_stages(SolverState& state, const Request& request, StageResult& found) {
@@ -126,10 +127,14 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
   const InverseOptions& options = request.options;
   // run_stages() adds the seed, which the closed form may lose.
   const bool keeps_seed =
-      options.all || (!options.lock && options.redundancy != Redundancy::centred);
+      options.all || (!options.lock && request.redundancy != Redundancy::centred);
   const bool is_control_loop =
       request.trusts_closed_loops && (!state.family || state.family == &pieper_family);
   const bool seed_solves = keeps_seed && !is_control_loop && is_solution(request, request.seed);
+  if (seed_solves && request.near_seed) {
+    add_seed(request, found);
+    return true;
+  }
   if (seed_solves && !options.all) return false;
   UnconstrainedResult& evidence = found.unconstrained;
   const bool searches = state.family == nullptr || !request.finitely_many();
@@ -141,6 +146,7 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
     if (seed_solves) add_seed(request, found);
     return evidence.complete && !evidence.continuum;
   }
+  approach_seed(state, request, found);
   return found.solutions->empty() ? evidence.range_examined : !evidence.continuum;
 }
 

@@ -9,10 +9,12 @@ struct GaussNewtonState {
   std::vector<double> q;  ///< in the coordinates' units, within the bounds
   double error[6] = {};   ///< error of the task at q; lengths in units
   int iterations = 0;
-  std::vector<double> before;  ///< q before the last step
-  std::vector<double> move;    ///< the last step
-  std::vector<char> free;      ///< whether a coordinate has not reached a bound
-  std::vector<double> axes;    ///< eight numbers for each link: direction and origin
+  std::vector<double> before;         ///< q before the last step
+  std::vector<double> move;           ///< the last step
+  std::vector<double> tangent;        ///< of the last step along the self-motion
+  std::vector<double> start, weight;  ///< of the distance that is minimised, in units
+  std::vector<char> free;             ///< whether a coordinate has not reached a bound
+  std::vector<double> axes;           ///< eight numbers for each link: direction and origin
   std::vector<EightNumbers> angle, sine, cosine;  ///< angles of the links, eight at a time
   double normal[6 * solver_lane_count] = {};      ///< the factors of J J^T, rows of eight
   std::vector<EightNumbers> column;  ///< for each coordinate, the six numbers of its column
@@ -26,5 +28,9 @@ struct GaussNewtonState {
 /// Requires a finite pose and a start that fits the arm.
 bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
                   const LaneOptions& options, GaussNewtonState& near);
+
+/// Returns the goal in the form of the kernels: the position of the tool, in units of length, with
+/// the orientation of the last link.
+Pose last_link_goal(const NumericalProblem& problem, const Pose& world_T_tool);
 
 }  // namespace beeline::internal

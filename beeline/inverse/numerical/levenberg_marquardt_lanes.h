@@ -11,6 +11,9 @@ struct LaneOptions {
   int max_iterations = 100;  ///< max steps of each lane
   bool polish = true;  ///< iterate below the tolerance, down to 1e-13 or the level of rounding
   bool first_is_enough = false;  ///< stop all lanes as soon as one has converged
+  /// gauss_newton(): whether a joint with a range above one turn continues one turn away when it
+  /// passes a bound, and does not stop there.
+  bool wraps = true;
 };
 
 /// The state of eight runs of Levenberg-Marquardt that step together. Each thread needs its own.

@@ -76,8 +76,11 @@ bool is_unreachable(const InverseResult& answer) {
 }
 
 Probe probe(const TrackedEnd& end, double s) {
-  return {s, inverse_kinematics(end.arm, pose_at(end.segment, s),
-                                {.seed = end.q, .task = end.task, .budget = end.budget})};
+  return {
+      s,
+      inverse_kinematics(
+          end.arm, pose_at(end.segment, s),
+          {.seed = end.q, .task = end.task, .redundancy = Redundancy::any, .budget = end.budget})};
 }
 
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that

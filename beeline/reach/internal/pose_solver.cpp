@@ -40,8 +40,8 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_by)
     : arm_(arm),
-      any_{.task = default_task(arm)},
-      any_free_{.task = default_task(arm), .blocked_by = blocked_by},
+      any_{.task = default_task(arm), .redundancy = Redundancy::any},
+      any_free_{.task = default_task(arm), .blocked_by = blocked_by, .redundancy = Redundancy::any},
       redundant_(redundant_joint(arm)),
       seed_(middle_configuration(arm)),
       blocked_by_(std::move(blocked_by)) {
