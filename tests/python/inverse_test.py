@@ -33,6 +33,28 @@ def test_solutions_reach_the_pose(arm, rng):
         assert pickle.loads(pickle.dumps(result)) == result == copy.deepcopy(result)
 
 
+def test_the_default_with_a_seed_is_near_it(rng):
+    """Poses 5 mm apart: as near as the nearest of all, in one call, into an array and in a batch."""
+    arm = beeline.arms.panda()
+    seeds, poses = reachable(arm, rng, 100)
+    poses[:, :3, 3] += 0.005 * np.array([0.6, 0, 0.8])
+    out, compared = np.empty(7), 0
+    batch = beeline.batch_inverse(arm, poses, seed=seeds).q
+    for seed, pose, row in zip(seeds, poses, batch):
+        nearest = beeline.inverse_kinematics(arm, pose, seed=seed, redundancy="nearest")
+        if not nearest or np.linalg.norm(nearest.q - seed) > 0.1:
+            continue
+        compared += 1
+        found = beeline.inverse_kinematics(arm, pose, seed=seed)
+        beeline.inverse_kinematics(arm, pose, seed=seed, out=out)
+        assert np.linalg.norm(found.q - seed) < 0.3  # no jump
+        assert np.allclose(found.q, out, atol=1e-9) and np.allclose(found.q, row, atol=1e-9)
+    assert compared > 60
+    without, any_of_them = (beeline.batch_inverse(arm, poses, **more).q for more in ({}, {"redundancy": "any"}))
+    assert np.array_equal(without, any_of_them, equal_nan=True)
+    assert np.nanmax(np.abs(without - batch)) > 0.1
+
+
 def test_all_solutions_of_a_redundant_arm_on_a_grid(rng):
     arm = beeline.Arm.load("panda")
     _, (pose,) = reachable(arm, rng, 1)
