@@ -214,7 +214,7 @@ class PathSearch {
     path_.edges += straight.count();
   }
 
-  /// Replaces the path by that of two trees if they find a shorter one. Returns whether they do.
+  /// Replaces the path if two trees find a shorter one. Returns whether they do.
   bool grow_trees(const std::vector<std::size_t>& goals, int most_edges) {
     FreeEdges examined = edges(most_edges);
     TreeSearch trees(model_, options_, examined, JointSpace(model_.arm(), start_, goals_));

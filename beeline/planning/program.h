@@ -172,8 +172,8 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 ///   sample in each.
 ///
 /// Attachments are at waypoints where the arm stops. Only moves `around` depend on them and on
-/// `model`, which is the arm in its scene: its joints are those of `arm`. prove_clearance() with a
-/// program proves the clearance of the other moves.
+/// `model`, which is the arm in its scene: its joints are the joints of `arm`. prove_clearance()
+/// with a program proves the clearance of the other moves.
 ///
 /// `budget` limits the planning of the whole program. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end

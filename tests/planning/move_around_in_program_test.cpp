@@ -114,7 +114,7 @@ TEST(MoveAroundInProgram, EndsWhereTheNextLineIsFree) {
     }
   }
   EXPECT_GT(reached, 0);
-  EXPECT_GT(blocked, 0) << "no scene is in the way of the straight joint motions";
+  EXPECT_GT(blocked, 0) << "no straight joint motion is blocked";
 }
 
 }  // namespace
