@@ -162,7 +162,7 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
       program_from(read_file(arguments.file), arguments.file, arm,
                    {arguments.arm, spatial, arguments.work, arguments.unit}, arguments.path,
                    start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
-  check_scene_of(program, arguments.file, scene != nullptr);
+  check_scene_to_plan(program, arguments.file, scene != nullptr);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   if (arguments.ignore_limits || arguments.limit_tolerance > 0) {
@@ -172,7 +172,8 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
   }
   return at_rows(program, arguments.file, [&] {
     check_controller_form(arm, program, form);
-    const ProgramMotion motion = move_program(arm, start, program, options);
+    const ProgramMotion motion =
+        move_program(arm, start, program, options, scene != nullptr ? &scene->model : nullptr);
     Exported exported{.status = motion.status, .reason = motion.reason};
     ControllerFileOptions file = file_options(arguments, arm);
     if (motion && scene != nullptr) {

@@ -122,12 +122,13 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
 
 LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
                            const std::optional<Configuration>& start, const Program& program,
-                           const Task& task) {
+                           const Task& task, const CheckedScene* scene) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
   options.budget = progress.of(arguments.budget.next());
-  ProgramMotion motion = at_rows(program, arguments.through,
-                                 [&] { return move_program(arm, start, program, options); });
+  ProgramMotion motion = at_rows(program, arguments.through, [&] {
+    return move_program(arm, start, program, options, scene != nullptr ? &scene->model : nullptr);
+  });
   LineReport report = report_of(arguments, motion);
   report.program = program;
   report.moves = std::move(motion.moves);
@@ -204,9 +205,9 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   const Program program = program_from(
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
       arguments.path, start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
-  check_scene_of(program, arguments.through, scene != nullptr);
+  check_scene_to_plan(program, arguments.through, scene != nullptr);
   waypoints = waypoints_of(arm, program);
-  return line_by_program(arguments, frame.arm, start, frame.seen(program), task);
+  return line_by_program(arguments, frame.arm, start, frame.seen(program), task, scene);
 }
 
 /// The frame of the positions of a refusal's reason: a scene stands in the world.

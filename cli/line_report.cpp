@@ -48,7 +48,8 @@ std::string moves_text(const LineReport& report, const UnitArgument& unit) {
     const Move& move = report.program.moves[i];
     const PlannedMove& planned = report.moves[i];
     std::string bound = "joints move in proportion";
-    if (move.kind != MoveKind::joint) {
+    if (move.kind == MoveKind::around) bound = "around obstacles";
+    if (!is_joint_motion(move.kind)) {
       bound = fmt::format("{:.2e} m   {:.2e} {}", rounded_up(planned.bound.position, 3),
                           rounded_up(unit.shown(planned.bound.orientation), 3), unit.name());
     }

@@ -52,12 +52,13 @@ void blend_lines(double blend, std::size_t first, std::vector<ProgramRow>& rows)
 const char* const program_help =
     "A program is a file whose rows also have some of these columns, so that a whole pick is "
     "one certified trajectory. motion: joint (a straight line in joint space), line (also "
-    "for an empty item), screw, arc after a row via with a position on it, spline "
+    "for an empty item), around (a joint motion around the obstacles of --scene), screw, arc "
+    "after a row via with a position on it, spline "
     "(consecutive rows are one curve, which stops only where it turns back). relative: "
     "previous, a pose in the tool frame of the waypoint before, or of --from in the first "
     "row (a retreat); next, in the tool frame of the next waypoint that is not relative (an "
     "approach). "
-    "q: the joint values of a joint move, in quotes, or a named state of --srdf. speed: "
+    "q: the joint values of a joint motion, in quotes, or a named state of --srdf. speed: "
     "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
     "joint move to a pose ends on the branch that the rows up to the next joint move need. "
     "For each move it prints its duration, the tool's speed and the proved deviation. Rows "
@@ -84,6 +85,14 @@ void check_scene_of(const Program& program, const std::string& file, bool has_sc
   if (has_scene || program.attachments.empty()) return;
   throw FileError(file, program.attachments.front().line,
                   "attach needs the scene that has the part: --scene FILE");
+}
+
+void check_scene_to_plan(const Program& program, const std::string& file, bool has_scene) {
+  check_scene_of(program, file, has_scene);
+  for (const Move& move : program.moves) {
+    if (has_scene || move.kind != MoveKind::around) continue;
+    throw FileError(file, move.line, "around needs the obstacles, --scene FILE, or --self");
+  }
 }
 
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {

@@ -45,6 +45,10 @@ auto at_rows(const Program& program, const std::string& file, const Compute& com
 /// Throws FileError for a program of the file that attaches parts, unless there is a scene.
 void check_scene_of(const Program& program, const std::string& file, bool has_scene);
 
+/// Throws FileError as check_scene_of() does and, as its motion is to be planned, for a move around
+/// obstacles.
+void check_scene_to_plan(const Program& program, const std::string& file, bool has_scene);
+
 /// The waypoints, for a picture.
 std::vector<Pose> waypoints_of(const Arm& arm, const Program& program);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <ostream>
 #include <random>
@@ -18,8 +19,11 @@ using namespace internal;
 
 namespace {
 
-constexpr double most_nodes = 64;       // of an edge, which are then farther apart
-constexpr double node_spacing = 0.5;    // along an edge of a tree, as the norm of the difference
+constexpr double most_nodes = 64;     // of an edge, which are then farther apart
+constexpr double node_spacing = 0.5;  // along an edge of a tree, as the norm of the difference
+// Trees grow first to the goals that are at most so much farther than the nearest, with few edges.
+constexpr double near_goals = 1.5;
+constexpr int few_edges = 1000;
 constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
 // A tree stops before the place where the proof of an edge ends, because every motion from there is
 // as near to a body.
@@ -163,30 +167,78 @@ FreePath refused(const Reason& why, ReasonCode which, std::size_t goals) {
   return path;
 }
 
-/// Searches a path to one of these goals; leaves the path without waypoints if there is none.
-void search_path(const CollisionModel& model, const Configuration& start,
-                 std::span<const Configuration> goals, const std::vector<std::size_t>& free_goals,
-                 const FreePathOptions& options, BudgetMeter& budget, FreePath& path) {
-  FreeEdges edges(model, options.max_edges, budget);
-  for (const std::size_t i : free_goals) {
-    if (!edges.is_free(start, goals[i])) continue;
-    path.waypoints = {start, goals[i]};
-    path.goal = i;
-    break;
+/// Searches for the shortest path that straight joint motions and trees find to one of some goals.
+class PathSearch {
+ public:
+  PathSearch(const CollisionModel& model, const Configuration& start,
+             std::span<const Configuration> goals, const FreePathOptions& options,
+             BudgetMeter& budget)
+      : model_(model), start_(start), goals_(goals), options_(options), budget_(budget) {}
+
+  /// Searches a path to one of these goals, which are in the order of their distance; the path is
+  /// without waypoints if there is none.
+  FreePath run(const std::vector<std::size_t>& free_goals) {
+    try_straight(free_goals);
+    if (free_goals.empty() || (found() && path_.goal == free_goals.front())) return path_;
+    const std::vector<std::size_t> closer = closer_than(path_.length, free_goals);
+    const auto near = closer_than(near_goals * distance(free_goals.front()), closer);
+    if (near.size() < closer.size() && grow_trees(near, few_edges)) return path_;
+    grow_trees(closer, found() ? few_edges : options_.max_edges);
+    return path_;
   }
-  if (path.waypoints.empty()) {
-    TreeSearch trees(model, options, edges, JointSpace(model.arm(), start, goals));
-    trees.add_start(start);
-    for (const std::size_t i : free_goals) trees.add_goal(goals[i]);
-    auto [way, goal] = trees.path();
-    path.waypoints = std::move(way);
-    if (!path.waypoints.empty()) {
-      path.goal = free_goals[goal];
-      shorten(edges, options.random_seed, options.shortcuts, path.waypoints);
+
+ private:
+  bool found() const { return !path_.waypoints.empty(); }
+  double distance(std::size_t goal) const { return (goals_[goal] - start_).norm(); }
+
+  std::vector<std::size_t> closer_than(double limit, std::vector<std::size_t> goals) const {
+    std::erase_if(goals, [&](std::size_t i) { return distance(i) >= limit; });
+    return goals;
+  }
+
+  FreeEdges edges(int most) const {
+    const int left = options_.max_edges - static_cast<int>(path_.edges);
+    return FreeEdges(model_, std::min(most, left), budget_);
+  }
+
+  /// The straight joint motion to the nearest goal with one that is free.
+  void try_straight(const std::vector<std::size_t>& goals) {
+    FreeEdges straight = edges(options_.max_edges);
+    for (const std::size_t i : goals) {
+      if (!straight.is_free(start_, goals_[i])) continue;
+      path_.waypoints = {start_, goals_[i]};
+      path_.length = distance(i);
+      path_.goal = i;
+      break;
     }
+    path_.edges += straight.count();
   }
-  path.edges = edges.count();
-}
+
+  /// Replaces the path if two trees find a shorter one. Returns whether they do.
+  bool grow_trees(const std::vector<std::size_t>& goals, int most_edges) {
+    FreeEdges examined = edges(most_edges);
+    TreeSearch trees(model_, options_, examined, JointSpace(model_.arm(), start_, goals_));
+    trees.add_start(start_);
+    for (const std::size_t i : goals) trees.add_goal(goals_[i]);
+    auto [way, goal] = trees.path();
+    if (!way.empty()) shorten(examined, options_.random_seed, options_.shortcuts, way);
+    path_.edges += examined.count();
+    if (way.empty()) return false;
+    const double length = chord_length(way).back();
+    if (length >= path_.length) return false;
+    path_.waypoints = std::move(way);
+    path_.length = length;
+    path_.goal = goals[goal];
+    return true;
+  }
+
+  const CollisionModel& model_;
+  const Configuration& start_;
+  std::span<const Configuration> goals_;
+  const FreePathOptions& options_;
+  BudgetMeter& budget_;
+  FreePath path_{.length = std::numeric_limits<double>::infinity()};
+};
 
 }  // namespace
 
@@ -217,12 +269,13 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
   if (free_goals.indices.empty() && budget.complete()) {
     return refused(free_goals.refusal, ReasonCode::goal_not_free, goals.size());
   }
-  FreePath path;
-  search_path(model, start, goals, free_goals.indices, options, budget, path);
+  FreePath path = PathSearch(model, start, goals, options, budget).run(free_goals.indices);
   if (!path.waypoints.empty()) {
     path.status = MotionStatus::reached;
-    path.length = chord_length(path.waypoints).back();
-  } else if (!budget.complete()) {
+    return path;
+  }
+  path.length = 0;
+  if (!budget.complete()) {
     set_ended(ReasonCode::ended_before_free_path, budget.ending(), path);
     path.reason.set(ReasonField::count, path.edges);
   } else {

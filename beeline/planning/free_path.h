@@ -42,9 +42,10 @@ struct FreePath {
 std::ostream& operator<<(std::ostream& out, const FreePath& path);
 
 /// Searches a path in joint space, from a configuration to one of the goals, that keeps the
-/// clearance of the model: the straight joint motions to the goals first, then two trees of random
-/// configurations that grow towards each other from both ends (RRT-Connect, Kuffner and LaValle
-/// 2000). Each edge of the trees is proved before it is used. The path that is found is shortened.
+/// clearance of the model: the straight joint motions to the goals first, then, unless the nearest
+/// goal is reached, two trees of random configurations that grow towards each other from both ends
+/// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. Each edge of the trees is
+/// proved before it is used. The path that is found is shortened; of two, the shorter one is given.
 /// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
 /// paths add radians and metres.
 ///

@@ -15,6 +15,7 @@ namespace beeline {
 
 enum class MoveKind {
   joint,   ///< a straight line in joint space
+  around,  ///< a joint motion around the obstacles of a scene: see move_around()
   line,    ///< a straight line of the tool
   screw,   ///< a screw motion of the tool
   arc,     ///< a circular arc through Move::via
@@ -25,12 +26,16 @@ std::string name(MoveKind kind);
 /// Throws Error listing the kinds for another name.
 MoveKind move_kind_named(std::string_view name);
 
+/// Returns whether moves of this kind are joint motions, `joint` and `around`. Their waypoint may
+/// be a configuration, and the path of the tool between the waypoints is not given.
+bool is_joint_motion(MoveKind kind);
+
 /// A move from the waypoint before it to its own waypoint. The tool is at rest there unless the
 /// move blends into the next one or both are part of one spline.
 struct Move {
   MoveKind kind = MoveKind::line;
   Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
-  /// The waypoint of a joint move as a configuration; it replaces `target`.
+  /// The waypoint of a joint motion as a configuration; it replaces `target`.
   std::optional<Configuration> q = std::nullopt;
   std::optional<Vector3> via = std::nullopt;  ///< a position on the arc in the world, m
   /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: the limit of the options. It
@@ -113,9 +118,11 @@ struct PlannedMove {
   /// The sample at its waypoint or, if it blends into the next move, at the blend's end or the
   /// first after it. A dwell follows.
   std::size_t end = 0;
-  Deviation bound = {};     ///< proved deviation from its path; 0 for a joint move
+  Deviation bound = {};     ///< proved deviation from its path; 0 for a joint motion
   double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
   double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
+  /// Of a move around obstacles: FreePath::waypoints. The motion passes the inner ones in blends.
+  std::vector<Configuration> waypoints = {};
 };
 
 /// A trajectory of a program, with its proof. Only status, reason and failed are set unless
@@ -127,13 +134,13 @@ struct ProgramMotion {
   std::size_t failed = 0;
   Trajectory trajectory;           ///< trajectory from rest to rest
   std::vector<PlannedMove> moves;  ///< one for each move of the program
-  PathDeviation deviation;         ///< proved deviation of all moves except joint moves
+  PathDeviation deviation;         ///< proved deviation of all moves except joint motions
   LimitUsage limits;               ///< fractions of the limits that the trajectory uses
   /// Smallest distance of a joint to a position limit, as a fraction of half its range, over all
-  /// moves except joint moves.
+  /// moves except joint motions.
   double limit_margin = 1;
   /// Smallest inverse condition number of the task's Jacobian, from 0 to 1, over all moves except
-  /// joint moves.
+  /// joint motions.
   double inverse_condition = 1;
 
   /// Whether the end was reached.
@@ -153,24 +160,32 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
 ///   are possible. Of the configurations found, it ends at the one that it reaches first at the
 ///   velocity limits. No other move changes the branch: see move_along().
-/// - path_deviation() bounds the deviation of all moves except joint moves, for the trajectory with
+/// - A move `around` is a motion of move_around() in the scene of `model`, with the parts that the
+///   tool carries at the time. To a pose it ends at a configuration from which the moves up to the
+///   next joint motion are possible. Up to where a part is next attached or detached, these keep
+///   the clearance.
+/// - path_deviation() bounds the deviation of all moves except joint motions, for the trajectory
+/// with
 ///   all its pauses, and verify() passes it. The options hold for all moves, except that a move can
 ///   have its own speed; `suggest` is ignored.
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
-/// A motion does not depend on the attachments; they are at waypoints where the arm stops. See
-/// prove_clearance() with a program.
+/// Attachments are at waypoints where the arm stops. Only moves `around` depend on them and on
+/// `model`, which is the arm in its scene: its joints are the joints of `arm`. prove_clearance()
+/// with a program proves the clearance of the other moves.
 ///
 /// `budget` limits the planning of the whole program. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
 /// before its beginning or after the last move, and at a waypoint that the tool passes without a
 /// stop, and MoveError for a blend that is not between two lines or is at a dwell, for a via or a
-/// configuration of a move that cannot have one, for an arc without via, for a speed, blend or
-/// dwell out of range, for a configuration outside the limits, and if path_through(),
-/// blended_lines() or move_along() throws.
+/// configuration of a move that cannot have one, for an arc without via, for a move `around`
+/// without a model, for a speed, blend or dwell out of range, for a configuration outside the
+/// limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
+/// throws as prove_clearance() with a program does.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
-                           const Program& program, const PathMotionOptions& options = {});
+                           const Program& program, const PathMotionOptions& options = {},
+                           const CollisionModel* model = nullptr);
 
 /// Proves or refutes, from the columns only, that a trajectory is a motion of the program:
 ///
@@ -178,10 +193,10 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   are at rest there, unless a blend or a spline passes the waypoint, and for each dwell. A
 ///   trajectory that does not begin at the first waypoint moves there first. Rest is to the
 ///   tolerance of verify() for the ends; a dwell is within 1e-5 rad or m of one configuration.
-/// - A joint move to a pose ends at a rest there before the next waypoint: it may change the
+/// - A joint motion to a pose ends at a rest there before the next waypoint: it may change the
 ///   configuration at the same pose. Up to 16 rests are tried.
-/// - verify() proves all moves except joint moves from stop to stop. A joint move only has to be
-///   within the arm's limits.
+/// - verify() proves all moves except joint motions from stop to stop. A joint motion only has to
+///   be within the arm's limits.
 /// - The tool's speed is within the speed limit of each move.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.

@@ -110,22 +110,30 @@ void bind_programs(nb::module_& m) {
       "move_program", "ProgramMotion",
       "Plans the moves of a program as one trajectory from rest to rest. A joint move to a pose "
       "ends at a configuration from which the moves up to the next joint move are possible; no "
-      "other move changes the branch. verify() proves the deviation of all moves but joint moves, "
-      "with all pauses. Raises Error for a program that makes no sense, whose move it names.");
+      "other move changes the branch. A move 'around' is a motion of move_around() in the scene of "
+      "the model, with the parts that the tool carries. verify() proves the deviation of all moves "
+      "but joint motions, with all pauses. Raises Error for a program that makes no sense, whose "
+      "move it names.");
   planned.takes_arm()
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "
-             "belong to a joint move or a line.")
+             "belong to a joint motion or a line.")
       .takes("program", "Program", "Program.")
+      .takes("model", "CollisionModel | None",
+             "The arm in its scene, for moves 'around'. prove_clearance() proves the other moves.",
+             "None")
       .options<PathMotionOptions>();
   define(
       m,
-      [](const Arm& arm, nb::handle start, const Program& moves, const nb::kwargs& keywords) {
+      [](const Arm& arm, nb::handle start, const Program& moves, const CollisionModel* model,
+         const nb::kwargs& keywords) {
         const auto begin = Value<std::optional<Configuration>>::from(start, "start");
         auto asked = options<PathMotionOptions>(keywords);
-        return unlocked(asked.budget, [&] { return move_program(arm, begin, moves, asked); });
+        return unlocked(asked.budget,
+                        [&] { return move_program(arm, begin, moves, asked, model); });
       },
-      planned, nb::arg("arm"), nb::arg("start").none(), nb::arg("program"), nb::arg("keywords"));
+      planned, nb::arg("arm"), nb::arg("start").none(), nb::arg("program"),
+      nb::arg("model").none() = nb::none(), nb::arg("keywords"));
 }
 
 }  // namespace beeline::python

@@ -30,8 +30,9 @@ struct Fields<Program> : Members<&Program::moves, &Program::attachments> {
 };
 
 template <>
-struct Fields<PlannedMove> : Members<&PlannedMove::begin, &PlannedMove::end, &PlannedMove::bound,
-                                     &PlannedMove::tool_speed, &PlannedMove::blend_radius> {};
+struct Fields<PlannedMove>
+    : Members<&PlannedMove::begin, &PlannedMove::end, &PlannedMove::bound, &PlannedMove::tool_speed,
+              &PlannedMove::blend_radius, &PlannedMove::waypoints> {};
 
 template <>
 struct Fields<ProgramMotion>

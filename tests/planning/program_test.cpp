@@ -37,7 +37,7 @@ Program random_program(Random& random, const Arm& arm) {
     if (random.integer(0, 2) == 0) joint.dwell = random.uniform(0.01, 0.2);
     program.moves.push_back(joint);
     for (int i = random.integer(0, 3); i > 0; --i) {
-      Move move{.kind = static_cast<MoveKind>(random.integer(1, 4))};
+      Move move{.kind = static_cast<MoveKind>(random.integer(2, 5))};
       move.target = near(random, from, size, arm.planar());
       if (move.kind == MoveKind::arc) {
         move.via = near(random, from, size, arm.planar()).translation();
@@ -77,7 +77,7 @@ void expect_move(const Arm& arm, const Program& program, const ProgramMotion& mo
   constexpr int parts = 200;
   const Trajectory& trajectory = motion.trajectory;
   const Move& move = program.moves[i];
-  const auto [begin, end, bound, speed, radius] = motion.moves[i];
+  const auto [begin, end, bound, speed, radius, waypoints] = motion.moves[i];
   const double start = trajectory.times[begin], dt = (trajectory.times[end] - start) / parts;
   Configuration before = trajectory.positions[begin];
   const Line line{forward_kinematics(arm, before),
@@ -351,7 +351,8 @@ TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = -1; }), "move 2 (line): dwell");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = NAN; }), "move 2 (line): dwell");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].speed = 0; }), "move 2 (line): speed");
-  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].q = home; }), "only joint moves");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].q = home; }),
+                 "only joint motions end at joint values");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].via = Vector3(1, 0, 0); }), "only arcs");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].kind = MoveKind::arc; }), "needs a via");
   EXPECT_REFUSED(planned([](Moves& moves) {

@@ -100,6 +100,22 @@ std::string krl_spline(const std::vector<ControllerMove>& moves, std::size_t i,
 /// Rounded up to microseconds, so that a dwell is not shorter.
 std::string seconds(double dwell) { return fixed_point(std::ceil(dwell * 1e6 - 1e-3) / 1e6, 6); }
 
+/// Replaces a move around obstacles by joint moves to its waypoints, at which the arm stops: the
+/// straight joint motions between them are proved, and how a controller blends them is not known.
+void add_moves_around(const ControllerMove& around, const PlannedMove& planned,
+                      std::vector<ControllerMove>& moves) {
+  ControllerMove written = around;
+  written.kind = MoveKind::joint;
+  written.dwell = 0;
+  for (std::size_t k = 1; k + 1 < planned.waypoints.size(); ++k) {
+    written.q = planned.waypoints[k];
+    moves.push_back(written);
+  }
+  written.q = around.q;
+  written.dwell = around.dwell;
+  moves.push_back(written);
+}
+
 }  // namespace
 
 std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& program,
@@ -111,7 +127,7 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     const Move& move = program.moves[i];
     const PlannedMove& planned = motion.moves[i];
-    ControllerMove& written = moves.emplace_back();
+    ControllerMove written;
     written.kind = move.kind;
     written.q = trajectory.positions[planned.end];
     written.target = frame_T_world * move.target;
@@ -125,6 +141,10 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     written.speed = move.speed.value_or(planned.tool_speed > 0 ? planned.tool_speed : least_speed);
     written.blend_radius = planned.blend_radius;
     written.dwell = move.dwell;
+    if (move.kind == MoveKind::around)
+      add_moves_around(written, planned, moves);
+    else
+      moves.push_back(std::move(written));
   }
   return moves;
 }

@@ -30,6 +30,12 @@ double rounding_of(const CollisionBodies& bodies, const std::vector<Shape>& shap
 
 }  // namespace
 
+bool has_change(const Program& program, std::size_t moves) {
+  return std::any_of(
+      program.attachments.begin(), program.attachments.end(),
+      [moves](const Attachment& one) { return one.after == moves || one.until == moves; });
+}
+
 CarriedParts::CarriedParts(const CollisionModel& model, const Program& program)
     : model_(model),
       program_(program),

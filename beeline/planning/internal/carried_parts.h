@@ -8,6 +8,9 @@
 
 namespace beeline::internal {
 
+/// Whether a program attaches or detaches a part after this number of moves.
+bool has_change(const Program& program, std::size_t moves);
+
 /// The obstacles of a scene of which the tool carries some, in the order of a program.
 class CarriedParts {
  public:

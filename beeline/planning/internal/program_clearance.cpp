@@ -55,7 +55,7 @@ class ProgramScenes {
       return SceneSection{first, last, changed ? *changed : model_, parts.changed(), since};
     };
     for (std::size_t moves = 0; moves <= program_.moves.size(); ++moves) {
-      if (!has_change(moves)) continue;
+      if (!has_change(program_, moves)) continue;
       const std::size_t at = sample_after(moves);
       if (moves > 0 && !visit(section_to(at))) return;
       parts.change(moves, trajectory_.positions[at]);
@@ -90,7 +90,7 @@ class ProgramScenes {
     const auto add = [&](std::size_t at, const CarriedParts& parts) {
       scenes.push_back({trajectory_.times[at], parts.model()});
     };
-    if (!has_change(0)) add(0, CarriedParts(model_, program_));
+    if (!has_change(program_, 0)) add(0, CarriedParts(model_, program_));
     for_each_change(
         [&](std::size_t, std::size_t at, const CarriedParts& parts) { add(at, parts); });
     return scenes;
@@ -114,17 +114,11 @@ class ProgramScenes {
   void for_each_change(const Visit& visit) const {
     CarriedParts parts(model_, program_);
     for (std::size_t moves = 0; moves <= program_.moves.size(); ++moves) {
-      if (!has_change(moves)) continue;
+      if (!has_change(program_, moves)) continue;
       const std::size_t at = sample_after(moves);
       parts.change(moves, trajectory_.positions[at]);
       visit(moves, at, parts);
     }
-  }
-
-  bool has_change(std::size_t moves) const {
-    return std::any_of(
-        program_.attachments.begin(), program_.attachments.end(),
-        [moves](const Attachment& one) { return one.after == moves || one.until == moves; });
   }
 
   const CollisionModel& model_;

@@ -34,8 +34,8 @@ void check_numbers(const Move& move) {
 
 void check_kind(const Arm& arm, const Program& program, std::size_t i) {
   const Move& move = program.moves[i];
-  if (move.q && move.kind != MoveKind::joint) {
-    throw Error("only joint moves end at joint values");
+  if (move.q && !is_joint_motion(move.kind)) {
+    throw Error("only joint motions end at joint values");
   }
   if (move.q) {
     check_configuration(arm, *move.q);
@@ -188,12 +188,12 @@ std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, s
   Pose from = begin;
   for (std::size_t i = first; i < program.moves.size();) {
     ProgramPart part{.first = i, .last = i};
-    if (program.moves[i].kind == MoveKind::joint) {
+    if (is_joint_motion(program.moves[i].kind)) {
       part.joint = true;
       from = waypoint_of(arm, program.moves[i]);
       ++i;
     }
-    while (!part.joint && i < program.moves.size() && program.moves[i].kind != MoveKind::joint) {
+    while (!part.joint && i < program.moves.size() && !is_joint_motion(program.moves[i].kind)) {
       i = add_section(program, i, from, tool_speed, part);
     }
     part.last = i - 1;

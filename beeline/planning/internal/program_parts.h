@@ -6,11 +6,11 @@
 
 namespace beeline::internal {
 
-/// A joint move, or all moves from one joint move to the next.
+/// A joint motion, or all moves from one joint motion to the next.
 struct ProgramPart {
   std::size_t first = 0, last = 0;  ///< moves of the program
   bool joint = false;
-  Route route = {};                      ///< unless it is a joint move
+  Route route = {};                      ///< unless it is a joint motion
   std::vector<std::size_t> moves = {};   ///< of each segment of the route
   std::vector<double> blend_radii = {};  ///< of each move from `first` on
 

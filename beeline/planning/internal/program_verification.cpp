@@ -46,8 +46,8 @@ class ProgramVerifier {
 
   Verification run() {
     const Move& first = program_.moves.front();
-    // A joint move may change the configuration at the same pose.
-    const bool begins = first.kind != MoveKind::joint && rests_.offset(first, 0) <= 1;
+    // A joint motion may change the configuration at the same pose.
+    const bool begins = !is_joint_motion(first.kind) && rests_.offset(first, 0) <= 1;
     if (begins) result_.arrivals.push_back(0);
     const Pose begin = begins ? waypoint_of(arm_, first) : tool_at(0);
     parts_ = program_parts(arm_, program_, begins ? 1 : 0, begin, Limits::none);

@@ -17,7 +17,8 @@ using Columns = std::vector<std::string>;
 constexpr std::size_t max_program_rows = 100'000;
 
 const Columns& motions() {
-  static const Columns names{"joint", "line", "screw", "arc", "spline", "via", "attach", "detach"};
+  static const Columns names{"joint",  "around", "line",   "screw", "arc",
+                             "spline", "via",    "attach", "detach"};
   return names;
 }
 

@@ -1,0 +1,28 @@
+#include <beeline/planning/internal/current_scene.h>
+#include <beeline/planning/internal/program_trajectory.h>
+
+namespace beeline::internal {
+
+CurrentScene::CurrentScene(const CollisionModel& model, const Program& program)
+    : model_(model), program_(program), parts_(model, program) {}
+
+void CurrentScene::arrive(std::size_t moves, const ConfigurationRef& q) {
+  parts_.change(moves, q);
+  if (!parts_.changed().empty()) changed_.emplace(parts_.model());
+}
+
+Reason CurrentScene::blocked_ahead(const ProgramPart& part, const PathMotion& motion,
+                                   const Budget& budget) const {
+  CarriedParts parts = parts_;
+  parts.change(part.first, motion.trajectory.positions.front());
+  std::optional<CollisionModel> changed;
+  if (!parts.changed().empty()) changed.emplace(parts.model());
+  std::size_t last = part.first;
+  while (last < part.last && !has_change(program_, last + 1)) ++last;
+  const std::size_t end = motion.arrivals[part.last_segment(last)];
+  return prove_clearance(changed ? *changed : model(), samples_between(motion.trajectory, 0, end),
+                         {.budget = budget})
+      .reason;
+}
+
+}  // namespace beeline::internal

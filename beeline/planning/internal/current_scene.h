@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/planning/internal/carried_parts.h>
+#include <beeline/planning/internal/program_parts.h>
+
+namespace beeline::internal {
+
+/// The arm in its scene while a program is planned, with the parts that the tool carries.
+class CurrentScene {
+ public:
+  /// Before the first move. Both arguments must outlive the object; the model must have the parts.
+  CurrentScene(const CollisionModel& model, const Program& program);
+
+  /// Continues after this number of moves, at rest at a configuration.
+  void arrive(std::size_t moves, const ConfigurationRef& q);
+
+  /// The arm with the parts that it carries, among the other obstacles.
+  const CollisionModel& model() const { return changed_ ? *changed_ : model_; }
+
+  /// Why the motion of the next part is blocked, up to where a part is next attached or detached;
+  /// no reason if it is proved to keep the clearance.
+  Reason blocked_ahead(const ProgramPart& part, const PathMotion& motion,
+                       const Budget& budget) const;
+
+ private:
+  const CollisionModel& model_;
+  const Program& program_;
+  CarriedParts parts_;
+  std::optional<CollisionModel> changed_ = std::nullopt;
+};
+
+}  // namespace beeline::internal

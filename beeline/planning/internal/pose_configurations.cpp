@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/planning/internal/pose_configurations.h>
+#include <beeline/planning/internal/self_motion_starts.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr std::size_t max_candidates = 64, max_redundant_candidates = 12;
+constexpr int coarse_grid = 6;
+
+/// Seconds of a joint move at the velocity limits.
+double least_duration(const Arm& arm, const Configuration& from, const Configuration& to) {
+  double duration = 0;
+  for (int k = 0; k < arm.dof(); ++k) {
+    duration = std::max(duration, std::abs(to[k] - from[k]) / velocity_limit_of(arm.limits(k)));
+  }
+  return duration;
+}
+
+}  // namespace
+
+std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
+                                              const Configuration& from, const Budget& budget) {
+  const bool redundant = arm.dof() > task.size();
+  InverseOptions options{
+      .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
+  std::vector<Configuration> found;
+  if (redundant) {
+    options.method = method_for_few_poses(arm, task);
+    options.grid = coarse_grid;
+    options.max_restarts = 4 * coarse_grid;
+    found = inverse_kinematics(
+                arm, pose,
+                {.seed = from, .task = task, .redundancy = Redundancy::nearest, .budget = budget})
+                .solutions;
+  }
+  const InverseResult all = inverse_kinematics(arm, pose, options);
+  found.insert(found.end(), all.solutions.begin(), all.solutions.end());
+  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return least_duration(arm, from, a) < least_duration(arm, from, b);
+  });
+  const std::size_t most = redundant ? max_redundant_candidates : max_candidates;
+  if (found.size() > most) found.resize(most);
+  return found;
+}
+
+}  // namespace beeline::internal

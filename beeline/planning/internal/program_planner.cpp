@@ -1,0 +1,390 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/certificate/verify.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
+#include <beeline/planning/branch.h>
+#include <beeline/planning/free_path.h>
+#include <beeline/planning/internal/current_scene.h>
+#include <beeline/planning/internal/motion_request.h>
+#include <beeline/planning/internal/pose_configurations.h>
+#include <beeline/planning/internal/program_parts.h>
+#include <beeline/planning/internal/program_planner.h>
+#include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/internal/unblocked_motion.h>
+#include <beeline/trajectory/internal/motion_start.h>
+#include <beeline/trajectory/internal/tool_speed.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr std::size_t max_trajectory = 10'000'000;  // samples: some 3 GB for seven joints
+
+/// "move 3 (line)", "moves 3 to 5".
+std::string part_name(const Program& program, const ProgramPart& part) {
+  if (part.first == part.last) return move_name(program, part.first);
+  return "moves " + std::to_string(part.first + 1) + " to " + std::to_string(part.last + 1);
+}
+
+class ProgramPlanner {
+ public:
+  ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options,
+                 const CollisionModel* model)
+      : arm_(arm), program_(program), budget_(options.budget), options_(options) {
+    if (model != nullptr) scene_.emplace(*model, program);
+    options_.budget = budget_.part();
+    options_.task = options.task.value_or(default_task(arm));
+    options_.suggest = false;
+    motion_.failed = program.moves.size();
+    motion_.status = MotionStatus::reached;
+  }
+
+  ProgramMotion run(const std::optional<Configuration>& start) {
+    if (!plan(start)) {
+      ProgramMotion failure;
+      failure.status = motion_.status;
+      failure.reason = motion_.reason;
+      failure.failed = motion_.failed;
+      failure.limit_margin = failure.inverse_condition = 0;
+      return failure;
+    }
+    return motion_;
+  }
+
+ private:
+  /// A part that is a path, in the trajectory.
+  struct Planned {
+    std::size_t part = 0, begin = 0;      ///< its first sample
+    std::vector<double> path_parameters;  ///< of its samples
+  };
+
+  /// Fails in a move. The reason contains the name of the move or, if given, the name of its part.
+  bool fail(std::size_t move, MotionStatus status, Reason reason, const std::string& name = {}) {
+    motion_.status = status;
+    motion_.reason = std::move(reason);
+    motion_.reason.set(ReasonField::move, move + 1);
+    motion_.reason.set(ReasonField::move_name, name.empty() ? move_name(program_, move) : name);
+    motion_.failed = move;
+    return false;
+  }
+
+  bool fail_ended(std::size_t move) {
+    return fail(move, status_of<MotionStatus>(budget_.ending()),
+                ended_reason(ReasonCode::ended, budget_.ending()));
+  }
+
+  bool plan(const std::optional<Configuration>& start) {
+    if (start) check_start(arm_, *start);
+    const Move& first = program_.moves.front();
+    if (!start && !is_joint_motion(first.kind) && first.kind != MoveKind::line) {
+      throw MoveError(
+          program_, 0,
+          "the motion begins at this waypoint, as no start is given; its move must be a joint "
+          "motion or a line");
+    }
+    if (!start && (first.speed || first.blend > 0)) {
+      throw MoveError(program_, 0,
+                      "the motion begins at this waypoint, as no start is given; remove its speed "
+                      "or blend");
+    }
+    const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
+    parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
+    std::optional<Configuration> q = start ? start : first.q;
+    const bool open = !q && !parts_.empty() && !parts_.front().joint;
+    if (!q && !open && !configuration_at(0, begin, middle_configuration(arm_), q)) return false;
+    std::optional<PathMotion> ahead;
+    if (open && !follow(0, std::nullopt, ahead)) return false;
+    if (open) q = ahead->trajectory.positions.front();
+    trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
+    arrive(0);
+    if (!start) {
+      motion_.moves.push_back({});
+      if (!pause(0)) return false;
+    }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      budget_.report(static_cast<double>(p) / static_cast<double>(parts_.size()));
+      if (budget_.ended()) return fail_ended(parts_[p].first);
+      if (parts_[p].joint ? !add_joint_motion(p, ahead) : !add_path(p, ahead)) return false;
+    }
+    return finish();
+  }
+
+  /// Sets q to the configuration with the tool at the pose that is reached soonest.
+  bool configuration_at(std::size_t move, const Pose& pose, const Configuration& from,
+                        std::optional<Configuration>& q) {
+    const auto found = configurations_for(arm_, *options_.task, pose, from, budget_.part());
+    if (!found.empty()) q = found.front();
+    if (q) return true;
+    InverseResult none = inverse_kinematics(
+        arm_, pose, {.seed = from, .task = options_.task, .budget = budget_.part()});
+    beeline::explain(none, budget_.part());
+    if (none) q = none.solutions.front();
+    return none || fail(move, motion_status(none.status), none.reason);
+  }
+
+  /// Plans the path of a part.
+  bool follow(std::size_t p, const std::optional<Configuration>& q,
+              std::optional<PathMotion>& ahead) {
+    const ProgramPart& part = parts_[p];
+    ahead = move_along(arm_, q, part.route, options_);
+    if (*ahead) return true;
+    Reason& reason = ahead->reason;
+    if (const ReasonValue* const segment = reason.find(ReasonField::segment)) {
+      const std::size_t move = part.moves[std::get<std::size_t>(*segment) - 1];
+      return fail(move, ahead->status, reason);
+    }
+    if (part.first > 0 && reason.has(ReasonField::beginning)) {  // the waypoint of the move before
+      std::erase_if(reason.fields,
+                    [](const auto& entry) { return entry.first == ReasonField::beginning; });
+      return fail(part.first - 1, ahead->status, reason);
+    }
+    return fail(part.first, ahead->status, reason, part_name(program_, part));
+  }
+
+  /// Plans the path of a part, which must keep the clearance.
+  bool follow_free(std::size_t p, const Configuration& q, std::optional<PathMotion>& ahead) {
+    if (!follow(p, q, ahead)) return false;
+    const Reason reason = scene_->blocked_ahead(parts_[p], *ahead, budget_.part());
+    return !reason ||
+           fail(parts_[p].first, status_of_blocked(reason), reason, part_name(program_, parts_[p]));
+  }
+
+  /// Whether a branch of the path of part p begins at a configuration.
+  bool has_branch(std::size_t p, const Configuration& q) {
+    BranchOptions planning = branch_options(arm_, options_, 1);
+    planning.max_grid = 16;
+    planning.reasons = BranchOptions::Reasons::none;
+    planning.budget = budget_.part();
+    return bool(plan_path(arm_, q, parts_[p].route.path, planning));
+  }
+
+  /// Finds the configuration reached first of those from which the path of part p is possible.
+  bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
+                     std::optional<PathMotion>& ahead) {
+    const ToolPath& path = parts_[p].route.path;
+    for (const Configuration& candidate :
+         configurations_for(arm_, *options_.task, pose_at(path, 0), from, budget_.part())) {
+      if (budget_.ended()) break;
+      if (!has_branch(p, candidate) || !follow(p, candidate, ahead)) continue;
+      q = candidate;
+      motion_.status = MotionStatus::reached;
+      return true;
+    }
+    if (!follow(p, std::nullopt, ahead)) return false;
+    motion_.status = MotionStatus::reached;
+    q = ahead->trajectory.positions.front();
+    return true;
+  }
+
+  bool path_follows(std::size_t p) const { return p + 1 < parts_.size() && !parts_[p + 1].joint; }
+
+  bool add_joint_motion(std::size_t p, std::optional<PathMotion>& ahead) {
+    ahead.reset();
+    const std::size_t i = parts_[p].first;
+    PlannedMove planned{.begin = trajectory_.last()};
+    const bool around = program_.moves[i].kind == MoveKind::around;
+    if (!(around ? move_around_to(p, planned, ahead) : move_straight_to(p, ahead))) return false;
+    trajectory_.stop();
+    planned.end = trajectory_.last();
+    motion_.moves.push_back(std::move(planned));
+    return pause(i);
+  }
+
+  /// Appends the straight joint motion of part p, and plans the path after it.
+  bool move_straight_to(std::size_t p, std::optional<PathMotion>& ahead) {
+    const std::size_t i = parts_[p].first;
+    const Move& move = program_.moves[i];
+    const Configuration from = trajectory_.positions().back();
+    std::optional<Configuration> to = move.q;
+    if (!to && !(path_follows(p) ? choose_branch(p + 1, from, to, ahead)
+                                 : configuration_at(i, move.target, from, to))) {
+      return false;
+    }
+    RetimeOptions timing = timing_options(options_);
+    timing.tool_speed = move.speed.value_or(options_.tool_speed);
+    timing.budget = budget_.part();
+    if (const Reason reason = trajectory_.joint_move(arm_, *to, timing)) {
+      if (!budget_.complete()) return fail_ended(i);
+      return fail(i, MotionStatus::outside_limits, reason);
+    }
+    return true;
+  }
+
+  /// Configurations at which the move around obstacles of part p may end, the soonest reached
+  /// first: for a path after it those from which a branch of it begins or, without one, the start
+  /// of its best branch.
+  std::vector<Configuration> goals_around(std::size_t p, std::optional<PathMotion>& ahead) {
+    const std::size_t i = parts_[p].first;
+    const Configuration from = trajectory_.positions().back();
+    std::optional<Configuration> q = program_.moves[i].q;
+    if (!q && !path_follows(p) && !configuration_at(i, program_.moves[i].target, from, q)) {
+      return {};
+    }
+    if (program_.moves[i].q) return {*q};
+    std::vector<Configuration> goals =
+        configurations_for(arm_, *options_.task, program_.moves[i].target, from, budget_.part());
+    if (!path_follows(p)) return goals.empty() ? std::vector{*q} : goals;
+    std::erase_if(goals, [&](const auto& goal) { return !has_branch(p + 1, goal); });
+    if (!goals.empty()) return goals;
+    if (!follow(p + 1, std::nullopt, ahead)) return {};
+    return {ahead->trajectory.positions.front()};
+  }
+
+  /// Appends the motion of part p around obstacles, and plans the path after it. A goal from which
+  /// this path is not possible or not free is replaced by another one.
+  bool move_around_to(std::size_t p, PlannedMove& planned, std::optional<PathMotion>& ahead) {
+    const std::size_t i = parts_[p].first;
+    std::vector<Configuration> goals = goals_around(p, ahead);
+    while (!goals.empty()) {
+      FreeMotion motion =
+          move_around(scene_->model(), trajectory_.positions().back(), goals,
+                      {.profile = options_.profile,
+                       .interpolation = options_.interpolation,
+                       .tool_speed = program_.moves[i].speed.value_or(options_.tool_speed),
+                       .rate = options_.rate,
+                       .max_samples = options_.max_samples,
+                       .budget = budget_.part()});
+      if (!motion) return fail(i, motion.status, motion.reason);
+      const std::size_t reached = motion.path.goal;
+      if (path_follows(p) && !follow_free(p + 1, goals[reached], ahead)) {
+        if (budget_.ended()) return fail_ended(i);
+        goals.erase(goals.begin() + static_cast<std::ptrdiff_t>(reached));
+        continue;
+      }
+      motion_.status = MotionStatus::reached;
+      for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
+        trajectory_.append(motion.trajectory, k);
+      }
+      planned.waypoints = std::move(motion.path.waypoints);
+      return true;
+    }
+    return false;
+  }
+
+  /// Attaches and detaches parts after this number of moves.
+  void arrive(std::size_t moves) {
+    if (scene_) scene_->arrive(moves, trajectory_.positions().back());
+  }
+
+  /// Adds the dwell of move i.
+  bool pause(std::size_t i) {
+    arrive(i + 1);
+    const double dwell = program_.moves[i].dwell;
+    const double needed = static_cast<double>(trajectory_.last()) + dwell * options_.rate;
+    if (needed > static_cast<double>(max_trajectory)) {
+      return fail(i, MotionStatus::too_many_samples,
+                  {ReasonCode::program_too_long, {{ReasonField::max_samples, max_trajectory}}});
+    }
+    trajectory_.dwell(dwell);
+    return true;
+  }
+
+  bool add_path(std::size_t p, std::optional<PathMotion>& ahead) {
+    const ProgramPart& part = parts_[p];
+    if (!ahead && !follow(p, trajectory_.positions().back(), ahead)) return false;
+    motion_.limit_margin = std::min(motion_.limit_margin, ahead->limit_margin);
+    motion_.inverse_condition = std::min(motion_.inverse_condition, ahead->inverse_condition);
+    const std::size_t begin = trajectory_.last();
+    std::vector<double> path_parameters{ahead->path_parameters.front()};
+    std::size_t k = 0;
+    for (std::size_t i = part.first; i <= part.last; ++i) {
+      PlannedMove planned{.begin = trajectory_.last(),
+                          .blend_radius = part.blend_radii[i - part.first]};
+      for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
+        trajectory_.append(ahead->trajectory, ++k);
+        // A rest before it is at the same path parameter.
+        path_parameters.resize(trajectory_.last() - begin, path_parameters.back());
+        path_parameters.push_back(ahead->path_parameters[k]);
+      }
+      if (part.route.stops[part.last_segment(i)]) trajectory_.stop();
+      planned.end = trajectory_.last();
+      motion_.moves.push_back(planned);
+      if (!pause(i)) return false;
+      path_parameters.resize(trajectory_.last() - begin + 1, path_parameters.back());
+    }
+    planned_.push_back({p, begin, std::move(path_parameters)});
+    ahead.reset();
+    return true;
+  }
+
+  /// Completes the trajectory and proves it as a whole by verify(), as a check of its file does:
+  /// the moves one by one, and that each continues the one before.
+  bool finish() {
+    motion_.trajectory = trajectory_.finished();
+    const Trajectory& trajectory = motion_.trajectory;
+    VerifyOptions options = proof_options(options_);
+    options.budget = budget_.part();
+    Verification found = verify(arm_, trajectory, program_, options);
+    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
+    if (!found) return explain(found);
+    motion_.deviation = std::move(found.deviation);
+    for (PlannedMove& move : motion_.moves) {
+      for (std::size_t k = move.begin; k < move.end; ++k) {
+        grow(move.bound, motion_.deviation.interval_bounds[k]);
+      }
+      move.tool_speed = tool_speed_bound(arm_, samples_between(trajectory, move.begin, move.end));
+    }
+    motion_.limits = limit_usage(arm_, trajectory, budget_.part());
+    return budget_.complete() || fail_ended(program_.moves.size() - 1);
+  }
+
+  /// Fails with the reason why the trajectory is not proved: the tool is off the path of a part, a
+  /// joint is beyond its limits, or what verify() found.
+  bool explain(const Verification& found) {
+    for (const Planned& planned : planned_) {
+      if (!check_deviation(planned)) return false;
+    }
+    const Trajectory& trajectory = motion_.trajectory;
+    const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
+    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
+    const std::size_t move = move_at(fault ? fault->sample : found.sample);
+    if (!fault) return fail(move, MotionStatus::not_proved, found.reason);
+    Reason reason = fault->reason;
+    reason.set(ReasonField::time, trajectory.times[fault->sample]);
+    return fail(move, MotionStatus::outside_limits, std::move(reason));
+  }
+
+  /// The move during or before which sample k is.
+  std::size_t move_at(std::size_t k) const {
+    std::size_t move = 0;
+    while (move + 1 < motion_.moves.size() && motion_.moves[move].end <= k) ++move;
+    return move;
+  }
+
+  /// Whether the tool is proved to stay on the path of a part.
+  bool check_deviation(const Planned& planned) {
+    const ProgramPart& part = parts_[planned.part];
+    const std::size_t end = planned.begin + planned.path_parameters.size() - 1;
+    const Deviation bound =
+        path_deviation(arm_, samples_between(motion_.trajectory, planned.begin, end),
+                       planned.path_parameters, part.route.path, *options_.task, budget_.part())
+            .bound;
+    if (!budget_.complete()) return fail_ended(part.first);
+    if (within(bound, {options_.tolerance, options_.orientation_tolerance})) return true;
+    return fail(part.first, MotionStatus::not_proved,
+                deviation_reason(ReasonCode::path_not_proved, bound), part_name(program_, part));
+  }
+
+  const Arm& arm_;
+  const Program& program_;
+  BudgetMeter budget_;
+  PathMotionOptions options_;
+  ProgramMotion motion_;
+  std::vector<ProgramPart> parts_;
+  ProgramTrajectory trajectory_;
+  std::optional<CurrentScene> scene_ = std::nullopt;
+  std::vector<Planned> planned_;
+};
+
+}  // namespace
+
+ProgramMotion planned_program(const Arm& arm, const std::optional<Configuration>& start,
+                              const Program& program, const PathMotionOptions& options,
+                              const CollisionModel* model) {
+  return ProgramPlanner(arm, program, options, model).run(start);
+}
+
+}  // namespace beeline::internal
