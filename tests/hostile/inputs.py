@@ -58,7 +58,7 @@ CELL = b"""<robot name="cell"><link name="floor"/><link name="part"><collision><
 FILES = {
     "moved.scene": (ROOT / "tests/fuzz/corpus/scene/moveit").read_bytes(), "cell.yaml": (ROOT / "tests/fuzz/corpus/scene/planning").read_bytes(),
     "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
-    "scan.ply": SCAN, "pick.csv": PICK, "pick.json": PICK_CELL,
+    "scan.ply": SCAN, "pick.csv": PICK, "around.csv": PICK.replace(b"line,next", b"around,next"), "pick.json": PICK_CELL,
     "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
@@ -128,6 +128,7 @@ batch ik shaped.json --in planar.csv --out out.csv --status --scene cell.json --
 line shaped.json --through planar.csv --out out.csv --scene cell.json
 move shaped.json --from 110,-60,-140 --to 80,-50,-120 --degrees --method around --scene cell.json --clearance 0.02 --allow hand,wall --max-edges 500 --out out.csv
 line shaped.json --from 110,-60,-140 --degrees --through pick.csv --out out.csv --scene pick.json
+line shaped.json --from 110,-60,-140 --degrees --through around.csv --out out.csv --scene pick.json
 check shaped.json pick_line.csv --degrees --through pick.csv --scene pick.json
 reach map shaped.json --resolution 2 --directions 1 --scene cell.json --clearance 0.02 --allow hand,wall --out out.h5
 check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end
