@@ -6,6 +6,7 @@
 #include <beeline/control/internal/resolved_rates.h>
 #include <beeline/control/internal/time_step.h>
 #include <beeline/control/internal/velocity_bounds.h>
+#include <beeline/control/internal/velocity_damper.h>
 #include <beeline/control/servo.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/forward.h>
@@ -27,6 +28,9 @@ constexpr double null_space_acceleration = 0.5;
 
 /// Fraction of the largest change of a velocity; smaller changes count as zero.
 constexpr double still = 1e-9;
+
+/// Change of the scale by a clearance that is not reported.
+constexpr double negligible_scale = 1e-6;
 
 void check_servo(const ServoOptions& options) {
   check_time_step(options.time_step);
@@ -67,6 +71,8 @@ class ServoLoop {
   void apply_acceleration_limits(const Rates& rates, double scale, double max_scale,
                                  ServoStep& result);
   void approach(const Rates& rates, double scale, ServoStep& result);
+  double velocity_within_limits(Eigen::Index k, double velocity) const;
+  void keep_clearance(const ConfigurationRef& q, bool commanded, ServoStep& result);
 
   Arm arm_;
   Task task_;
@@ -76,6 +82,9 @@ class ServoLoop {
   std::vector<VelocityBounds> bounds_;
   Eigen::VectorXd null_, last_null_;  ///< null-space velocities of this step and the last
   Eigen::VectorXd next_, last_;       ///< joint velocities of this step and the last
+  std::optional<VelocityDamper> damper_;
+  VelocityBox box_;
+  Eigen::VectorXd wanted_;  ///< joint velocities without acceleration limits, for the damper
 };
 
 ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
@@ -88,7 +97,12 @@ ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
       null_(Eigen::VectorXd::Zero(arm.dof())),
       last_null_(arm.dof()),
       next_(arm.dof()),
-      last_(Eigen::VectorXd::Zero(arm.dof())) {}
+      last_(Eigen::VectorXd::Zero(arm.dof())) {
+  if (options.model == nullptr) return;
+  damper_.emplace(arm, task_, *options.model, options.time_step, options.damper_gain);
+  box_ = {last_, last_};
+  wanted_ = last_;
+}
 
 void ServoLoop::set_velocity(const ConfigurationRef& velocity) {
   check_configuration(arm_, velocity);
@@ -209,11 +223,30 @@ void ServoLoop::apply_acceleration_limits(const Rates& rates, double scale, doub
   } else {
     approach(rates, size > 0 ? std::clamp(near / size, 0.0, max_scale) : 0, result);
   }
+  for (Eigen::Index k = 0; k < next_.size(); ++k) next_[k] = velocity_within_limits(k, next_[k]);
+}
+
+/// Returns the joint velocity nearest to `velocity` within the bounds of this step. If the bounds
+/// for the position limit and for the acceleration exclude each other, the latter hold.
+double ServoLoop::velocity_within_limits(Eigen::Index k, double velocity) const {
+  const double change = max_change(k);
+  return std::clamp(std::clamp(velocity, bounds_[k].lower, bounds_[k].upper), last_[k] - change,
+                    last_[k] + change);
+}
+
+/// Changes next_ so that the clearances are kept.
+void ServoLoop::keep_clearance(const ConfigurationRef& q, bool commanded, ServoStep& result) {
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    const double change = max_change(k);
-    next_[k] = std::clamp(std::clamp(next_[k], bounds_[k].lower, bounds_[k].upper),
-                          last_[k] - change, last_[k] + change);
+    box_.lower[k] = velocity_within_limits(k, -Limits::none);
+    box_.upper[k] = velocity_within_limits(k, Limits::none);
   }
+  const double scale = commanded ? solver_.task().achieved_scale(wanted_) : 1;
+  const DampedBy by = damper_->keep_clearance(q, last_, box_, wanted_, next_);
+  if (!commanded || !(by.pair || by.joint)) return;
+  if (solver_.task().achieved_scale(next_) >= scale - negligible_scale) return;
+  result.joint = by.joint;
+  result.limit = by.pair ? ServoLimit::clearance : ServoLimit::position;
+  if (by.pair) result.bodies = damper_->names(*by.pair);
 }
 
 /// Sets next_ on the straight line from the last velocity to the rates at this scale, as near to
@@ -248,7 +281,9 @@ ServoStep ServoLoop::step(const ConfigurationRef& q, const Twist& command,
   const double scale = scale_for_acceleration(rates, max_scale, result);
   null_.setZero();
   if (commanded && rates.regular && q.size() > task_.size()) fill_null_velocity(q, rates, scale);
+  if (damper_) wanted_ = scale * rates.velocity + null_;
   apply_acceleration_limits(rates, scale, max_scale, result);
+  if (damper_) keep_clearance(q, commanded, result);
   if (commanded) result.scale = solver_.task().achieved_scale(next_);
   last_ = next_;
   velocity = next_;
@@ -275,6 +310,7 @@ std::string name(ServoLimit limit) {
 std::ostream& operator<<(std::ostream& out, const ServoStep& step) {
   out << "scale " << number(step.scale) << ", limit " << name(step.limit);
   if (step.joint) out << " of joint " << *step.joint + 1;
+  if (step.bodies) out << " of " << (*step.bodies)[0] << " and " << (*step.bodies)[1];
   return out;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include <beeline/collision/collision_model.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 
@@ -24,6 +27,13 @@ struct ServoOptions {
   double linear_speed = Limits::none;
   /// Max angular speed of the command in step_towards(), rad/s, above 0.
   double angular_speed = Limits::none;
+  /// Shapes of the arm in a scene, whose clearances the loop keeps; null: none. It must outlive the
+  /// loop. Its arm has the same links and base; the limits of the loop's arm
+  /// count.
+  const CollisionModel* model = nullptr;
+  /// Max rate at which a distance falls towards its clearance, relative to the distance that is
+  /// left, 1/s, above 0 and at most 1 / time_step. Used with a model.
+  double damper_gain = 10;
 };
 
 /// The limit that determines the scale of a step.
@@ -33,17 +43,24 @@ enum class ServoLimit {
   acceleration,  ///< a joint's acceleration limit
   position,      ///< a joint must stop before its position limit
   singular,      ///< the arm is at or near a singularity
+  clearance,     ///< two bodies must keep their clearance
 };
 std::string name(ServoLimit limit);
+
+/// The names of two bodies of a CollisionModel, which owns them.
+using BodyNames = std::array<std::string_view, 2>;
 
 /// One step of a Servo.
 struct ServoStep {
   double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
   ServoLimit limit = ServoLimit::none;      ///< the limit that determines the scale
   std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
+  /// The two bodies with the limit `clearance`; the first is a link's.
+  std::optional<BodyNames> bodies = std::nullopt;
 };
 
-/// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1.
+/// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1, or
+/// `scale 0.5, limit clearance of hand and wall`.
 std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 
 /// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
@@ -62,10 +79,27 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 /// leaves no feasible q̇, for example after a change of the command, q̇ changes towards the command
 /// as fast as the acceleration limits allow.
 ///
+/// With a model, the arm keeps the clearances of the model, and it moves freely along and away from
+/// the bodies. The solution above is replaced, if necessary, by the velocity nearest to it in the
+/// tool's motion with which each distance d falls at most by damper_gain · (d − clearance)
+/// (velocity damper, Faverjon and Tournassoud 1987) and the arm can stop in front of the clearance.
+/// Then:
+///
+/// - If the joints move linearly by q̇ · time_step from each step to the next, no distance falls
+///   below its clearance, between the steps too. It is proved in each step for the motion to the
+///   next one and the stop after it; a velocity that is not proved is not used. If the joints do
+///   otherwise, each step proves what follows from the q that it gets, and brakes if it cannot.
+/// - A pair of bodies that is below its clearance, or collides, does not come closer; the arm can
+///   move out.
+/// - The tool may leave the commanded direction: it slides along a body. `scale` is the part of the
+///   command that is left.
+/// - All joints stop in the same time, so that the arm stops on a straight line in joint space. In
+///   front of position limits they move slower than without a model.
+///
 /// No step allocates. One object serves one loop; it keeps the last velocity.
 class Servo {
  public:
-  /// Throws Error for an invalid option.
+  /// Throws Error for an invalid option, and for a model of another arm.
   explicit Servo(const Arm& arm, const ServoOptions& options = {});
   Servo(const Servo& other);
   Servo(Servo&& other) noexcept;  ///< `other` can then only be assigned to or destroyed

@@ -7,9 +7,12 @@
 #include <beeline/control/internal/goal_solver.h>
 #include <beeline/control/internal/time_step.h>
 #include <beeline/control/internal/velocity_bounds.h>
+#include <beeline/control/internal/velocity_damper.h>
 #include <beeline/control/tracker.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/mask.h>
+#include <beeline/math/damped_least_squares.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -20,6 +23,8 @@ namespace {
 /// Max distance of each coordinate from the arm to the goal, in units of the distance in which it
 /// stops from its velocity limit.
 constexpr double goal_distance = 4;
+
+constexpr double aim_damping = 1e-4;  // fraction of the squared norm of A's columns
 
 Task checked_task(const Arm& arm, const TrackerOptions& options) {
   check_time_step(options.time_step);
@@ -62,8 +67,12 @@ class TrackerLoop {
  private:
   void fill_goal_bounds();
   void fill_goal_velocity(bool at_bound);
+  void aim_at_command(const Pose& world_T_tool);
   void fill_desired_velocity();
-  void move_within_limits();
+  void limit_velocity();
+  double velocity_within_limits(Eigen::Index k, double velocity) const;
+  void keep_clearance();
+  void move();
   void report(const Pose& world_T_tool, const GoalStatus& goal);
 
   Arm arm_;                    ///< with motion limits
@@ -79,6 +88,11 @@ class TrackerLoop {
   Eigen::VectorXd estimated_velocity_;  ///< velocity of the goal within the acceleration limits
   Eigen::VectorXd goal_velocity_;  ///< velocity of the goal, limited as the joints are in this step
   Eigen::VectorXd desired_;        ///< joint velocities without the limits of this step
+  Eigen::VectorXd next_;           ///< joint velocities within the limits of this step
+  Configuration aim_;              ///< configuration that the arm moves towards
+  WeightedTask task_at_arm_;
+  std::optional<VelocityDamper> damper_;
+  VelocityBox box_;
   TrackerStep step_;
 };
 
@@ -97,7 +111,14 @@ TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
       last_goal_(arm.dof()),
       estimated_velocity_(arm.dof()),
       goal_velocity_(arm.dof()),
-      desired_(arm.dof()) {
+      desired_(arm.dof()),
+      next_(arm.dof()),
+      aim_(arm.dof()),
+      task_at_arm_(arm_, task_) {
+  if (options.model != nullptr) {
+    damper_.emplace(arm_, task_, *options.model, options.time_step, options.damper_gain);
+    box_ = {desired_, desired_};
+  }
   reset(start);
 }
 
@@ -144,6 +165,22 @@ void TrackerLoop::fill_goal_velocity(bool at_bound) {
   }
 }
 
+/// While a clearance holds the arm back, the goal is no aim: it is the nearest to the command
+/// within its bounds around the arm, and the straight line to it may lead away from the pose that
+/// is nearest to the command beside the body. Aims in the direction of the tool's error instead.
+void TrackerLoop::aim_at_command(const Pose& world_T_tool) {
+  const Pose tool = task_at_arm_.set_configuration(step_.q);
+  task_at_arm_.set_command(masked(task_, pose_error(world_T_tool, tool, task_.frame)));
+  const Jacobian& a = task_at_arm_.matrix();
+  const WeightedTask::Rows y =
+      damped_multipliers(a, task_at_arm_.command(), aim_damping * a.squaredNorm());
+  for (Eigen::Index k = 0; k < aim_.size(); ++k) {
+    aim_[k] = std::clamp(step_.q[k] + task_at_arm_.weight()[k] * a.col(k).dot(y),
+                         positions_.lower[k], positions_.upper[k]);
+  }
+  goal_velocity_.setZero();
+}
+
 /// desired = goal velocity + α r / h. Here r is the remaining distance to the goal at the end of
 /// the step if the arm had the goal's velocity, and α ≤ 1 is the largest fraction of it from which
 /// every joint can stop relative to the goal. If α = 1, the arm is at the goal at the end of the
@@ -152,7 +189,7 @@ void TrackerLoop::fill_desired_velocity() {
   const double h = options_.time_step;
   double fraction = 1;
   for (Eigen::Index k = 0; k < desired_.size(); ++k) {
-    const double r = std::abs(solver_.goal()[k] - step_.q[k] - h * goal_velocity_[k]);
+    const double r = std::abs(aim_[k] - step_.q[k] - h * goal_velocity_[k]);
     if (!(r > 0)) continue;
     const double speed = max_stopping_speed(r, arm_.limits(k).acceleration, h);
     if (fraction * r <= speed * h) continue;
@@ -160,7 +197,7 @@ void TrackerLoop::fill_desired_velocity() {
     step_.limit = ServoLimit::acceleration;
     step_.joint = static_cast<int>(k);
   }
-  desired_ = goal_velocity_ + fraction * ((solver_.goal() - step_.q) / h - goal_velocity_);
+  desired_ = goal_velocity_ + fraction * ((aim_ - step_.q) / h - goal_velocity_);
   double scale = 1;
   for (Eigen::Index k = 0; k < desired_.size(); ++k) {
     const double limit = arm_.limits(k).velocity;
@@ -172,23 +209,50 @@ void TrackerLoop::fill_desired_velocity() {
   desired_ *= scale;
 }
 
-/// Moves by the velocity within the limits of this step that is nearest to the desired one.
-void TrackerLoop::move_within_limits() {
-  const double h = options_.time_step;
-  fill_velocity_bounds(arm_, positions_, step_.q, h, bounds_);
+double TrackerLoop::velocity_within_limits(Eigen::Index k, double velocity) const {
+  const double change = arm_.limits(k).acceleration * options_.time_step, last = step_.velocity[k];
+  return std::clamp(std::clamp(velocity, bounds_[k].lower, bounds_[k].upper), last - change,
+                    last + change);
+}
+
+/// Sets next_ to the velocity within the limits of this step that is nearest to the desired one.
+void TrackerLoop::limit_velocity() {
+  fill_velocity_bounds(arm_, positions_, step_.q, options_.time_step, bounds_);
   double largest = 1e-9;  // largest difference relative to the velocity limit
   for (Eigen::Index k = 0; k < desired_.size(); ++k) {
-    const double change = arm_.limits(k).acceleration * h, last = step_.velocity[k];
-    const double within = std::clamp(desired_[k], bounds_[k].lower, bounds_[k].upper);
-    const double v = std::clamp(within, last - change, last + change);
-    const double difference = std::abs(v - desired_[k]) / arm_.limits(k).velocity;
-    if (difference > largest) {
-      largest = difference;
-      step_.limit = v == within ? bounds_[k].limit(desired_[k]) : ServoLimit::acceleration;
-      step_.joint = static_cast<int>(k);
-    }
-    step_.velocity[k] = v;
-    step_.q[k] = std::clamp(step_.q[k] + h * v, positions_.lower[k], positions_.upper[k]);
+    next_[k] = velocity_within_limits(k, desired_[k]);
+    const double difference = std::abs(next_[k] - desired_[k]) / arm_.limits(k).velocity;
+    if (!(difference > largest)) continue;
+    largest = difference;
+    const bool within_bounds =
+        next_[k] == std::clamp(desired_[k], bounds_[k].lower, bounds_[k].upper);
+    step_.limit = within_bounds ? bounds_[k].limit(desired_[k]) : ServoLimit::acceleration;
+    step_.joint = static_cast<int>(k);
+  }
+}
+
+/// Changes next_ so that the clearances are kept.
+void TrackerLoop::keep_clearance() {
+  for (Eigen::Index k = 0; k < next_.size(); ++k) {
+    box_.lower[k] = velocity_within_limits(k, -Limits::none);
+    box_.upper[k] = velocity_within_limits(k, Limits::none);
+  }
+  const DampedBy by = damper_->keep_clearance(step_.q, step_.velocity, box_, desired_, next_);
+  if (by.pair) {
+    step_.limit = ServoLimit::clearance;
+    step_.joint = std::nullopt;
+    step_.bodies = damper_->names(*by.pair);
+  } else if (by.joint) {
+    step_.limit = ServoLimit::position;
+    step_.joint = by.joint;
+  }
+}
+
+void TrackerLoop::move() {
+  step_.velocity = next_;
+  for (Eigen::Index k = 0; k < next_.size(); ++k) {
+    step_.q[k] = std::clamp(step_.q[k] + options_.time_step * next_[k], positions_.lower[k],
+                            positions_.upper[k]);
   }
 }
 
@@ -203,16 +267,19 @@ void TrackerLoop::report(const Pose& world_T_tool, const GoalStatus& goal) {
     } else {
       const double end = (goal.upwards ? positions_.upper : positions_.lower)[goal.blocking];
       const bool at_limit = solver_.goal()[goal.blocking] == end;
+      const bool is_held = step_.joint || step_.bodies;
       if (at_limit ||
-          !step_.joint) {  // otherwise the joint limits the motion towards a goal farther away
+          !is_held) {  // otherwise the joint limits the motion towards a goal farther away
         step_.limit = at_limit ? ServoLimit::position : ServoLimit::velocity;
         step_.joint = static_cast<int>(goal.blocking);
+        step_.bodies = std::nullopt;
       }
     }
   }
   if (step_.status != TrackerStatus::limited) {
     step_.limit = ServoLimit::none;
     step_.joint = std::nullopt;
+    step_.bodies = std::nullopt;
   }
   step_.assumed = false;
   if (!step_.joint) return;
@@ -231,9 +298,14 @@ const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
   commands_ = commands;  // no exceptions from here on
   step_.limit = ServoLimit::none;
   step_.joint = std::nullopt;
+  step_.bodies = std::nullopt;
   fill_goal_velocity(goal.blocking >= 0);
+  aim_ = solver_.goal();
+  if (damper_ && damper_->is_held()) aim_at_command(command);
   fill_desired_velocity();
-  move_within_limits();
+  limit_velocity();
+  if (damper_) keep_clearance();
+  move();
   report(command, goal);
   return step_;
 }
@@ -249,6 +321,7 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step) {
   out << name(step.status);
   if (step.limit != ServoLimit::none) out << ", limit " << name(step.limit);
   if (step.joint) out << " of joint " << *step.joint + 1;
+  if (step.bodies) out << " of " << (*step.bodies)[0] << " and " << (*step.bodies)[1];
   if (step.assumed) out << " (assumed)";
   return out << ", error " << number(step.error.position) << " m, "
              << number(step.error.orientation) << " rad";

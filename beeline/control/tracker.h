@@ -26,11 +26,15 @@ struct TrackerOptions {
   /// followed at once.
   double command_period = 0;
   Deviation tolerance{1e-4, 1e-3};  ///< max error with the status `following`, m and rad, above 0
+  const CollisionModel* model = nullptr;  ///< see ServoOptions
+  double damper_gain = 10;                ///< see ServoOptions
 };
 
 enum class TrackerStatus {
-  following,    ///< the tool is at the commanded pose, within the tolerance
-  limited,      ///< a joint limit leaves an error in this step: see `limit` and `joint`
+  following,  ///< the tool is at the commanded pose, within the tolerance
+  /// A limit of a joint or a clearance leaves an error in this step: see `limit`, `joint` and
+  /// `bodies`.
+  limited,
   singular,     ///< the error decreases slowly because the arm is near a singularity
   unreachable,  ///< no small motion of the joints brings the tool nearer to the commanded pose
 };
@@ -49,6 +53,8 @@ struct TrackerStep {
   /// Coordinate of the limit, from 0, with the status `limited`.
   std::optional<int> joint = std::nullopt;
   bool assumed = false;  ///< whether the limit is assumed
+  /// The two bodies with the limit `clearance`; the first is a link's.
+  std::optional<BodyNames> bodies = std::nullopt;
 };
 
 /// Writes `limited, limit velocity of joint 2 (assumed), error 0.01 m, 0.2 rad`, coordinates
@@ -79,6 +85,10 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step);
 ///   stretched out towards commands beyond its reach may bend to the other side afterwards, and
 ///   stay there if a limit prevents its return; other arms return on the same side in most cases;
 /// - a redundant arm moves away from its position limits while the tool moves (Liégeois 1977).
+///
+/// With a model, the arm keeps the clearances of the model as with Servo: the velocity towards g is
+/// replaced by the nearest one, in the tool's motion, that the clearances admit. The tool slides
+/// along a body towards the pose that is nearest to the command. It does not look for a way around.
 ///
 /// No step allocates. Equal commands give equal results. One object serves one loop.
 class Tracker {

@@ -29,7 +29,13 @@ struct Described : Loop {
       : Loop(arguments...), made_of(std::move(text)) {}
   std::string made_of;
   std::optional<PosePlane> plane = {};  ///< of commanded poses, for loops that follow them
+  nb::object model;                     ///< that the loop refers to; null for none
 };
+
+/// The object of the keyword `model`, which a loop keeps.
+inline nb::object model_of(const nb::kwargs& options) {
+  return options.contains("model") ? nb::object(options["model"]) : nb::object();
+}
 
 /// `panda, gain=5`
 inline std::string described(const std::string& first, const nb::kwargs& options) {

@@ -18,6 +18,7 @@ ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
   motion.scale = done.scale;
   motion.limit = done.limit;
   motion.joint = done.joint;
+  motion.bodies = kept_names(done.bodies);
   std::copy(motion.velocity.begin(), motion.velocity.end(), velocity.data());
   velocity.finish();
   return motion;
@@ -33,6 +34,7 @@ nb::class_<Described<Servo>> servo_class(nb::module_& m) {
         new (self)
             Described<Servo>(described(arm.name(), keywords), arm, options<ServoOptions>(keywords));
         self->plane.emplace(arm);
+        self->model = model_of(keywords);
       },
       made, nb::arg("arm"), nb::arg("keywords"));
   return servo;

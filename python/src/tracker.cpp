@@ -1,8 +1,16 @@
+#include <set>
+
 #include "bindings.h"
 #include "loop_arguments.h"
 #include "loop_fields.h"
 
 namespace beeline::python {
+
+std::string_view kept_name(std::string_view text) {
+  static std::set<std::string, std::less<>> names;
+  const auto found = names.find(text);
+  return found != names.end() ? *found : *names.emplace(text).first;
+}
 
 namespace {
 
@@ -21,6 +29,7 @@ nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
         new (self) Described<Tracker>(described(arm.name(), keywords), arm, from,
                                       options<TrackerOptions>(keywords));
         self->plane.emplace(arm);
+        self->model = model_of(keywords);
       },
       made, nb::arg("arm"), nb::arg("start"), nb::arg("keywords"));
   return tracker;
@@ -46,7 +55,9 @@ void bind_trackers(nb::module_& m) {
         Outputs outputs(out, self.configuration().size());
         const TrackerStep& made_step = self.step(pose);
         outputs.write(made_step.q, made_step.velocity);
-        return made_step;
+        TrackerStep result = made_step;
+        result.bodies = kept_names(made_step.bodies);
+        return result;
       },
       step, nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
   Signature reset("reset", "None", comment("Tracker::reset"));

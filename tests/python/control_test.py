@@ -1,6 +1,7 @@
 """Feedback control, replay, and objects for control loops: laws, threads that share one, refusals."""
 
 import copy
+import gc
 import pickle
 import threading
 
@@ -252,3 +253,54 @@ REFUSED = {
 def test_invalid_arguments_are_refused(message):
     with pytest.raises(beeline.Error, match=message):
         REFUSED[message]()
+
+
+def wall_model():
+    facing_the_arm = [[0, 0, -1, 0.55], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]
+    wall = beeline.Obstacle(name="wall", shapes=[beeline.Shape(body=beeline.HalfSpace(), pose=facing_the_arm)],
+                            clearance=0.01)
+    scene = beeline.Scene(obstacles=[wall])
+    return beeline.CollisionModel(PANDA, beeline.read_arm_shapes("panda").links, scene)
+
+
+BEFORE_WALL = np.array([0, -0.3, 0, -2.2, 0, 2.0, 0.785])
+
+
+def test_a_servo_keeps_the_clearance_of_a_model():
+    model = wall_model()
+    servo, q = beeline.Servo(PANDA, model=model), BEFORE_WALL
+    for _ in range(1500):
+        step = servo.step(q, [0.3, 0, 0, 0, 0, 0])
+        q = q + 1e-3 * step.velocity
+        pair = beeline.nearest_pair(model, q)
+        assert pair.lower >= pair.clearance - 1e-9
+    assert (step.limit, step.bodies, step.joint) == ("clearance", ("panda_link7", "wall"), None)
+    assert str(step).endswith("limit clearance of panda_link7 and wall")
+    assert servo.step(q, [-0.1, 0, 0, 0, 0, 0]).bodies is None
+
+
+def test_a_tracker_keeps_the_clearance_of_a_model():
+    model = wall_model()
+    tracker = beeline.Tracker(PANDA, BEFORE_WALL, model=model, damper_gain=20)
+    goal = beeline.forward_kinematics(PANDA, BEFORE_WALL).copy()
+    goal[0, 3] += 0.3
+    for _ in range(1500):
+        step = tracker.step(goal)
+        pair = beeline.nearest_pair(model, step.q)
+        assert pair.lower >= pair.clearance - 1e-9
+    assert (step.status, step.limit, step.bodies) == ("limited", "clearance", ("panda_link7", "wall"))
+
+
+def test_a_loop_keeps_its_model_and_its_copies_do():
+    loops = [beeline.Servo(PANDA, model=wall_model())]
+    loops.append(copy.copy(loops[0]))
+    step = loops[0].step(BEFORE_WALL, [0.1, 0, 0, 0, 0, 0])
+    del loops[0]
+    gc.collect()
+    assert np.array_equal(loops[0].step(BEFORE_WALL, [0.1, 0, 0, 0, 0, 0]).velocity, step.velocity)
+    with pytest.raises(TypeError, match="model: expected CollisionModel"):
+        beeline.Servo(PANDA, model="wall")
+    with pytest.raises(beeline.Error, match="another arm"):
+        beeline.Servo(beeline.arms.ur5e(), model=wall_model())
+    with pytest.raises(beeline.Error, match="damper gain"):
+        beeline.Servo(PANDA, model=wall_model(), damper_gain=0)

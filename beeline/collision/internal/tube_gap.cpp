@@ -16,19 +16,20 @@ double lowest_along(const ChainMotion& motion, const CarriedBody& carried, const
   return n.dot(frame.origin) - support(carried.body, -(frame.rotation.transpose() * n));
 }
 
-double highest_along(const ChainMotion& motion, const CarriedBody& carried, std::size_t j,
-                     const Vector3& n, double remainder) {
+double highest_at(const ChainMotion& motion, const CarriedBody& carried, std::size_t j,
+                  const Vector3& n, double s) {
   const ChainMotion::Frame& frame = motion.frame(carried.frame);
   const ChainMotion::Frame& fixed = motion.frame(j);
   const Vector3 angular = frame.angular - fixed.angular, linear = frame.linear - fixed.linear;
-  const Vector3 tilt = n.cross(angular);
-  const double along = n.dot(linear);
-  const auto at_end = [&](double s) {
-    const Vector3 direction = n + s * tilt;
-    return s * along + direction.dot(frame.origin) +
-           support(carried.body, frame.rotation.transpose() * direction);
-  };
-  return std::max(at_end(-1), at_end(1)) + remainder;
+  const Vector3 direction = n + s * n.cross(angular);
+  return s * n.dot(linear) + direction.dot(frame.origin) +
+         support(carried.body, frame.rotation.transpose() * direction);
+}
+
+double highest_along(const ChainMotion& motion, const CarriedBody& carried, std::size_t j,
+                     const Vector3& n, double remainder) {
+  return std::max(highest_at(motion, carried, j, n, -1), highest_at(motion, carried, j, n, 1)) +
+         remainder;
 }
 
 }  // namespace beeline::internal

@@ -23,4 +23,8 @@ double lowest_along(const ChainMotion& motion, const CarriedBody& carried, const
 double highest_along(const ChainMotion& motion, const CarriedBody& carried, std::size_t j,
                      const Vector3& n, double remainder);
 
+/// The same maximum to first order at one s.
+double highest_at(const ChainMotion& motion, const CarriedBody& carried, std::size_t j,
+                  const Vector3& n, double s);
+
 }  // namespace beeline::internal

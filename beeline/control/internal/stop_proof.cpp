@@ -1,0 +1,306 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/control/internal/stop_proof.h>
+#include <beeline/model/internal/chain.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr int max_parts = 4;         // of the line
+constexpr double fine_bound = 4e-4;  // m, remainder of the bounds on a part of the line
+constexpr std::size_t max_near = 256;
+
+}  // namespace
+
+StopProof::StopProof(const CollisionBodies& bodies, double gain)
+    : bodies_(&bodies),
+      gain_(gain),
+      pairs_(bodies),
+      motion_(bodies.motion),
+      placed_(bodies.link_bodies.size()),
+      is_placed_(placed_.size()),
+      known_(pairs_.size()),
+      near_(std::min(max_near, pairs_.size())),
+      line_(bodies.arm.dof()),
+      part_line_(bodies.arm.dof()),
+      at_(bodies.arm.dof()),
+      zero_(Eigen::VectorXd::Zero(bodies.arm.dof())) {}
+
+void StopProof::begin_step(const ConfigurationRef& q) {
+  pairs_.move_to(q);
+  ++step_;
+}
+
+std::array<std::string_view, 2> StopProof::names(std::size_t index) const {
+  const BodyPair& pair = pairs_.pair(index);
+  const std::string& first = bodies_->name_of(bodies_->link_bodies[pair.first]);
+  if (pair.is_obstacle) return {first, bodies_->name_of(bodies_->obstacle_bodies[pair.second])};
+  return {first, bodies_->name_of(bodies_->link_bodies[pair.second])};
+}
+
+std::optional<std::size_t> StopProof::closest_pair() const {
+  if (near_.empty()) return std::nullopt;
+  return std::min_element(near_.begin(), near_.end(),
+                          [](const auto& a, const auto& b) { return a.worst < b.worst; })
+      ->pair;
+}
+
+void StopProof::set_frames(const ConfigurationRef& q, int part, int parts) {
+  part_line_ = line_ / parts;
+  at_ = q + part * part_line_;
+  motion_.set({at_, part_line_, zero_});
+  std::fill(is_placed_.begin(), is_placed_.end(), char{0});
+}
+
+bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, double time,
+                      Effort effort) {
+  time_ = time;
+  line_ = line;
+  near_.clear();
+  parts_ = 1;
+  if (line_.isZero(0)) return true;
+  if (!find_near_pairs(q)) return false;
+  if (near_.empty() || prove_part(0, 1)) return true;
+  parts_ = part_count();
+  if (parts_ == 1) return false;
+  for (NearPair& near : near_) {
+    near.finished = near.worst >= 0;
+    if (!near.finished) near.worst = std::numeric_limits<double>::infinity();
+  }
+  bool proved = true;
+  for (int part = 0; part < parts_; ++part) {
+    set_frames(q, part, parts_);
+    proved = prove_part(part, parts_) && proved;
+    if (!proved && effort == Effort::first_violation) return false;
+  }
+  return proved;
+}
+
+/// Whether a pair may come close by what is known without the frames.
+bool StopProof::is_in_reach() const {
+  const double factor = std::max(1.0, 1 / (gain_ * time_));
+  const BodyMotions& motions = pairs_.motions();
+  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+    const PairBounds::Range& range = pairs_.obstacles_of(i);
+    if (range.begin == range.end) continue;
+    if (!(pairs_.least_excess(range) >= factor * motions.of(i, 0))) return true;
+  }
+  for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
+    const BodyPair& pair = pairs_.pair(k);
+    if (!(pairs_.excess(k) >= factor * motions.of(pair.first, frame_of_second(pair)))) return true;
+  }
+  return false;
+}
+
+/// Returns the capsule around a link's body with its motion relative to a frame along the line.
+MovingCapsule StopProof::capsule(std::uint32_t body, std::size_t from) const {
+  const CollisionBodies::BodyGroup& group = bodies_->groups[body];
+  const ChainMotion::TubeBounds bounds =
+      motion_.bounds(pairs_.motions().reach(body), group.frame, from);
+  const MovingCapsule moving = carried_by(motion_.frame(group.frame), group.capsule, bounds);
+  return from == 0 ? moving : relative_to(motion_.frame(from), bounds, moving);
+}
+
+/// Bounds the distance by which the capsule moves, on the line or while the damper looks ahead,
+/// whichever is more.
+double StopProof::displacement(const MovingCapsule& moving) const {
+  const double first_order = moving.velocity.norm() + moving.half_axis_velocity.norm() +
+                             moving.angular.norm() * moving.at_middle.radius;
+  return std::max(std::min(moving.bounds.displacement, first_order + moving.bounds.remainder),
+                  first_order / (gain_ * time_));
+}
+
+/// Sets near_. Returns false if there are too many pairs.
+bool StopProof::find_near_pairs(const ConfigurationRef& q) {
+  pairs_.motions().set(q, line_);
+  if (!is_in_reach()) return true;
+  at_ = q + line_;
+  const bool keeps_apart = bodies_->keeps_apart(q) && bodies_->keeps_apart(at_);
+  set_frames(q, 0, 1);
+  const double factor = std::max(1.0, 1 / (gain_ * time_));
+  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+    const PairBounds::Range& range = pairs_.obstacles_of(i);
+    if (range.begin == range.end) continue;
+    const MovingCapsule moving = capsule(i, 0);
+    const double reach = displacement(moving);
+    for (std::size_t k = range.begin; k < range.end; ++k) {
+      if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
+    }
+  }
+  for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
+    const BodyPair& pair = pairs_.pair(k);
+    if (pair.is_apart && keeps_apart) continue;
+    const std::size_t from = frame_of_second(pair);
+    if (pairs_.excess(k) >= factor * pairs_.motions().of(pair.first, from)) continue;
+    const MovingCapsule moving = capsule(pair.first, from);
+    const double reach = displacement(moving);
+    if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
+  }
+  return !near_.full() || near_.size() == pairs_.size();
+}
+
+const ConvexBody& StopProof::placed(std::uint32_t body) {
+  if (!is_placed_[body]) {
+    placed_[body] = in_world(motion_, bodies_->link_bodies[body].carried);
+    is_placed_[body] = 1;
+  }
+  return placed_[body];
+}
+
+const ConvexBody& StopProof::second_of(const BodyPair& pair) {
+  return pair.is_obstacle ? bodies_->obstacle_bodies[pair.second].body : placed(pair.second);
+}
+
+std::size_t StopProof::frame_of_second(const BodyPair& pair) const {
+  return pair.is_obstacle ? 0 : bodies_->link_bodies[pair.second].carried.frame;
+}
+
+/// Bounds the rounding of the pair's distance, m.
+double StopProof::rounding(const BodyPair& pair) {
+  const auto of_link = [&](std::uint32_t body) {
+    const CollisionBodies::BodyGroup& group = bodies_->groups[body];
+    return motion_.rounding(group.frame, group.magnitude);
+  };
+  return of_link(pair.first) + (pair.is_obstacle ? 0 : of_link(pair.second)) +
+         support_rounding(placed(pair.first)) + support_rounding(second_of(pair));
+}
+
+/// Returns the separation of a pair at the start of the part.
+Separation StopProof::separate(std::size_t index) {
+  const BodyPair& pair = pairs_.pair(index);
+  const ConvexBody &first = placed(pair.first), &second = second_of(pair);
+  Vector3 guess = known_[index].step > 0 ? known_[index].points.direction
+                                         : Vector3(second.centre - first.centre);
+  if (guess.isZero(0)) guess = Vector3::UnitX();
+  return separation(first, second, guess);
+}
+
+/// Whether the direction n from the first body to the second shows that the line keeps the
+/// clearance and that the damper is satisfied. Sets `excess` to a lower bound of the distance
+/// beyond the clearance at q.
+bool StopProof::is_clear_along(const BodyPair& pair, const MovingCapsule& moving, const Vector3& n,
+                               double& excess) {
+  const BoundingCapsule& first = moving.at_middle;
+  const double half = n.dot(first.half_axis), half_change = n.dot(moving.half_axis_velocity);
+  const double approach = n.dot(moving.velocity) + std::abs(half + half_change) - std::abs(half) +
+                          first.radius * n.cross(moving.angular).squaredNorm() / 2;
+  const double highest = n.dot(first.centre) + std::abs(half) + first.radius;
+  excess = -support(second_of(pair), -n) - highest - pair.clearance - rounding(pair);
+  if (!(excess >= 0)) return false;
+  return excess >= std::max(approach + moving.bounds.remainder, approach / (gain_ * time_));
+}
+
+/// Adds a pair to near_ that may come closer by `reach` and then below its clearance.
+void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, double reach) {
+  const BodyPair& pair = pairs_.pair(index);
+  const ConvexBody &first = placed(pair.first), &second = second_of(pair);
+  if (known_[index].step != step_) {
+    const Vector3 between = second.centre - first.centre;
+    const double length = between.norm();
+    const bool is_known = known_[index].step > 0;
+    if (is_known || length > 0) {
+      const Vector3 n = is_known ? known_[index].points.direction : Vector3(between / length);
+      double excess = 0;
+      const bool is_clear = is_clear_along(pair, moving, n, excess);
+      if (excess > pairs_.excess(index)) pairs_.set_excess(index, excess);
+      if (is_clear) return;
+    }
+  }
+  if (near_.full()) return;
+  const double rounded = rounding(pair);
+  Known& known = known_[index];
+  if (known.step != step_) {
+    const Separation found = separate(index);
+    known = {found.points, found.lower - rounded - pair.clearance, step_};
+    pairs_.set_excess(index, std::max(pairs_.excess(index), known.excess));
+  }
+  if (known.excess >= reach) return;
+  NearPair near;
+  near.pair = index;
+  near.rounding = rounded;
+  near.at_start = near.latest = known.points;
+  near.worst = std::numeric_limits<double>::infinity();
+  near_.push_back(near);
+}
+
+/// Returns the number of parts with which the remainder of each is small.
+int StopProof::part_count() const {
+  double largest = 0;
+  for (const NearPair& near : near_) {
+    if (near.worst < 0) largest = std::max(largest, near.remainder);
+  }
+  const double parts = std::ceil(std::sqrt(largest / fine_bound));
+  return parts < max_parts ? std::max(1, static_cast<int>(parts)) : max_parts;
+}
+
+StopProof::PartBound StopProof::bound_on_part(const BodyPair& pair, const Vector3& n) const {
+  const CarriedBody& first = bodies_->link_bodies[pair.first].carried;
+  const std::size_t from = frame_of_second(pair);
+  const double lowest = pair.is_obstacle
+                            ? -support(bodies_->obstacle_bodies[pair.second].body, -n)
+                            : lowest_along(motion_, bodies_->link_bodies[pair.second].carried, n);
+  return {lowest - highest_at(motion_, first, from, n, 0),
+          lowest - highest_at(motion_, first, from, n, 1)};
+}
+
+/// Bounds the distances of near_ from below on a part of the line, at whose start the frames are.
+/// Along a direction n, with s from 0 to 1 on the part, the distance is at least (1 - s) start + s
+/// end - s^2 remainder: it is concave in s, and least at an end. The part before bounds the start.
+bool StopProof::prove_part(int part, int parts) {
+  bool proved = true;
+  for (NearPair& near : near_) {
+    if (near.finished) continue;
+    const BodyPair& pair = pairs_.pair(near.pair);
+    const ChainMotion::TubeBounds bounds =
+        motion_.bounds(pairs_.motions().reach(pair.first),
+                       bodies_->link_bodies[pair.first].carried.frame, frame_of_second(pair));
+    PartBound along = bound_on_part(pair, near.latest.direction);
+    if (part > 0 && along.end - bounds.remainder < near.floor) {
+      near.latest = separate(near.pair).points;
+      along = bound_on_part(pair, near.latest.direction);
+    }
+    if (part == 0) near.floor = std::min(pair.clearance + near.rounding, along.start);
+    if (parts == 1) {
+      near.approach = along.start - along.end;
+      near.remainder = bounds.remainder;
+      near.gap = along.start;
+    }
+    const double least = along.end - bounds.remainder - near.floor;
+    if (least < near.worst) {
+      near.worst = least;
+      near.lever = static_cast<double>(part + 1) / parts;
+      near.part = part;
+      near.at_worst = near.latest;
+    }
+    near.finished = along.start - near.floor - (parts - part) * bounds.displacement > 0;
+    proved = proved && least >= 0;
+  }
+  return proved;
+}
+
+bool StopProof::is_damped() const {
+  const double ahead = gain_ * time_;
+  return std::all_of(near_.begin(), near_.end(), [ahead](const NearPair& near) {
+    return near.approach <= ahead * (near.gap - near.floor) + 1e-12;
+  });
+}
+
+void StopProof::fill_gradient(std::size_t index, const NearestPoints& points,
+                              Eigen::VectorXd& gradient) const {
+  const BodyPair& pair = pairs_.pair(index);
+  const Chain& chain = chain_of(bodies_->arm);
+  gradient.setZero();
+  const std::size_t last = bodies_->link_bodies[pair.first].carried.frame;
+  for (std::size_t l = frame_of_second(pair) + 1; l <= last; ++l) {
+    const Chain::Link& link = chain.links[l - 1];
+    const ChainMotion::Frame& frame = motion_.frame(l);
+    const Vector3 z = frame.rotation.col(2);
+    const Vector3 velocity =
+        link.theta_per_q * z.cross(points.on_a - frame.origin) + link.d_per_q * z;
+    gradient[link.coordinate] -= points.direction.dot(velocity);
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <beeline/collision/internal/moving_capsule.h>
+#include <beeline/control/internal/bounded_list.h>
+#include <beeline/control/internal/pair_bounds.h>
+
+namespace beeline::internal {
+
+/// Proves that a straight joint motion from the current configuration keeps the clearances of a
+/// CollisionModel: the line q + s (line), s from 0 to 1. A pair of bodies that is closer than its
+/// clearance at q must not come closer on the line. Does not allocate after construction.
+class StopProof {
+ public:
+  /// A pair of bodies that may come below its clearance on the line.
+  struct NearPair {
+    std::size_t pair = 0;
+    double rounding = 0;    ///< of distances, m
+    double remainder = 0;   ///< of the whole line, m
+    double floor = 0;       ///< distance that is kept on the line, m
+    double gap = 0;         ///< distance at q, m
+    double approach = 0;    ///< decrease of the distance on the line to first order at q, m
+    double worst = 0;       ///< least lower bound on the line beyond `floor`, m
+    double lever = 0;       ///< s where it is
+    int part = 0;           ///< its part of the line
+    bool finished = false;  ///< whether the rest of the line is proved
+    NearestPoints at_start, at_worst;
+    NearestPoints latest;  ///< of the last separation on the line
+  };
+
+  enum class Effort { first_violation, all_pairs };
+
+  /// `gain` is the one of the damper, 1/s, for which near() looks ahead.
+  StopProof(const CollisionBodies& bodies, double gain);
+
+  void begin_step(const ConfigurationRef& q);
+
+  /// Returns whether each clearance is proved on the line, which the arm passes at the initial
+  /// velocity line / time. Sets near(), with the least bound of each pair; after `first_violation`
+  /// some have none.
+  bool prove(const ConfigurationRef& q, const Eigen::VectorXd& line, double time, Effort effort);
+
+  // Of the line of the last proof:
+  const BoundedList<NearPair>& near() const { return near_; }
+  double time() const { return time_; }
+  int parts() const { return parts_; }  ///< number of parts that the line is divided into
+  /// Returns the pair that comes closest.
+  std::optional<std::size_t> closest_pair() const;
+  /// Whether no distance falls faster than the damper allows.
+  bool is_damped() const;
+
+  /// Sets the frames to the start of a part of the line.
+  void set_frames(const ConfigurationRef& q, int part, int parts);
+  /// Sets the derivative of n . (second - first) by the coordinates, at the frames.
+  void fill_gradient(std::size_t pair, const NearestPoints& points,
+                     Eigen::VectorXd& gradient) const;
+
+  /// Returns the names of the bodies of a pair. They live as long as the model.
+  std::array<std::string_view, 2> names(std::size_t pair) const;
+
+ private:
+  /// The separation of a pair in the last step that computed it.
+  struct Known {
+    NearestPoints points;
+    double excess = 0;
+    std::uint32_t step = 0;
+  };
+  /// A lower bound of a distance along a direction, at both ends of a part of the line, m.
+  struct PartBound {
+    double start = 0, end = 0;
+  };
+
+  bool find_near_pairs(const ConfigurationRef& q);
+  bool is_in_reach() const;
+  MovingCapsule capsule(std::uint32_t body, std::size_t from) const;
+  double displacement(const MovingCapsule& capsule) const;
+  void add_if_near(std::size_t pair, const MovingCapsule& capsule, double reach);
+  bool is_clear_along(const BodyPair& pair, const MovingCapsule& capsule, const Vector3& n,
+                      double& excess);
+  int part_count() const;
+  bool prove_part(int part, int parts);
+  PartBound bound_on_part(const BodyPair& pair, const Vector3& n) const;
+
+  const ConvexBody& placed(std::uint32_t body);
+  const ConvexBody& second_of(const BodyPair& pair);
+  std::size_t frame_of_second(const BodyPair& pair) const;
+  double rounding(const BodyPair& pair);
+  Separation separate(std::size_t pair);
+
+  const CollisionBodies* bodies_;
+  double gain_;
+  PairBounds pairs_;
+  ChainMotion motion_;
+  std::vector<ConvexBody> placed_;
+  std::vector<char> is_placed_;
+  std::vector<Known> known_;  ///< of each pair
+  std::uint32_t step_ = 0;    ///< counts steps, from 1
+  BoundedList<NearPair> near_;
+  double time_ = 0;
+  int parts_ = 1;
+  Eigen::VectorXd line_, part_line_, at_, zero_;
+};
+
+}  // namespace beeline::internal
