@@ -1,5 +1,6 @@
 #include "line_report.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
@@ -10,16 +11,27 @@
 namespace beeline::command {
 namespace {
 
+/// Whether the motion has a path of the tool, of which the margins are measured.
+bool has_path(const LineReport& report) {
+  const std::vector<Move>& moves = report.program.moves;
+  return moves.empty() || std::any_of(moves.begin(), moves.end(),
+                                      [](const Move& move) { return !is_joint_motion(move.kind); });
+}
+
+std::string margins_text(const LineReport& report) {
+  if (!has_path(report)) return "";
+  return fmt::format(
+      "margins       {} of a joint's half range to its limits, inverse condition number {} (1 is "
+      "best, 0 singular)\n",
+      percent(report.limit_margin), condition_text(report.inverse_condition));
+}
+
 std::string motion_text(const Arm& arm, const LineReport& report, const UnitArgument& unit) {
   std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
                                  shown(report.trajectory.times.back()));
   if (report.method == "exact") {
     return text + deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
-           limits_text(report.limits) +
-           fmt::format(
-               "margins       {} of a joint's half range to its limits, inverse condition number "
-               "{} (1 is best, 0 singular)\n",
-               percent(report.limit_margin), condition_text(report.inverse_condition));
+           limits_text(report.limits) + margins_text(report);
   }
   return text +
          fmt::format("control       {}, overshoot {} of a line\n", counted(report.steps, "step"),
@@ -163,8 +175,9 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   }
   if (reached) document.add("limits", json_limits(report.limits));
   if (reached && report.method == "exact") {
-    document.add("limit_margin", report.limit_margin);
-    document.add("inverse_condition", report.inverse_condition);
+    const bool measured = has_path(report);
+    document.add("limit_margin", measured ? Json(report.limit_margin) : Json());
+    document.add("inverse_condition", measured ? Json(report.inverse_condition) : Json());
   }
   if (reached && report.method != "exact") {
     document.add("start_jump", json_start_jump(arm, report.start_jump, unit));

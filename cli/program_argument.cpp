@@ -60,7 +60,7 @@ const char* const program_help =
     "approach). "
     "q: the joint values of a joint motion, in quotes, or a named state of --srdf. speed: "
     "largest speed of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A "
-    "joint move to a pose ends on the branch that the rows up to the next joint move need. "
+    "joint motion to a pose ends on the branch that the rows up to the next one need. "
     "For each move it prints its duration, the tool's speed and the proved deviation. Rows "
     "with the motion attach or detach move nothing: the obstacle of --scene in the column "
     "part is carried by the tool from the waypoint before the one to the waypoint before the "

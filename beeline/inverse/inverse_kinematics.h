@@ -63,10 +63,10 @@ struct InverseOptions {
   /// Index of a coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
   std::optional<int> lock = std::nullopt;
   /// Selection of one of infinitely many solutions. Default: with a seed the nearest one that a
-  /// search from it finds, a local minimum of the distance, if the arm has a closed form for each
-  /// value of its redundant joint, such as panda, and `method` is automatic; otherwise `any`. The
-  /// search takes about 3 us from a seed near the pose and 7 us from another seed. `nearest`, which
-  /// compares all branches over the range of the redundant joint, takes 150 us or more.
+  /// search from it finds, near a local minimum of the distance, if the arm has a closed form for
+  /// each value of its redundant joint, such as panda, and `method` is automatic; otherwise `any`.
+  /// The search takes about 3 us from a seed near the pose and 7 us from another seed. `nearest`,
+  /// which compares all branches over the range of the redundant joint, takes 150 us or more.
   std::optional<Redundancy> redundancy = std::nullopt;
   /// Max deviation of the tool from the pose if the pose itself has no solution within limits, in
   /// the pose's axes: x, y, z (m) and roll, pitch, yaw (rad) as in URDF; x, y, theta for a planar

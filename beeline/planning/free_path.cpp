@@ -21,9 +21,10 @@ namespace {
 
 constexpr double most_nodes = 64;     // of an edge, which are then farther apart
 constexpr double node_spacing = 0.5;  // along an edge of a tree, as the norm of the difference
-// Trees grow first to the goals that are at most so much farther than the nearest, with few edges.
+// Trees grow first to the goals whose distance is at most this multiple of the nearest one's, and
+// examine at most so many edges. So many they also examine to replace a straight joint motion.
 constexpr double near_goals = 1.5;
-constexpr int few_edges = 1000;
+constexpr int near_goal_edges = 1000;
 constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
 // A tree stops before the place where the proof of an edge ends, because every motion from there is
 // as near to a body.
@@ -182,8 +183,8 @@ class PathSearch {
     if (free_goals.empty() || (found() && path_.goal == free_goals.front())) return path_;
     const std::vector<std::size_t> closer = closer_than(path_.length, free_goals);
     const auto near = closer_than(near_goals * distance(free_goals.front()), closer);
-    if (near.size() < closer.size() && grow_trees(near, few_edges)) return path_;
-    grow_trees(closer, found() ? few_edges : options_.max_edges);
+    if (near.size() < closer.size() && grow_trees(near, near_goal_edges)) return path_;
+    grow_trees(closer, found() ? near_goal_edges : options_.max_edges);
     return path_;
   }
 
@@ -216,6 +217,7 @@ class PathSearch {
 
   /// Replaces the path if two trees find a shorter one. Returns whether they do.
   bool grow_trees(const std::vector<std::size_t>& goals, int most_edges) {
+    if (goals.empty()) return false;
     FreeEdges examined = edges(most_edges);
     TreeSearch trees(model_, options_, examined, JointSpace(model_.arm(), start_, goals_));
     trees.add_start(start_);

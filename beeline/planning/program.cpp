@@ -1,5 +1,6 @@
 #include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/internal/enum_names.h>
+#include <beeline/model/internal/same_links.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/program_parts.h>
@@ -14,13 +15,24 @@ namespace {
 
 constexpr internal::EnumNames<MoveKind> move_kinds("motion");
 
+/// Whether the links and limits of two arms are the same; their bases may be at different poses.
+bool is_same(const Arm& a, const Arm& b) {
+  if (!same_joints(a, b)) return false;
+  for (int k = 0; k < a.dof(); ++k) {
+    const Limits &x = a.limits(k), &y = b.limits(k);
+    if (x.lower != y.lower || x.upper != y.upper || x.velocity != y.velocity ||
+        x.acceleration != y.acceleration || x.jerk != y.jerk) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Throws Error for a model of another arm, and for parts and moves that its scene does not have.
 void check_scene(const Arm& arm, const Program& program, const CollisionModel* model) {
   if (model != nullptr) {
-    if (model->arm().dof() != arm.dof()) {
-      throw Error("", "model",
-                  " has an arm of " + std::to_string(model->arm().dof()) +
-                      " degrees of freedom, not " + std::to_string(arm.dof()));
+    if (!is_same(model->arm(), arm)) {
+      throw Error("", "model", " has an arm with other links or limits, " + model->arm().name());
     }
     return check_attachments(program, *model);
   }

@@ -121,7 +121,8 @@ struct PlannedMove {
   Deviation bound = {};     ///< proved deviation from its path; 0 for a joint motion
   double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
   double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
-  /// Of a move around obstacles: FreePath::waypoints. The motion passes the inner ones in blends.
+  /// Of a move around obstacles: FreePath::waypoints. The motion passes the inner ones in blends
+  /// or stops there.
   std::vector<Configuration> waypoints = {};
 };
 
@@ -156,14 +157,14 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// Plans the moves of a program as one trajectory from rest to rest.
 ///
 /// - Without `start` the motion begins at the waypoint of the first move, which must be a joint
-///   move or a line.
-/// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
-///   are possible. Of the configurations found, it ends at the one that it reaches first at the
+///   motion or a line. Where the first move is `around`, this is a free configuration.
+/// - A joint motion to a pose ends at a configuration from which the moves up to the next one are
+///   possible. Of the configurations found, it ends at the one that it reaches first at the
 ///   velocity limits. No other move changes the branch: see move_along().
-/// - A move `around` is a motion of move_around() in the scene of `model`, with the parts that the
-///   tool carries at the time. To a pose it ends at a configuration from which the moves up to the
-///   next joint motion are possible. Up to where a part is next attached or detached, these keep
-///   the clearance.
+/// - A move `around` is a motion of move_around() with its default options in the scene of `model`,
+///   with the parts that the tool carries at the time. The moves after it, up to where a part is
+///   next attached or detached or to the next joint motion, keep the clearance. Of the
+///   configurations for a pose, it ends at the one with the shortest path that is found.
 /// - path_deviation() bounds the deviation of all moves except joint motions, for the trajectory
 /// with
 ///   all its pauses, and verify() passes it. The options hold for all moves, except that a move can
@@ -172,8 +173,8 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 ///   sample in each.
 ///
 /// Attachments are at waypoints where the arm stops. Only moves `around` depend on them and on
-/// `model`, which is the arm in its scene: its joints are the joints of `arm`. prove_clearance()
-/// with a program proves the clearance of the other moves.
+/// `model`, which is the arm in its scene: its links and limits are the same, its base may be at
+/// another pose. prove_clearance() with a program proves the clearance of the other moves.
 ///
 /// `budget` limits the planning of the whole program. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end

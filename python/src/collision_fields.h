@@ -200,4 +200,16 @@ struct Fields<ClearanceOverTime>
 /// Throws Error if the option blocked_by is a model of another arm.
 void check_model_of(const Arm& arm, const nb::dict& keywords);
 
+/// A model that the caller keeps as long as it is used.
+template <>
+struct Value<const CollisionModel*> {
+  static std::string type() { return "CollisionModel | None"; }
+  static nb::object to(const CollisionModel*) { return nb::none(); }
+  static const CollisionModel* from(nb::handle value, const char* name) {
+    if (value.is_none()) return nullptr;
+    if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
+    return &nb::cast<const CollisionModel&>(value);
+  }
+};
+
 }  // namespace beeline::python

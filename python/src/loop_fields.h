@@ -9,18 +9,6 @@
 
 namespace beeline::python {
 
-/// ServoOptions::model and TrackerOptions::model; the loop keeps the object.
-template <>
-struct Value<const CollisionModel*> {
-  static std::string type() { return "CollisionModel | None"; }
-  static nb::object to(const CollisionModel*) { return nb::none(); }
-  static const CollisionModel* from(nb::handle value, const char* name) {
-    if (value.is_none()) return nullptr;
-    if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
-    return &nb::cast<const CollisionModel&>(value);
-  }
-};
-
 /// The text, in memory that lives as long as the process: results outlive the model whose names
 /// they have.
 std::string_view kept_name(std::string_view text);

@@ -4,6 +4,7 @@
 #include <beeline/io/text/numbers.h>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "plane_poses.h"
 #include "pose_list_fields.h"
@@ -112,7 +113,8 @@ void bind_programs(nb::module_& m) {
       "ends at a configuration from which the moves up to the next joint move are possible; no "
       "other move changes the branch. A move 'around' is a motion of move_around() in the scene of "
       "the model, with the parts that the tool carries. verify() proves the deviation of all moves "
-      "but joint motions, with all pauses. Raises Error for a program that makes no sense, whose "
+      "except joint motions, with all pauses. Raises Error for a program that makes no sense, "
+      "whose "
       "move it names.");
   planned.takes_arm()
       .takes("start", std::string(array_like) + " | None",
@@ -125,15 +127,16 @@ void bind_programs(nb::module_& m) {
       .options<PathMotionOptions>();
   define(
       m,
-      [](const Arm& arm, nb::handle start, const Program& moves, const CollisionModel* model,
+      [](const Arm& arm, nb::handle start, const Program& moves, nb::handle scene,
          const nb::kwargs& keywords) {
         const auto begin = Value<std::optional<Configuration>>::from(start, "start");
+        const auto* const model = Value<const CollisionModel*>::from(scene, "model");
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget,
                         [&] { return move_program(arm, begin, moves, asked, model); });
       },
       planned, nb::arg("arm"), nb::arg("start").none(), nb::arg("program"),
-      nb::arg("model").none() = nb::none(), nb::arg("keywords"));
+      nb::arg("model") = nb::none(), nb::arg("keywords"));
 }
 
 }  // namespace beeline::python

@@ -1,6 +1,7 @@
 """Programs with the motion around: examples/pick_cell.csv in its cell."""
 
 import csv
+import math
 import re
 from pathlib import Path
 
@@ -54,6 +55,43 @@ def test_a_controller_gets_joint_moves_to_the_waypoints(cell, tmp_path):
     assert moves.count("movel") == 4 and first >= 1
     around = moves[first + 2:moves.index("movel", first + 2)]  # from the second line up to the third
     assert set(around) == {"movej"} and len(around) > 1
+
+
+@pytest.mark.parametrize("form", ["urscript", "rapid", "krl"])
+def test_the_speed_of_a_row_holds_on_a_controller(beeline, cell, tmp_path, form):
+    slow = re.sub(r"(?m)^(around,next,0,0,-0.12,0,0,0,),", r"\g<1>0.1,", (EXAMPLES / "pick_cell.csv").read_text())
+    assert slow != (EXAMPLES / "pick_cell.csv").read_text()
+    (tmp_path / "slow.csv").write_text(slow)
+    file = f"pick.{dict(urscript='script', rapid='mod', krl='src')[form]}"
+    answer = cell("export", "ur5e", "slow.csv", *UR5E_HOME, "--as", form, "--out", file, base="fixed_base_link")
+    assert answer.code == 0, answer.err
+    if form != "urscript":
+        return
+    program = (tmp_path / file).read_text()
+    speeds = [float(v) for v in re.findall(r"movej\(\[.*\], a=.*, v=(.*)\)", program)]
+    targets = [[float(x) for x in row.split(",")] for row in re.findall(r"movej\(\[(.*)\], a=", program)]
+    slow_legs = 0
+    for before, after, speed in zip(targets, targets[1:], speeds[1:]):
+        leading = max(abs(b - a) for a, b in zip(before, after))
+        steps = [",".join(repr(a + k / 8 * (b - a)) for a, b in zip(before, after)) for k in range(9)]
+        tools = [beeline("fk", "ur5e", "--tcp", "0,0,0.15", "--q=" + q, "--json").json["pose"]["translation"] for q in steps]
+        fastest = max(math.dist(a, b) for a, b in zip(tools, tools[1:])) * 8 / leading * speed
+        slow_legs += fastest < 0.1 + 1e-3
+    assert slow_legs >= 2
+
+
+def test_joint_values_of_a_move_around(cell, tmp_path):
+    (tmp_path / "q.csv").write_text('motion,q\naround,"10,-45,0,-135,0,90,45"\n')
+    answer = cell("line", "panda", *HOME, "--through", "q.csv", "--json")
+    assert answer.code == 0 and answer.json["limit_margin"] is None, answer.err
+
+
+def test_a_line_that_is_blocked_is_named(cell, tmp_path):
+    (tmp_path / "blocked.csv").write_text(
+        "motion,x,y,z,roll,pitch,yaw\naround,0.6,0.25,0.2,180,0,0\nline,0.6,-0.25,0.2,180,0,0\n")
+    answer = cell("line", "panda", *HOME, "--through", "blocked.csv", "--json")
+    assert answer.code == 1 and answer.json["status"] == "collides" and answer.json["failed_move"] == 2
+    assert "partition" in answer.err
 
 
 def test_obstacles_are_asked_for(beeline, cell, tmp_path):

@@ -5,6 +5,7 @@
 #include <beeline/io/internal/controller_program.h>
 #include <beeline/io/text/internal/numbers.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 
 namespace beeline::internal {
 namespace {
@@ -100,20 +101,42 @@ std::string krl_spline(const std::vector<ControllerMove>& moves, std::size_t i,
 /// Rounded up to microseconds, so that a dwell is not shorter.
 std::string seconds(double dwell) { return fixed_point(std::ceil(dwell * 1e6 - 1e-3) / 1e6, 6); }
 
+/// The largest speed of the tool's origin on a straight joint motion, relative to the largest joint
+/// speed, m/rad.
+double tool_speed_ratio(const Arm& arm, const Configuration& from, const Configuration& to) {
+  const Configuration change = to - from;
+  double ratio = 0;
+  for (int k = 0; k <= times_of_move && !change.isZero(0); ++k) {
+    const Configuration q = from + double(k) / times_of_move * change;
+    ratio = std::max(ratio, (jacobian(arm, q).topRows<3>() * change).norm());
+  }
+  return change.isZero(0) ? 0 : ratio / change.cwiseAbs().maxCoeff();
+}
+
+/// Slows a joint move down so that the tool does not exceed the speed of the planned move.
+void limit_tool_speed(double ratio, double tool_speed, ControllerMove& move) {
+  // Programs round up: to thousandths and per cent.
+  const auto rounded_down = [](double value, double unit) {
+    return std::max(std::floor(value / unit) - 1e-3, 1.0) * unit;
+  };
+  const double slower = ratio * move.joint_speed / tool_speed;
+  if (!(slower > 1)) return;
+  move.joint_speed = rounded_down(move.joint_speed / slower, 1e-3);
+  move.joint_fraction = rounded_down(move.joint_fraction / slower, 1e-2);
+}
+
 /// Replaces a move around obstacles by joint moves to its waypoints, at which the arm stops: the
 /// straight joint motions between them are proved, and how a controller blends them is not known.
-void add_moves_around(const ControllerMove& around, const PlannedMove& planned,
+void add_moves_around(const Arm& arm, const ControllerMove& around, const PlannedMove& planned,
                       std::vector<ControllerMove>& moves) {
-  ControllerMove written = around;
-  written.kind = MoveKind::joint;
-  written.dwell = 0;
-  for (std::size_t k = 1; k + 1 < planned.waypoints.size(); ++k) {
+  for (std::size_t k = 1; k < planned.waypoints.size(); ++k) {
+    ControllerMove& written = moves.emplace_back(around);
+    written.kind = MoveKind::joint;
     written.q = planned.waypoints[k];
-    moves.push_back(written);
+    if (k + 1 < planned.waypoints.size()) written.dwell = 0;
+    limit_tool_speed(tool_speed_ratio(arm, planned.waypoints[k - 1], written.q), around.speed,
+                     written);
   }
-  written.q = around.q;
-  written.dwell = around.dwell;
-  moves.push_back(written);
 }
 
 }  // namespace
@@ -128,7 +151,7 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     const Move& move = program.moves[i];
     const PlannedMove& planned = motion.moves[i];
     ControllerMove written;
-    written.kind = move.kind;
+    written.kind = is_joint_motion(move.kind) ? MoveKind::joint : move.kind;
     written.q = trajectory.positions[planned.end];
     written.target = frame_T_world * move.target;
     if (move.via) {
@@ -141,8 +164,8 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     written.speed = move.speed.value_or(planned.tool_speed > 0 ? planned.tool_speed : least_speed);
     written.blend_radius = planned.blend_radius;
     written.dwell = move.dwell;
-    if (move.kind == MoveKind::around)
-      add_moves_around(written, planned, moves);
+    if (move.kind == MoveKind::around && planned.waypoints.size() > 1)
+      add_moves_around(arm, written, planned, moves);
     else
       moves.push_back(std::move(written));
   }

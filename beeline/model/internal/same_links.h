@@ -8,4 +8,7 @@ namespace beeline::internal {
 /// Limits, names and tools may differ.
 bool same_links(const Arm& a, const Arm& b);
 
+/// The same for arms whose bases may be at different poses.
+bool same_joints(const Arm& a, const Arm& b);
+
 }  // namespace beeline::internal

@@ -8,11 +8,18 @@ CurrentScene::CurrentScene(const CollisionModel& model, const Program& program)
 
 void CurrentScene::arrive(std::size_t moves, const ConfigurationRef& q) {
   parts_.change(moves, q);
-  if (!parts_.changed().empty()) changed_.emplace(parts_.model());
+  if (parts_.changed().empty()) return;
+  is_changed_ = true;
+  changed_.reset();
+}
+
+const CollisionModel& CurrentScene::model() {
+  if (is_changed_ && !changed_) changed_.emplace(parts_.model());
+  return changed_ ? *changed_ : model_;
 }
 
 Reason CurrentScene::blocked_ahead(const ProgramPart& part, const PathMotion& motion,
-                                   const Budget& budget) const {
+                                   const Budget& budget) {
   CarriedParts parts = parts_;
   parts.change(part.first, motion.trajectory.positions.front());
   std::optional<CollisionModel> changed;

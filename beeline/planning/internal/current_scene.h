@@ -17,18 +17,18 @@ class CurrentScene {
   void arrive(std::size_t moves, const ConfigurationRef& q);
 
   /// The arm with the parts that it carries, among the other obstacles.
-  const CollisionModel& model() const { return changed_ ? *changed_ : model_; }
+  const CollisionModel& model();
 
   /// Why the motion of the next part is blocked, up to where a part is next attached or detached;
   /// no reason if it is proved to keep the clearance.
-  Reason blocked_ahead(const ProgramPart& part, const PathMotion& motion,
-                       const Budget& budget) const;
+  Reason blocked_ahead(const ProgramPart& part, const PathMotion& motion, const Budget& budget);
 
  private:
   const CollisionModel& model_;
   const Program& program_;
   CarriedParts parts_;
-  std::optional<CollisionModel> changed_ = std::nullopt;
+  bool is_changed_ = false;  ///< whether a part was attached or detached
+  std::optional<CollisionModel> changed_ = std::nullopt;  ///< since then, once it is needed
 };
 
 }  // namespace beeline::internal

@@ -144,6 +144,11 @@ std::size_t ProgramPart::last_segment(std::size_t move) const {
   return static_cast<std::size_t>(next - moves.begin()) - 1;
 }
 
+std::string part_name(const Program& program, const ProgramPart& part) {
+  if (part.first == part.last) return move_name(program, part.first);
+  return "moves " + std::to_string(part.first + 1) + " to " + std::to_string(part.last + 1);
+}
+
 void check_move(const Arm& arm, const Program& program, std::size_t i) {
   check_numbers(program.moves[i]);
   check_kind(arm, program, i);

@@ -18,6 +18,9 @@ struct ProgramPart {
   std::size_t last_segment(std::size_t move) const;
 };
 
+/// "move 3 (line)", "moves 3 to 5".
+std::string part_name(const Program& program, const ProgramPart& part);
+
 /// Throws Error, without move_name(), if move_program() refuses moves[i] itself.
 void check_move(const Arm& arm, const Program& program, std::size_t i);
 

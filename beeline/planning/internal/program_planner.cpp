@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/free_path.h>
 #include <beeline/planning/internal/current_scene.h>
@@ -13,6 +13,7 @@
 #include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_planner.h>
+#include <beeline/planning/internal/program_refusal.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/trajectory/internal/motion_start.h>
@@ -23,12 +24,6 @@ namespace {
 
 constexpr std::size_t max_trajectory = 10'000'000;  // samples: some 3 GB for seven joints
 
-/// "move 3 (line)", "moves 3 to 5".
-std::string part_name(const Program& program, const ProgramPart& part) {
-  if (part.first == part.last) return move_name(program, part.first);
-  return "moves " + std::to_string(part.first + 1) + " to " + std::to_string(part.last + 1);
-}
-
 class ProgramPlanner {
  public:
   ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options,
@@ -38,8 +33,7 @@ class ProgramPlanner {
     options_.budget = budget_.part();
     options_.task = options.task.value_or(default_task(arm));
     options_.suggest = false;
-    motion_.failed = program.moves.size();
-    motion_.status = MotionStatus::reached;
+    succeed();
   }
 
   ProgramMotion run(const std::optional<Configuration>& start) {
@@ -55,12 +49,6 @@ class ProgramPlanner {
   }
 
  private:
-  /// A part that is a path, in the trajectory.
-  struct Planned {
-    std::size_t part = 0, begin = 0;      ///< its first sample
-    std::vector<double> path_parameters;  ///< of its samples
-  };
-
   /// Fails in a move. The reason contains the name of the move or, if given, the name of its part.
   bool fail(std::size_t move, MotionStatus status, Reason reason, const std::string& name = {}) {
     motion_.status = status;
@@ -69,6 +57,14 @@ class ProgramPlanner {
     motion_.reason.set(ReasonField::move_name, name.empty() ? move_name(program_, move) : name);
     motion_.failed = move;
     return false;
+  }
+
+  /// Forgets why the branches before this one are not possible.
+  bool succeed() {
+    motion_.status = MotionStatus::reached;
+    motion_.reason = {};
+    motion_.failed = program_.moves.size();
+    return true;
   }
 
   bool fail_ended(std::size_t move) {
@@ -93,11 +89,8 @@ class ProgramPlanner {
     const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
     parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
     std::optional<Configuration> q = start ? start : first.q;
-    const bool open = !q && !parts_.empty() && !parts_.front().joint;
-    if (!q && !open && !configuration_at(0, begin, middle_configuration(arm_), q)) return false;
     std::optional<PathMotion> ahead;
-    if (open && !follow(0, std::nullopt, ahead)) return false;
-    if (open) q = ahead->trajectory.positions.front();
+    if (!q && !begin_at(begin, q, ahead)) return false;
     trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
     arrive(0);
     if (!start) {
@@ -110,6 +103,37 @@ class ProgramPlanner {
       if (parts_[p].joint ? !add_joint_motion(p, ahead) : !add_path(p, ahead)) return false;
     }
     return finish();
+  }
+
+  /// Sets q to a configuration at which the motion begins, with the tool at the pose of the first
+  /// move, and plans the path after it.
+  bool begin_at(const Pose& pose, std::optional<Configuration>& q,
+                std::optional<PathMotion>& ahead) {
+    const Configuration middle = middle_configuration(arm_);
+    const bool path = !parts_.empty() && !parts_.front().joint;
+    if (program_.moves.front().kind == MoveKind::around) {
+      return begin_free(configurations_for(arm_, *options_.task, pose, middle, budget_.part()),
+                        path, q, ahead) ||
+             (!motion_.reason && configuration_at(0, pose, middle, q));
+    }
+    if (!path) return configuration_at(0, pose, middle, q);
+    if (!follow(0, std::nullopt, ahead)) return false;
+    q = ahead->trajectory.positions.front();
+    return true;
+  }
+
+  /// Sets q to the first of some configurations that is free and from which the path after it is.
+  bool begin_free(const std::vector<Configuration>& candidates, bool path,
+                  std::optional<Configuration>& q, std::optional<PathMotion>& ahead) {
+    for (const Configuration& candidate : candidates) {
+      if (const Reason reason = blocked_by(scene_->model(), candidate)) {
+        fail(0, status_of_blocked(reason), reason);
+      } else if (!path || follow_free(0, candidate, ahead)) {
+        q = candidate;
+        return succeed();
+      }
+    }
+    return false;
   }
 
   /// Sets q to the configuration with the tool at the pose that is reached soonest.
@@ -170,13 +194,11 @@ class ProgramPlanner {
       if (budget_.ended()) break;
       if (!has_branch(p, candidate) || !follow(p, candidate, ahead)) continue;
       q = candidate;
-      motion_.status = MotionStatus::reached;
-      return true;
+      return succeed();
     }
     if (!follow(p, std::nullopt, ahead)) return false;
-    motion_.status = MotionStatus::reached;
     q = ahead->trajectory.positions.front();
-    return true;
+    return succeed();
   }
 
   bool path_follows(std::size_t p) const { return p + 1 < parts_.size() && !parts_[p + 1].joint; }
@@ -214,31 +236,49 @@ class ProgramPlanner {
   }
 
   /// Configurations at which the move around obstacles of part p may end, the soonest reached
-  /// first: for a path after it those from which a branch of it begins or, without one, the start
-  /// of its best branch.
-  std::vector<Configuration> goals_around(std::size_t p, std::optional<PathMotion>& ahead) {
+  /// first.
+  std::vector<Configuration> goals_around(std::size_t p) {
     const std::size_t i = parts_[p].first;
+    if (program_.moves[i].q) return {*program_.moves[i].q};
+    const Pose& target = program_.moves[i].target;
     const Configuration from = trajectory_.positions().back();
-    std::optional<Configuration> q = program_.moves[i].q;
-    if (!q && !path_follows(p) && !configuration_at(i, program_.moves[i].target, from, q)) {
-      return {};
-    }
-    if (program_.moves[i].q) return {*q};
     std::vector<Configuration> goals =
-        configurations_for(arm_, *options_.task, program_.moves[i].target, from, budget_.part());
-    if (!path_follows(p)) return goals.empty() ? std::vector{*q} : goals;
+        configurations_for(arm_, *options_.task, target, from, budget_.part());
+    std::optional<Configuration> q;
+    if (goals.empty() && configuration_at(i, target, from, q)) goals.push_back(*q);
+    if (!path_follows(p)) return goals;
+    std::optional<PathMotion> ahead;
     std::erase_if(goals, [&](const auto& goal) { return !has_branch(p + 1, goal); });
-    if (!goals.empty()) return goals;
-    if (!follow(p + 1, std::nullopt, ahead)) return {};
-    return {ahead->trajectory.positions.front()};
+    if (goals.empty() && follow(p + 1, std::nullopt, ahead)) {
+      goals.push_back(ahead->trajectory.positions.front());
+    }
+    return goals;
   }
 
-  /// Appends the motion of part p around obstacles, and plans the path after it. A goal from which
-  /// this path is not possible or not free is replaced by another one.
+  /// Takes the next goals of a move around obstacles out of `goals`: all, or a few from which the
+  /// path after it is possible and free.
+  std::vector<Configuration> next_goals(std::size_t p, std::vector<Configuration>& goals) {
+    constexpr std::size_t few = 4;
+    std::vector<Configuration> next;
+    if (!path_follows(p)) return std::exchange(goals, {});
+    std::optional<PathMotion> ahead;
+    std::size_t examined = 0;
+    while (examined < goals.size() && next.size() < few && !budget_.ended()) {
+      const Configuration& goal = goals[examined++];
+      if (follow_free(p + 1, goal, ahead)) next.push_back(goal);
+    }
+    goals.erase(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(examined));
+    return next;
+  }
+
+  /// Appends the motion of part p around obstacles, and plans the path after it.
   bool move_around_to(std::size_t p, PlannedMove& planned, std::optional<PathMotion>& ahead) {
     const std::size_t i = parts_[p].first;
-    std::vector<Configuration> goals = goals_around(p, ahead);
-    while (!goals.empty()) {
+    std::vector<Configuration> left = goals_around(p);
+    std::optional<FreeMotion> failed;  // the search for the soonest goals
+    while (!left.empty() && !budget_.ended()) {
+      const std::vector<Configuration> goals = next_goals(p, left);
+      if (goals.empty()) continue;
       FreeMotion motion =
           move_around(scene_->model(), trajectory_.positions().back(), goals,
                       {.profile = options_.profile,
@@ -247,21 +287,19 @@ class ProgramPlanner {
                        .rate = options_.rate,
                        .max_samples = options_.max_samples,
                        .budget = budget_.part()});
-      if (!motion) return fail(i, motion.status, motion.reason);
-      const std::size_t reached = motion.path.goal;
-      if (path_follows(p) && !follow_free(p + 1, goals[reached], ahead)) {
-        if (budget_.ended()) return fail_ended(i);
-        goals.erase(goals.begin() + static_cast<std::ptrdiff_t>(reached));
+      if (!motion) {
+        if (!failed) failed = std::move(motion);
         continue;
       }
-      motion_.status = MotionStatus::reached;
+      if (path_follows(p) && !follow_free(p + 1, goals[motion.path.goal], ahead)) return false;
       for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
         trajectory_.append(motion.trajectory, k);
       }
       planned.waypoints = std::move(motion.path.waypoints);
-      return true;
+      return succeed();
     }
-    return false;
+    if (budget_.ended()) return fail_ended(i);
+    return failed ? fail(i, failed->status, failed->reason) : false;
   }
 
   /// Attaches and detaches parts after this number of moves.
@@ -319,7 +357,12 @@ class ProgramPlanner {
     options.budget = budget_.part();
     Verification found = verify(arm_, trajectory, program_, options);
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    if (!found) return explain(found);
+    if (!found) {
+      const auto why = program_refusal(
+          {arm_, program_, trajectory, motion_.moves, parts_, planned_, options_}, found, budget_);
+      return why ? fail(why->move, why->status, why->reason, why->name)
+                 : fail_ended(program_.moves.size() - 1);
+    }
     motion_.deviation = std::move(found.deviation);
     for (PlannedMove& move : motion_.moves) {
       for (std::size_t k = move.begin; k < move.end; ++k) {
@@ -331,43 +374,6 @@ class ProgramPlanner {
     return budget_.complete() || fail_ended(program_.moves.size() - 1);
   }
 
-  /// Fails with the reason why the trajectory is not proved: the tool is off the path of a part, a
-  /// joint is beyond its limits, or what verify() found.
-  bool explain(const Verification& found) {
-    for (const Planned& planned : planned_) {
-      if (!check_deviation(planned)) return false;
-    }
-    const Trajectory& trajectory = motion_.trajectory;
-    const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
-    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    const std::size_t move = move_at(fault ? fault->sample : found.sample);
-    if (!fault) return fail(move, MotionStatus::not_proved, found.reason);
-    Reason reason = fault->reason;
-    reason.set(ReasonField::time, trajectory.times[fault->sample]);
-    return fail(move, MotionStatus::outside_limits, std::move(reason));
-  }
-
-  /// The move during or before which sample k is.
-  std::size_t move_at(std::size_t k) const {
-    std::size_t move = 0;
-    while (move + 1 < motion_.moves.size() && motion_.moves[move].end <= k) ++move;
-    return move;
-  }
-
-  /// Whether the tool is proved to stay on the path of a part.
-  bool check_deviation(const Planned& planned) {
-    const ProgramPart& part = parts_[planned.part];
-    const std::size_t end = planned.begin + planned.path_parameters.size() - 1;
-    const Deviation bound =
-        path_deviation(arm_, samples_between(motion_.trajectory, planned.begin, end),
-                       planned.path_parameters, part.route.path, *options_.task, budget_.part())
-            .bound;
-    if (!budget_.complete()) return fail_ended(part.first);
-    if (within(bound, {options_.tolerance, options_.orientation_tolerance})) return true;
-    return fail(part.first, MotionStatus::not_proved,
-                deviation_reason(ReasonCode::path_not_proved, bound), part_name(program_, part));
-  }
-
   const Arm& arm_;
   const Program& program_;
   BudgetMeter budget_;
@@ -376,7 +382,7 @@ class ProgramPlanner {
   std::vector<ProgramPart> parts_;
   ProgramTrajectory trajectory_;
   std::optional<CurrentScene> scene_ = std::nullopt;
-  std::vector<Planned> planned_;
+  std::vector<PlannedPart> planned_;
 };
 
 }  // namespace

@@ -201,8 +201,8 @@ void check_row(const ProgramRow& row) {
     throw Error("this row has neither a pose nor, in a column q, joint values");
   }
   if (row.pose && !row.q.empty()) throw Error("this row has both a pose and joint values, q");
-  if (!row.q.empty() && row.motion != "joint") {
-    throw Error("joint values, q, are for rows with the motion joint");
+  if (!row.q.empty() && row.motion != "joint" && row.motion != "around") {
+    throw Error("joint values, q, are for rows with the motion joint or around");
   }
   if (row.motion == "via" && (row.speed || row.blend || row.dwell)) {
     throw Error("a via row has no speed, blend or dwell: those are the arc's");

@@ -1,0 +1,48 @@
+#include <beeline/kinematics/internal/deviation_reason.h>
+#include <beeline/planning/internal/program_refusal.h>
+#include <beeline/planning/internal/program_trajectory.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The move during or before which sample k is.
+std::size_t move_at(const std::vector<PlannedMove>& moves, std::size_t k) {
+  std::size_t move = 0;
+  while (move + 1 < moves.size() && moves[move].end <= k) ++move;
+  return move;
+}
+
+/// The deviation of the tool from the path of a part.
+Deviation deviation_of(const PlannedProgram& program, const PlannedPart& planned,
+                       BudgetMeter& budget) {
+  const std::size_t end = planned.begin + planned.path_parameters.size() - 1;
+  return path_deviation(program.arm, samples_between(program.trajectory, planned.begin, end),
+                        planned.path_parameters, program.parts[planned.part].route.path,
+                        *program.options.task, budget.part())
+      .bound;
+}
+
+}  // namespace
+
+std::optional<ProgramRefusal> program_refusal(const PlannedProgram& planned,
+                                              const Verification& found, BudgetMeter& budget) {
+  const PathMotionOptions& options = planned.options;
+  for (const PlannedPart& path : planned.planned) {
+    const Deviation bound = deviation_of(planned, path, budget);
+    if (!budget.complete()) return std::nullopt;
+    if (within(bound, {options.tolerance, options.orientation_tolerance})) continue;
+    const ProgramPart& part = planned.parts[path.part];
+    return ProgramRefusal{part.first, MotionStatus::not_proved,
+                          deviation_reason(ReasonCode::path_not_proved, bound),
+                          part_name(planned.program, part)};
+  }
+  const auto fault = first_joint_fault(planned.arm, planned.trajectory, {}, budget.part());
+  if (!budget.complete()) return std::nullopt;
+  const std::size_t move = move_at(planned.moves, fault ? fault->sample : found.sample);
+  if (!fault) return ProgramRefusal{move, MotionStatus::not_proved, found.reason};
+  Reason reason = fault->reason;
+  reason.set(ReasonField::time, planned.trajectory.times[fault->sample]);
+  return ProgramRefusal{move, MotionStatus::outside_limits, std::move(reason)};
+}
+
+}  // namespace beeline::internal
