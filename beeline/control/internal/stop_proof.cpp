@@ -12,6 +12,10 @@ constexpr int max_parts = 4;         // of the line
 constexpr double fine_bound = 4e-4;  // m, remainder of the bounds on a part of the line
 constexpr std::size_t max_near = 256;
 
+/// m, by which a distance may exceed a clearance and count as equal. Bodies that are placed at
+/// their clearance would else be undecided, and the arm could not leave.
+constexpr double resolution = 1e-9;
+
 }  // namespace
 
 StopProof::StopProof(const CollisionBodies& bodies, double gain)
@@ -21,7 +25,7 @@ StopProof::StopProof(const CollisionBodies& bodies, double gain)
       motion_(bodies.motion),
       placed_(bodies.link_bodies.size()),
       is_placed_(placed_.size()),
-      known_(pairs_.size()),
+      last_separations_(pairs_.size()),
       near_(std::min(max_near, pairs_.size())),
       line_(bodies.arm.dof()),
       part_line_(bodies.arm.dof()),
@@ -43,7 +47,7 @@ std::array<std::string_view, 2> StopProof::names(std::size_t index) const {
 std::optional<std::size_t> StopProof::closest_pair() const {
   if (near_.empty()) return std::nullopt;
   return std::min_element(near_.begin(), near_.end(),
-                          [](const auto& a, const auto& b) { return a.worst < b.worst; })
+                          [](const auto& a, const auto& b) { return a.least < b.least; })
       ->pair;
 }
 
@@ -66,8 +70,8 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   parts_ = part_count();
   if (parts_ == 1) return false;
   for (NearPair& near : near_) {
-    near.finished = near.worst >= 0;
-    if (!near.finished) near.worst = std::numeric_limits<double>::infinity();
+    near.finished = near.least >= 0;
+    if (!near.finished) near.least = std::numeric_limits<double>::infinity();
   }
   bool proved = true;
   for (int part = 0; part < parts_; ++part) {
@@ -171,8 +175,8 @@ double StopProof::rounding(const BodyPair& pair) {
 Separation StopProof::separate(std::size_t index) {
   const BodyPair& pair = pairs_.pair(index);
   const ConvexBody &first = placed(pair.first), &second = second_of(pair);
-  Vector3 guess = known_[index].step > 0 ? known_[index].points.direction
-                                         : Vector3(second.centre - first.centre);
+  Vector3 guess = last_separations_[index].step > 0 ? last_separations_[index].points.direction
+                                                    : Vector3(second.centre - first.centre);
   if (guess.isZero(0)) guess = Vector3::UnitX();
   return separation(first, second, guess);
 }
@@ -196,12 +200,13 @@ bool StopProof::is_clear_along(const BodyPair& pair, const MovingCapsule& moving
 void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, double reach) {
   const BodyPair& pair = pairs_.pair(index);
   const ConvexBody &first = placed(pair.first), &second = second_of(pair);
-  if (known_[index].step != step_) {
+  if (last_separations_[index].step != step_) {
     const Vector3 between = second.centre - first.centre;
     const double length = between.norm();
-    const bool is_known = known_[index].step > 0;
+    const bool is_known = last_separations_[index].step > 0;
     if (is_known || length > 0) {
-      const Vector3 n = is_known ? known_[index].points.direction : Vector3(between / length);
+      const Vector3 n =
+          is_known ? last_separations_[index].points.direction : Vector3(between / length);
       double excess = 0;
       const bool is_clear = is_clear_along(pair, moving, n, excess);
       if (excess > pairs_.excess(index)) pairs_.set_excess(index, excess);
@@ -210,18 +215,20 @@ void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, doub
   }
   if (near_.full()) return;
   const double rounded = rounding(pair);
-  Known& known = known_[index];
+  LastSeparation& known = last_separations_[index];
   if (known.step != step_) {
     const Separation found = separate(index);
-    known = {found.points, found.lower - rounded - pair.clearance, step_};
+    known = {found.points, found.lower - rounded - pair.clearance,
+             found.upper + rounded < pair.clearance + resolution, step_};
     pairs_.set_excess(index, std::max(pairs_.excess(index), known.excess));
   }
   if (known.excess >= reach) return;
   NearPair near;
   near.pair = index;
   near.rounding = rounded;
-  near.at_start = near.latest = known.points;
-  near.worst = std::numeric_limits<double>::infinity();
+  near.is_below = known.is_below;
+  near.start_points = near.last_points = known.points;
+  near.least = std::numeric_limits<double>::infinity();
   near_.push_back(near);
 }
 
@@ -229,7 +236,7 @@ void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, doub
 int StopProof::part_count() const {
   double largest = 0;
   for (const NearPair& near : near_) {
-    if (near.worst < 0) largest = std::max(largest, near.remainder);
+    if (near.least < 0) largest = std::max(largest, near.remainder);
   }
   const double parts = std::ceil(std::sqrt(largest / fine_bound));
   return parts < max_parts ? std::max(1, static_cast<int>(parts)) : max_parts;
@@ -246,8 +253,9 @@ StopProof::PartBound StopProof::bound_on_part(const BodyPair& pair, const Vector
 }
 
 /// Bounds the distances of near_ from below on a part of the line, at whose start the frames are.
-/// Along a direction n, with s from 0 to 1 on the part, the distance is at least (1 - s) start + s
-/// end - s^2 remainder: it is concave in s, and least at an end. The part before bounds the start.
+/// Along a direction n that is fixed to the second body, with s from 0 to 1 on the part, the
+/// distance is at least (1 - s) start + s end - s^2 remainder: it is concave in s, and least at an
+/// end.
 bool StopProof::prove_part(int part, int parts) {
   bool proved = true;
   for (NearPair& near : near_) {
@@ -256,23 +264,30 @@ bool StopProof::prove_part(int part, int parts) {
     const ChainMotion::TubeBounds bounds =
         motion_.bounds(pairs_.motions().reach(pair.first),
                        bodies_->link_bodies[pair.first].carried.frame, frame_of_second(pair));
-    PartBound along = bound_on_part(pair, near.latest.direction);
-    if (part > 0 && along.end - bounds.remainder < near.floor) {
-      near.latest = separate(near.pair).points;
-      along = bound_on_part(pair, near.latest.direction);
+    PartBound along = bound_on_part(pair, near.last_points.direction);
+    // The direction of the part before is another one in the frame of a second body that moves.
+    if (part > 0 && std::min(along.start, along.end - bounds.remainder) < near.floor) {
+      near.last_points = separate(near.pair).points;
+      along = bound_on_part(pair, near.last_points.direction);
     }
-    if (part == 0) near.floor = std::min(pair.clearance + near.rounding, along.start);
+    if (part == 0) {
+      near.floor = pair.clearance + near.rounding;
+      if (near.is_below) near.floor = std::min(near.floor, along.start);
+    }
     if (parts == 1) {
       near.approach = along.start - along.end;
       near.remainder = bounds.remainder;
       near.gap = along.start;
     }
-    const double least = along.end - bounds.remainder - near.floor;
-    if (least < near.worst) {
-      near.worst = least;
-      near.lever = static_cast<double>(part + 1) / parts;
+    double least = along.end - bounds.remainder - near.floor;
+    const double at_start = along.start - near.floor;
+    const bool start_is_least = (part > 0 || at_start < 0) && at_start < least;
+    if (start_is_least) least = at_start;
+    if (least < near.least) {
+      near.least = least;
+      near.least_at = static_cast<double>(std::max(1, start_is_least ? part : part + 1)) / parts;
       near.part = part;
-      near.at_worst = near.latest;
+      near.least_points = near.last_points;
     }
     near.finished = along.start - near.floor - (parts - part) * bounds.displacement > 0;
     proved = proved && least >= 0;

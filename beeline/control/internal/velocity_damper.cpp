@@ -167,13 +167,13 @@ void VelocityDamper::fill_rows(const ConfigurationRef& q, const Eigen::VectorXd&
       if (!has_frames) proof_.set_frames(q, part, proof_.parts());
       has_frames = true;
       if (part == 0) {
-        proof_.fill_gradient(near.pair, near.at_start, gradient_);
+        proof_.fill_gradient(near.pair, near.start_points, gradient_);
         // The braking velocity satisfies it, too.
         add(near, std::min(-gain_ * (near.gap - near.floor), gradient_.dot(brake_)));
       }
-      if (near.part != part || !std::isfinite(near.worst)) continue;
-      proof_.fill_gradient(near.pair, near.at_worst, gradient_);
-      add(near, gradient_.dot(about) + (margin - near.worst) / (near.lever * proof_.time()));
+      if (near.part != part || !std::isfinite(near.least)) continue;
+      proof_.fill_gradient(near.pair, near.least_points, gradient_);
+      add(near, gradient_.dot(about) + (margin - near.least) / (near.least_at * proof_.time()));
     }
   }
 }
