@@ -56,10 +56,12 @@ struct ServoStep {
   std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
   /// The two bodies with the limit `clearance`; the first is a link's.
   std::optional<BodyNames> bodies = std::nullopt;
+  /// Whether the clearance is proved until a stop after this step; true without a model.
+  bool proved = true;
 };
 
 /// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1, or
-/// `scale 0.5, limit clearance of hand and wall`.
+/// `scale 0.5, limit clearance of hand and wall`; at the end `, not proved` if it is not.
 std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 
 /// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
@@ -87,7 +89,8 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 /// - If the joints move linearly by q̇ · time_step from each step to the next, no distance falls
 ///   below its clearance, between the steps too. It is proved in each step for the motion to the
 ///   next one and the stop after it; a velocity that is not proved is not used. If the joints do
-///   otherwise, each step proves what follows from the q that it gets, and brakes if it cannot.
+///   otherwise, each step proves what follows from the q that it gets, and brakes if it cannot:
+///   if the stop is not proved either, ServoStep::proved is false.
 ///   Without acceleration limits, the stop after the motion takes one step, as q̇ may jump to zero.
 /// - A pair of bodies that is below its clearance does not come closer: its distance along the
 ///   direction between its nearest points does not fall. Of bodies that overlap, this direction is

@@ -8,9 +8,9 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int max_parts = 4;         // of the line
-constexpr double fine_bound = 4e-4;  // m, remainder of the bounds on a part of the line
-constexpr std::size_t max_near = 256;
+constexpr int max_parts = 4;           // of the line
+constexpr double fine_bound = 4e-4;    // m, remainder of the bounds on a part of the line
+constexpr std::size_t max_near = 256;  // pairs
 
 /// m, by which a distance may exceed a clearance and count as equal. Bodies that are placed at
 /// their clearance would else be undecided, and the arm could not leave.
@@ -32,6 +32,12 @@ StopProof::StopProof(const CollisionBodies& bodies, double gain)
       at_(bodies.arm.dof()),
       zero_(Eigen::VectorXd::Zero(bodies.arm.dof())) {}
 
+void StopProof::reset() {
+  pairs_.reset();
+  for (LastSeparation& last : last_separations_) last.step = 0;
+  near_.clear();
+}
+
 void StopProof::begin_step(const ConfigurationRef& q) {
   pairs_.move_to(q);
   ++step_;
@@ -44,11 +50,17 @@ std::array<std::string_view, 2> StopProof::names(std::size_t index) const {
   return {first, bodies_->name_of(bodies_->link_bodies[pair.second])};
 }
 
-std::optional<std::size_t> StopProof::closest_pair() const {
+std::optional<std::size_t> StopProof::violated_pair() const {
   if (near_.empty()) return std::nullopt;
-  return std::min_element(near_.begin(), near_.end(),
-                          [](const auto& a, const auto& b) { return a.least < b.least; })
-      ->pair;
+  if (too_many_) return near_[0].pair;
+  const auto closest = std::min_element(
+      near_.begin(), near_.end(), [](const auto& a, const auto& b) { return a.least < b.least; });
+  if (closest->least < 0) return closest->pair;
+  const auto fastest = std::min_element(
+      near_.begin(), near_.end(),
+      [this](const auto& a, const auto& b) { return damper_slack(a) < damper_slack(b); });
+  if (damper_slack(*fastest) < 0) return fastest->pair;
+  return std::nullopt;
 }
 
 void StopProof::set_frames(const ConfigurationRef& q, int part, int parts) {
@@ -63,6 +75,7 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   time_ = time;
   line_ = line;
   near_.clear();
+  too_many_ = false;
   parts_ = 1;
   if (line_.isZero(0)) return true;
   if (!find_near_pairs(q)) return false;
@@ -82,8 +95,8 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   return proved;
 }
 
-/// Whether a pair may come close by what is known without the frames.
-bool StopProof::is_in_reach() const {
+/// Whether a pair may come close, by the bounds of its distance and of the joints' motions alone.
+bool StopProof::is_in_reach(bool keeps_apart) const {
   const double factor = std::max(1.0, 1 / (gain_ * time_));
   const BodyMotions& motions = pairs_.motions();
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
@@ -93,6 +106,7 @@ bool StopProof::is_in_reach() const {
   }
   for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
     const BodyPair& pair = pairs_.pair(k);
+    if (pair.is_apart && keeps_apart) continue;
     if (!(pairs_.excess(k) >= factor * motions.of(pair.first, frame_of_second(pair)))) return true;
   }
   return false;
@@ -116,12 +130,12 @@ double StopProof::displacement(const MovingCapsule& moving) const {
                   first_order / (gain_ * time_));
 }
 
-/// Sets near_. Returns false if there are too many pairs.
+/// Sets near_, the nearest pairs first. Returns false if there are too many.
 bool StopProof::find_near_pairs(const ConfigurationRef& q) {
   pairs_.motions().set(q, line_);
-  if (!is_in_reach()) return true;
   at_ = q + line_;
   const bool keeps_apart = bodies_->keeps_apart(q) && bodies_->keeps_apart(at_);
+  if (!is_in_reach(keeps_apart)) return true;
   set_frames(q, 0, 1);
   const double factor = std::max(1.0, 1 / (gain_ * time_));
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
@@ -142,7 +156,9 @@ bool StopProof::find_near_pairs(const ConfigurationRef& q) {
     const double reach = displacement(moving);
     if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
   }
-  return !near_.full() || near_.size() == pairs_.size();
+  std::sort(near_.begin(), near_.end(),
+            [](const auto& a, const auto& b) { return a.excess < b.excess; });
+  return !too_many_;
 }
 
 const ConvexBody& StopProof::placed(std::uint32_t body) {
@@ -213,7 +229,10 @@ void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, doub
       if (is_clear) return;
     }
   }
-  if (near_.full()) return;
+  if (near_.full() && pairs_.excess(index) >= farthest_near()->excess) {
+    too_many_ = true;
+    return;
+  }
   const double rounded = rounding(pair);
   LastSeparation& known = last_separations_[index];
   if (known.step != step_) {
@@ -226,10 +245,21 @@ void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, doub
   NearPair near;
   near.pair = index;
   near.rounding = rounded;
+  near.excess = known.excess;
   near.is_below = known.is_below;
   near.start_points = near.last_points = known.points;
   near.least = std::numeric_limits<double>::infinity();
-  near_.push_back(near);
+  too_many_ = too_many_ || near_.full();
+  if (!near_.full()) {
+    near_.push_back(near);
+  } else if (const auto farthest = farthest_near(); near.excess < farthest->excess) {
+    *farthest = near;
+  }
+}
+
+BoundedList<StopProof::NearPair>::Iterator StopProof::farthest_near() {
+  return std::max_element(near_.begin(), near_.end(),
+                          [](const auto& a, const auto& b) { return a.excess < b.excess; });
 }
 
 /// Returns the number of parts with which the remainder of each is small.
@@ -295,11 +325,15 @@ bool StopProof::prove_part(int part, int parts) {
   return proved;
 }
 
+/// By how much less than the damper allows the distance falls, to first order, m; negative if more.
+double StopProof::damper_slack(const NearPair& near) const {
+  constexpr double rounding = 1e-12;
+  return gain_ * time_ * (near.gap - near.floor) - near.approach + rounding;
+}
+
 bool StopProof::is_damped() const {
-  const double ahead = gain_ * time_;
-  return std::all_of(near_.begin(), near_.end(), [ahead](const NearPair& near) {
-    return near.approach <= ahead * (near.gap - near.floor) + 1e-12;
-  });
+  return std::all_of(near_.begin(), near_.end(),
+                     [this](const NearPair& near) { return damper_slack(near) >= 0; });
 }
 
 void StopProof::fill_gradient(std::size_t index, const NearestPoints& points,

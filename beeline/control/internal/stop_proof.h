@@ -22,6 +22,7 @@ class StopProof {
   /// A pair of bodies that may come below its clearance on the line.
   struct NearPair {
     std::size_t pair = 0;
+    double excess = 0;      ///< lower bound of its distance beyond its clearance at q, m
     double rounding = 0;    ///< of distances, m
     double remainder = 0;   ///< of the whole line, m
     double floor = 0;       ///< distance that is kept on the line, with its rounding, m
@@ -41,6 +42,9 @@ class StopProof {
   /// `gain` is the one of the damper, 1/s, for which near() looks ahead.
   StopProof(const CollisionBodies& bodies, double gain);
 
+  /// Forgets the steps so far.
+  void reset();
+
   void begin_step(const ConfigurationRef& q);
 
   /// Returns whether each clearance is proved on the line, which the arm passes at the initial
@@ -49,11 +53,13 @@ class StopProof {
   bool prove(const ConfigurationRef& q, const Eigen::VectorXd& line, double time, Effort effort);
 
   // Of the line of the last proof:
-  const BoundedList<NearPair>& near() const { return near_; }
+  const BoundedList<NearPair>& near() const { return near_; }  ///< the nearest first
   double time() const { return time_; }
   int parts() const { return parts_; }  ///< number of parts that the line is divided into
-  /// Returns the pair that comes closest.
-  std::optional<std::size_t> closest_pair() const;
+  /// Returns the pair that comes closest if that is below its clearance, else the one whose
+  /// distance falls fastest if that is faster than the damper allows. With more near pairs than
+  /// near() holds, returns the nearest.
+  std::optional<std::size_t> violated_pair() const;
   /// Whether no distance falls faster than the damper allows.
   bool is_damped() const;
 
@@ -81,7 +87,9 @@ class StopProof {
   };
 
   bool find_near_pairs(const ConfigurationRef& q);
-  bool is_in_reach() const;
+  bool is_in_reach(bool keeps_apart) const;
+  BoundedList<NearPair>::Iterator farthest_near();
+  double damper_slack(const NearPair& near) const;
   MovingCapsule capsule(std::uint32_t body, std::size_t from) const;
   double displacement(const MovingCapsule& capsule) const;
   void add_if_near(std::size_t pair, const MovingCapsule& capsule, double reach);
@@ -105,7 +113,8 @@ class StopProof {
   std::vector<char> is_placed_;
   std::vector<LastSeparation> last_separations_;  ///< of each pair
   std::uint64_t step_ = 0;                        ///< counts steps, from 1
-  BoundedList<NearPair> near_;
+  BoundedList<NearPair> near_;                    ///< the nearest first
+  bool too_many_ = false;                         ///< whether more pairs are near than near_ holds
   double time_ = 0;
   int parts_ = 1;
   Eigen::VectorXd line_, part_line_, at_, zero_;

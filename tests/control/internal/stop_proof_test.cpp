@@ -63,5 +63,31 @@ TEST(StopProof, ProvesTheWayOutFromTheClearance) {
   }
 }
 
+/// The nearest of more pairs than a line may have, the last of which by index are nearest.
+TEST(StopProof, HoldsTheNearestOfTooManyPairs) {
+  const Arm arm = testing::loop_arm("panda", LoopLimits::accelerations);
+  Configuration q(7);
+  q << 0, -0.3, 0, -2.2, 0, 2.0, 0.785;
+  Scene scene;
+  for (int i = 0; i < 400; ++i) {
+    const std::string name = std::to_string(i);
+    scene.obstacles.push_back(testing::box_at(name, {0.1, 4, 4}, {0.8 - 5e-4 * i, 0, 0}));
+  }
+  const CollisionModel model = testing::loop_model(arm, "panda", scene);
+  StopProof proof(model.bodies(), 10);
+  proof.begin_step(q);
+  Eigen::VectorXd line = Eigen::VectorXd::Zero(7);
+  line[3] = 0.3;
+  EXPECT_FALSE(proof.prove(q, line, 0.01, StopProof::Effort::all_pairs));
+  ASSERT_EQ(proof.near().size(), 256U);
+  const double nearest = nearest_pair(model, q).lower - 0.01;
+  EXPECT_NEAR(proof.near()[0].excess, nearest, 1e-6);
+  EXPECT_EQ(proof.violated_pair(), proof.near()[0].pair);
+  EXPECT_EQ(proof.names(proof.near()[0].pair)[1], "399");
+  for (std::size_t i = 1; i < 256; ++i) {
+    ASSERT_LE(proof.near()[i - 1].excess, proof.near()[i].excess);
+  }
+}
+
 }  // namespace
 }  // namespace beeline::internal
