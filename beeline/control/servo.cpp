@@ -71,7 +71,9 @@ class ServoLoop {
   void apply_acceleration_limits(const Rates& rates, double scale, double max_scale,
                                  ServoStep& result);
   void approach(const Rates& rates, double scale, ServoStep& result);
-  double velocity_within_limits(Eigen::Index k, double velocity) const;
+  double within_limits(Eigen::Index k, double velocity) const {
+    return velocity_within(bounds_[k], velocity, last_[k], max_change(k));
+  }
   void keep_clearance(const ConfigurationRef& q, bool commanded, ServoStep& result);
 
   Arm arm_;
@@ -84,7 +86,7 @@ class ServoLoop {
   Eigen::VectorXd next_, last_;       ///< joint velocities of this step and the last
   std::optional<VelocityDamper> damper_;
   VelocityBox box_;
-  Eigen::VectorXd wanted_;  ///< joint velocities without acceleration limits, for the damper
+  Eigen::VectorXd desired_;  ///< joint velocities without acceleration limits, for the damper
 };
 
 ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
@@ -101,7 +103,7 @@ ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
   if (options.model == nullptr) return;
   damper_.emplace(arm, task_, *options.model, options.time_step, options.damper_gain);
   box_ = {last_, last_};
-  wanted_ = last_;
+  desired_ = last_;
 }
 
 void ServoLoop::set_velocity(const ConfigurationRef& velocity) {
@@ -223,30 +225,20 @@ void ServoLoop::apply_acceleration_limits(const Rates& rates, double scale, doub
   } else {
     approach(rates, size > 0 ? std::clamp(near / size, 0.0, max_scale) : 0, result);
   }
-  for (Eigen::Index k = 0; k < next_.size(); ++k) next_[k] = velocity_within_limits(k, next_[k]);
-}
-
-/// Returns the joint velocity nearest to `velocity` within the bounds of this step. If the bounds
-/// for the position limit and for the acceleration exclude each other, the latter hold.
-double ServoLoop::velocity_within_limits(Eigen::Index k, double velocity) const {
-  const double change = max_change(k);
-  return std::clamp(std::clamp(velocity, bounds_[k].lower, bounds_[k].upper), last_[k] - change,
-                    last_[k] + change);
+  for (Eigen::Index k = 0; k < next_.size(); ++k) next_[k] = within_limits(k, next_[k]);
 }
 
 /// Changes next_ so that the clearances are kept.
 void ServoLoop::keep_clearance(const ConfigurationRef& q, bool commanded, ServoStep& result) {
-  for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    box_.lower[k] = velocity_within_limits(k, -Limits::none);
-    box_.upper[k] = velocity_within_limits(k, Limits::none);
-  }
-  const double scale = commanded ? solver_.task().achieved_scale(wanted_) : 1;
-  const DampedBy by = damper_->keep_clearance(q, last_, box_, wanted_, next_);
-  if (!commanded || !(by.pair || by.joint)) return;
+  fill_velocity_box(arm_, bounds_, last_, options_.time_step, box_);
+  const double scale = commanded ? solver_.task().achieved_scale(desired_) : 1;
+  const VelocityChange change = damper_->keep_clearance(q, last_, box_, desired_, next_);
+  result.proved = change.proved;
+  if (!commanded || !(change.pair || change.joint)) return;
   if (solver_.task().achieved_scale(next_) >= scale - negligible_scale) return;
-  result.joint = by.joint;
-  result.limit = by.pair ? ServoLimit::clearance : ServoLimit::position;
-  if (by.pair) result.bodies = damper_->names(*by.pair);
+  result.joint = change.joint;
+  result.limit = change.pair ? ServoLimit::clearance : ServoLimit::position;
+  if (change.pair) result.bodies = damper_->names(*change.pair);
 }
 
 /// Sets next_ on the straight line from the last velocity to the rates at this scale, as near to
@@ -281,7 +273,7 @@ ServoStep ServoLoop::step(const ConfigurationRef& q, const Twist& command,
   const double scale = scale_for_acceleration(rates, max_scale, result);
   null_.setZero();
   if (commanded && rates.regular && q.size() > task_.size()) fill_null_velocity(q, rates, scale);
-  if (damper_) wanted_ = scale * rates.velocity + null_;
+  if (damper_) desired_ = scale * rates.velocity + null_;
   apply_acceleration_limits(rates, scale, max_scale, result);
   if (damper_) keep_clearance(q, commanded, result);
   if (commanded) result.scale = solver_.task().achieved_scale(next_);
@@ -311,7 +303,7 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step) {
   out << "scale " << number(step.scale) << ", limit " << name(step.limit);
   if (step.joint) out << " of joint " << *step.joint + 1;
   if (step.bodies) out << " of " << (*step.bodies)[0] << " and " << (*step.bodies)[1];
-  return out;
+  return step.proved ? out : out << ", not proved";
 }
 
 Servo::Servo(const Arm& arm, const ServoOptions& options)

@@ -28,8 +28,7 @@ struct ServoOptions {
   /// Max angular speed of the command in step_towards(), rad/s, above 0.
   double angular_speed = Limits::none;
   /// Shapes of the arm in a scene, whose clearances the loop keeps; null: none. It must outlive the
-  /// loop. Its arm has the same links and base; the limits of the loop's arm
-  /// count.
+  /// loop. Its arm has the same links and base; the limits of the loop's arm count.
   const CollisionModel* model = nullptr;
   /// Max rate at which a distance falls towards its clearance, relative to the distance that is
   /// left, 1/s, above 0 and at most 1 / time_step. Used with a model.
@@ -57,10 +56,12 @@ struct ServoStep {
   std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
   /// The two bodies with the limit `clearance`; the first is a link's.
   std::optional<BodyNames> bodies = std::nullopt;
+  /// Whether the clearance is proved until a stop after this step; true without a model.
+  bool proved = true;
 };
 
 /// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1, or
-/// `scale 0.5, limit clearance of hand and wall`.
+/// `scale 0.5, limit clearance of hand and wall`; at the end `, not proved` if it is not.
 std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 
 /// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
@@ -83,14 +84,18 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 /// the bodies. The solution above is replaced, if necessary, by the velocity nearest to it in the
 /// tool's motion with which each distance d falls at most by damper_gain · (d − clearance)
 /// (velocity damper, Faverjon and Tournassoud 1987) and the arm can stop in front of the clearance.
-/// Then:
+/// While the arm brakes because no such velocity is found, d may fall faster than by the damper.
 ///
 /// - If the joints move linearly by q̇ · time_step from each step to the next, no distance falls
 ///   below its clearance, between the steps too. It is proved in each step for the motion to the
 ///   next one and the stop after it; a velocity that is not proved is not used. If the joints do
-///   otherwise, each step proves what follows from the q that it gets, and brakes if it cannot.
-/// - A pair of bodies that is below its clearance, or collides, does not come closer; the arm can
-///   move out.
+///   otherwise, each step proves what follows from the q that it gets, and brakes if it cannot:
+///   if the stop is not proved either, ServoStep::proved is false.
+///   Without acceleration limits, the stop after the motion takes one step, as q̇ may jump to zero.
+/// - A pair of bodies that is below its clearance does not come closer: its distance along the
+///   direction between its nearest points does not fall. Of bodies that overlap, this direction is
+///   the one in which the model finds that they separate soonest, and how far they overlap along it
+///   does not grow; they may overlap more in other directions. The arm can move out.
 /// - The tool may leave the commanded direction: it slides along a body. `scale` is the part of the
 ///   command that is left.
 /// - All joints stop in the same time, so that the arm stops on a straight line in joint space. In

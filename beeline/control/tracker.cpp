@@ -70,7 +70,10 @@ class TrackerLoop {
   void aim_at_command(const Pose& world_T_tool);
   void fill_desired_velocity();
   void limit_velocity();
-  double velocity_within_limits(Eigen::Index k, double velocity) const;
+  double within_limits(Eigen::Index k, double velocity) const {
+    const double change = arm_.limits(k).acceleration * options_.time_step;
+    return velocity_within(bounds_[k], velocity, step_.velocity[k], change);
+  }
   void keep_clearance();
   void move();
   void report(const Pose& world_T_tool, const GoalStatus& goal);
@@ -130,6 +133,7 @@ void TrackerLoop::reset(const ConfigurationRef& q) {
   step_ = {.q = start, .velocity = Configuration::Zero(q.size()), .error = {}};
   estimated_velocity_.setZero();
   solver_.reset(start);
+  if (damper_) damper_->reset();
 }
 
 /// Bounds the goal to stay near the arm. With a goal far away, all joints would wait for one that
@@ -165,9 +169,10 @@ void TrackerLoop::fill_goal_velocity(bool at_bound) {
   }
 }
 
-/// While a clearance holds the arm back, the goal is no aim: it is the nearest to the command
-/// within its bounds around the arm, and the straight line to it may lead away from the pose that
-/// is nearest to the command beside the body. Aims in the direction of the tool's error instead.
+/// While a clearance holds the arm back, the arm does not move towards the goal but in the
+/// direction of the tool's error. The goal is the nearest to the command within its bounds around
+/// the arm, and the straight line to it may lead away from the pose that is nearest to the command
+/// beside the body.
 void TrackerLoop::aim_at_command(const Pose& world_T_tool) {
   const Pose tool = task_at_arm_.set_configuration(step_.q);
   task_at_arm_.set_command(masked(task_, pose_error(world_T_tool, tool, task_.frame)));
@@ -209,18 +214,12 @@ void TrackerLoop::fill_desired_velocity() {
   desired_ *= scale;
 }
 
-double TrackerLoop::velocity_within_limits(Eigen::Index k, double velocity) const {
-  const double change = arm_.limits(k).acceleration * options_.time_step, last = step_.velocity[k];
-  return std::clamp(std::clamp(velocity, bounds_[k].lower, bounds_[k].upper), last - change,
-                    last + change);
-}
-
 /// Sets next_ to the velocity within the limits of this step that is nearest to the desired one.
 void TrackerLoop::limit_velocity() {
   fill_velocity_bounds(arm_, positions_, step_.q, options_.time_step, bounds_);
   double largest = 1e-9;  // largest difference relative to the velocity limit
   for (Eigen::Index k = 0; k < desired_.size(); ++k) {
-    next_[k] = velocity_within_limits(k, desired_[k]);
+    next_[k] = within_limits(k, desired_[k]);
     const double difference = std::abs(next_[k] - desired_[k]) / arm_.limits(k).velocity;
     if (!(difference > largest)) continue;
     largest = difference;
@@ -233,18 +232,17 @@ void TrackerLoop::limit_velocity() {
 
 /// Changes next_ so that the clearances are kept.
 void TrackerLoop::keep_clearance() {
-  for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    box_.lower[k] = velocity_within_limits(k, -Limits::none);
-    box_.upper[k] = velocity_within_limits(k, Limits::none);
-  }
-  const DampedBy by = damper_->keep_clearance(step_.q, step_.velocity, box_, desired_, next_);
-  if (by.pair) {
+  fill_velocity_box(arm_, bounds_, step_.velocity, options_.time_step, box_);
+  const VelocityChange change =
+      damper_->keep_clearance(step_.q, step_.velocity, box_, desired_, next_);
+  step_.proved = change.proved;
+  if (change.pair) {
     step_.limit = ServoLimit::clearance;
     step_.joint = std::nullopt;
-    step_.bodies = damper_->names(*by.pair);
-  } else if (by.joint) {
+    step_.bodies = damper_->names(*change.pair);
+  } else if (change.joint) {
     step_.limit = ServoLimit::position;
-    step_.joint = by.joint;
+    step_.joint = change.joint;
   }
 }
 
@@ -301,7 +299,7 @@ const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
   step_.bodies = std::nullopt;
   fill_goal_velocity(goal.blocking >= 0);
   aim_ = solver_.goal();
-  if (damper_ && damper_->is_held()) aim_at_command(command);
+  if (damper_ && damper_->is_changing()) aim_at_command(command);
   fill_desired_velocity();
   limit_velocity();
   if (damper_) keep_clearance();
@@ -323,8 +321,9 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step) {
   if (step.joint) out << " of joint " << *step.joint + 1;
   if (step.bodies) out << " of " << (*step.bodies)[0] << " and " << (*step.bodies)[1];
   if (step.assumed) out << " (assumed)";
-  return out << ", error " << number(step.error.position) << " m, "
-             << number(step.error.orientation) << " rad";
+  out << ", error " << number(step.error.position) << " m, " << number(step.error.orientation)
+      << " rad";
+  return step.proved ? out : out << ", not proved";
 }
 
 Tracker::Tracker(const Arm& arm, const ConfigurationRef& start, const TrackerOptions& options)

@@ -55,10 +55,12 @@ struct TrackerStep {
   bool assumed = false;  ///< whether the limit is assumed
   /// The two bodies with the limit `clearance`; the first is a link's.
   std::optional<BodyNames> bodies = std::nullopt;
+  /// Whether the clearance is proved until a stop after this step; true without a model.
+  bool proved = true;
 };
 
 /// Writes `limited, limit velocity of joint 2 (assumed), error 0.01 m, 0.2 rad`, coordinates
-/// counted from 1.
+/// counted from 1; at the end `, not proved` if it is not.
 std::ostream& operator<<(std::ostream& out, const TrackerStep& step);
 
 /// Follows commanded tool poses, such as the poses of a hand controller, in a control loop. Its

@@ -46,15 +46,16 @@ struct ServoMotion {
   ServoLimit limit = ServoLimit::none;
   std::optional<int> joint = std::nullopt;
   std::optional<BodyNames> bodies = std::nullopt;
+  bool proved = true;
 };
 inline std::ostream& operator<<(std::ostream& out, const ServoMotion& motion) {
-  return out << ServoStep{motion.scale, motion.limit, motion.joint, motion.bodies};
+  return out << ServoStep{motion.scale, motion.limit, motion.joint, motion.bodies, motion.proved};
 }
 
 template <>
 struct Fields<ServoMotion>
     : Members<&ServoMotion::velocity, &ServoMotion::scale, &ServoMotion::limit, &ServoMotion::joint,
-              &ServoMotion::bodies> {
+              &ServoMotion::bodies, &ServoMotion::proved> {
   static constexpr const char* name = "ServoStep";
 };
 
@@ -70,8 +71,9 @@ struct Fields<TrackingError>
     : Members<&TrackingError::largest, &TrackingError::rms, &TrackingError::steps> {};
 
 template <>
-struct Fields<TrackerStep> : Members<&TrackerStep::q, &TrackerStep::velocity, &TrackerStep::status,
-                                     &TrackerStep::error, &TrackerStep::limit, &TrackerStep::joint,
-                                     &TrackerStep::assumed, &TrackerStep::bodies> {};
+struct Fields<TrackerStep>
+    : Members<&TrackerStep::q, &TrackerStep::velocity, &TrackerStep::status, &TrackerStep::error,
+              &TrackerStep::limit, &TrackerStep::joint, &TrackerStep::assumed, &TrackerStep::bodies,
+              &TrackerStep::proved> {};
 
 }  // namespace beeline::python

@@ -19,6 +19,7 @@ ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
   motion.limit = done.limit;
   motion.joint = done.joint;
   motion.bodies = kept_names(done.bodies);
+  motion.proved = done.proved;
   std::copy(motion.velocity.begin(), motion.velocity.end(), velocity.data());
   velocity.finish();
   return motion;

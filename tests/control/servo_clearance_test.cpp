@@ -72,6 +72,7 @@ void expect_clearance_for_random_commands(const std::string& name, const std::st
       const ServoStep step = servo.step(q, command, v);
       ASSERT_EQ(allocations, allocated);
       if (step.limit == ServoLimit::clearance) ++held;
+      ASSERT_TRUE(step.proved);
       ASSERT_EQ(step.bodies.has_value(), step.limit == ServoLimit::clearance);
       cell.expect_kept(q, v, before);
       if (::testing::Test::HasFatalFailure()) return;
@@ -223,6 +224,23 @@ TEST(ServoClearance, KeepsTheClearanceFromMeasuredConfigurations) {
   }
 }
 
+/// The arm is set nearer to the wall while it moves towards it.
+TEST(ServoClearance, SaysThatAStepIsNotProved) {
+  AtWall at;
+  Servo servo(at.cell.arm, {.model = &at.cell.model});
+  while (excess_at(at.cell.model, at.q) > 1e-3) {
+    at.move(servo, into_wall, 1);
+    ASSERT_TRUE(at.last.proved);
+  }
+  ASSERT_GT(at.v.norm(), 1e-3);
+  at.q += 1e-3 / at.v.norm() * at.v;
+  while (excess_at(at.cell.model, at.q) > -1e-5) at.q += 1e-3 * at.v;
+  at.move(servo, into_wall, 1);
+  EXPECT_FALSE(at.last.proved);
+  at.move(servo, into_wall, 200);  // it has stopped
+  EXPECT_TRUE(at.last.proved);
+}
+
 TEST(ServoClearance, CopiesContinueIndependently) {
   AtWall at;
   Servo servo(at.cell.arm, {.model = &at.cell.model});
@@ -256,6 +274,9 @@ TEST(ServoClearance, StepsNameTheBodies) {
   std::ostringstream text;
   text << ServoStep{0.5, ServoLimit::clearance, std::nullopt, BodyNames{"hand", "wall"}};
   EXPECT_EQ(text.str(), "scale 0.5, limit clearance of hand and wall");
+  text.str("");
+  text << ServoStep{.proved = false};
+  EXPECT_EQ(text.str(), "scale 1, limit none, not proved");
 }
 
 TEST(ServoClearance, RefusesAnotherArmAndInvalidGains) {

@@ -38,6 +38,7 @@ TEST_P(AnyPose, KeepsTheClearanceAndTheLimits) {
       const TrackerStep& step = tracker.step(command);
       ASSERT_EQ(allocations, allocated);
       if (step.limit == ServoLimit::clearance) ++held;
+      ASSERT_TRUE(step.proved);
       ASSERT_EQ(step.bodies.has_value(), step.limit == ServoLimit::clearance);
       ASSERT_GE(excess_at(model, step.q), -distance_rounding) << run << ' ' << i;
       ASSERT_GE(excess_at(model, step.q - loop_step / 2 * step.velocity), -distance_rounding);
@@ -131,6 +132,21 @@ TEST(TrackerClearance, MovesOutOfAClearance) {
   EXPECT_EQ(tracker.step(at.home).status, TrackerStatus::following);
 }
 
+TEST(TrackerClearance, ContinuesAfterAResetAsANewOne) {
+  const TrackerAtWall at;
+  Pose command = at.home;
+  command.translation() += Vector3(0.3, 0.15, -0.1);  // behind the wall
+  Tracker tracker(at.arm, at.q, {.model = &at.model});
+  for (int i = 0; i < 1500; ++i) tracker.step(command);
+  const Configuration start = tracker.configuration();
+  tracker.reset(start);
+  Tracker made(at.arm, start, {.model = &at.model});
+  for (int i = 0; i < 500; ++i) {
+    const Pose& aim = i < 250 ? at.home : command;
+    ASSERT_EQ(tracker.step(aim).q, made.step(aim).q) << i;
+  }
+}
+
 TEST(TrackerClearance, StepsNameTheBodies) {
   TrackerStep step;
   step.status = TrackerStatus::limited;
@@ -139,6 +155,9 @@ TEST(TrackerClearance, StepsNameTheBodies) {
   std::ostringstream text;
   text << step;
   EXPECT_EQ(text.str(), "limited, limit clearance of hand and wall, error 0 m, 0 rad");
+  step.proved = false;
+  text << step;
+  EXPECT_NE(text.str().find("0 rad, not proved"), std::string::npos);
 }
 
 TEST(TrackerClearance, RefusesAnotherArm) {

@@ -10,6 +10,8 @@ namespace beeline::internal {
 template <class T>
 class BoundedList {
  public:
+  using Iterator = typename std::vector<T>::iterator;
+
   explicit BoundedList(std::size_t capacity) : items_(capacity) {}
 
   std::size_t size() const { return size_; }
@@ -26,8 +28,8 @@ class BoundedList {
   }
 
   const T& operator[](std::size_t i) const { return items_[i]; }
-  auto begin() { return items_.begin(); }
-  auto end() { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
+  Iterator begin() { return items_.begin(); }
+  Iterator end() { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
   auto begin() const { return items_.begin(); }
   auto end() const { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double unknown_excess = -std::numeric_limits<double>::infinity();
 constexpr double outwards = 1 + 1e-12;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Coordinates by which the range of a reach exceeds the motion, rad or m. A sliding arm computes
 /// its reaches again when it leaves the range.
@@ -29,7 +30,13 @@ BodyMotions::BodyMotions(const CollisionBodies& bodies)
     slides_ = true;
     reaches_.back().of.resize(link.carried.frame + 1);
   }
-  if (slides_) cover(lower_, Eigen::VectorXd::Zero(lower_.size()));
+  reset();
+}
+
+void BodyMotions::reset() {
+  if (!slides_) return;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(lower_.size());
+  cover(zero, zero);
 }
 
 /// Computes the reaches for a motion from q.
@@ -96,8 +103,20 @@ PairBounds::PairBounds(const CollisionBodies& bodies) : bodies_(&bodies), motion
   for (const auto& pair : bodies.apart_pairs) {
     pairs_.push_back({pair.first, pair.second, false, true, bodies.options.clearance});
   }
-  excess_.assign(pairs_.size(), unknown_excess);
+  excess_.resize(pairs_.size());
   at_ = moved_ = Eigen::VectorXd::Zero(bodies.arm.dof());
+  reset();
+}
+
+void PairBounds::reset() {
+  std::fill(excess_.begin(), excess_.end(), unknown_excess);
+  has_moved_ = false;
+  motions_.reset();
+}
+
+/// Lowers a bound by a displacement, with the rounding of the difference.
+void PairBounds::lower(std::size_t i, double displacement) {
+  excess_[i] -= displacement + epsilon * std::abs(excess_[i]);
 }
 
 void PairBounds::move_to(const ConfigurationRef& q) {
@@ -110,11 +129,11 @@ void PairBounds::move_to(const ConfigurationRef& q) {
     const Range& range = of_body_[i];
     if (range.begin == range.end) continue;
     const double distance = motions_.of(i, 0);
-    for (std::size_t k = range.begin; k < range.end; ++k) excess_[k] -= distance;
+    for (std::size_t k = range.begin; k < range.end; ++k) lower(k, distance);
   }
   for (std::size_t k = first_self_pair_; k < pairs_.size(); ++k) {
     const BodyPair& pair = pairs_[k];
-    excess_[k] -= motions_.of(pair.first, bodies_->link_bodies[pair.second].carried.frame);
+    lower(k, motions_.of(pair.first, bodies_->link_bodies[pair.second].carried.frame));
   }
 }
 

@@ -21,6 +21,9 @@ class BodyMotions {
  public:
   explicit BodyMotions(const CollisionBodies& bodies);
 
+  /// Continues as a new object does.
+  void reset();
+
   /// Sets a motion of the joints from q, rad or m.
   void set(const ConfigurationRef& q, const Eigen::VectorXd& motion);
 
@@ -46,6 +49,9 @@ class PairBounds {
  public:
   explicit PairBounds(const CollisionBodies& bodies);
 
+  /// Forgets all bounds, as a new object does.
+  void reset();
+
   /// Moves from the last configuration to q.
   void move_to(const ConfigurationRef& q);
 
@@ -70,6 +76,8 @@ class PairBounds {
   const BodyMotions& motions() const { return motions_; }
 
  private:
+  void lower(std::size_t i, double displacement);
+
   std::vector<BodyPair> pairs_;  ///< with obstacles, in the order of the bodies, then of links
   std::vector<double> excess_;
   std::vector<Range> of_body_;

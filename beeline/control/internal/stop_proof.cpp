@@ -8,9 +8,13 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int max_parts = 4;         // of the line
-constexpr double fine_bound = 4e-4;  // m, remainder of the bounds on a part of the line
-constexpr std::size_t max_near = 256;
+constexpr int max_parts = 4;           // of the line
+constexpr double fine_bound = 4e-4;    // m, remainder of the bounds on a part of the line
+constexpr std::size_t max_near = 256;  // pairs
+
+/// m, by which a distance may exceed a clearance and count as equal. Bodies that are placed at
+/// their clearance would else be undecided, and the arm could not leave.
+constexpr double resolution = 1e-9;
 
 }  // namespace
 
@@ -21,12 +25,18 @@ StopProof::StopProof(const CollisionBodies& bodies, double gain)
       motion_(bodies.motion),
       placed_(bodies.link_bodies.size()),
       is_placed_(placed_.size()),
-      known_(pairs_.size()),
+      last_separations_(pairs_.size()),
       near_(std::min(max_near, pairs_.size())),
       line_(bodies.arm.dof()),
       part_line_(bodies.arm.dof()),
       at_(bodies.arm.dof()),
       zero_(Eigen::VectorXd::Zero(bodies.arm.dof())) {}
+
+void StopProof::reset() {
+  pairs_.reset();
+  for (LastSeparation& last : last_separations_) last.step = 0;
+  near_.clear();
+}
 
 void StopProof::begin_step(const ConfigurationRef& q) {
   pairs_.move_to(q);
@@ -40,11 +50,17 @@ std::array<std::string_view, 2> StopProof::names(std::size_t index) const {
   return {first, bodies_->name_of(bodies_->link_bodies[pair.second])};
 }
 
-std::optional<std::size_t> StopProof::closest_pair() const {
+std::optional<std::size_t> StopProof::violated_pair() const {
   if (near_.empty()) return std::nullopt;
-  return std::min_element(near_.begin(), near_.end(),
-                          [](const auto& a, const auto& b) { return a.worst < b.worst; })
-      ->pair;
+  if (too_many_) return near_[0].pair;
+  const auto closest = std::min_element(
+      near_.begin(), near_.end(), [](const auto& a, const auto& b) { return a.least < b.least; });
+  if (closest->least < 0) return closest->pair;
+  const auto fastest = std::min_element(
+      near_.begin(), near_.end(),
+      [this](const auto& a, const auto& b) { return damper_slack(a) < damper_slack(b); });
+  if (damper_slack(*fastest) < 0) return fastest->pair;
+  return std::nullopt;
 }
 
 void StopProof::set_frames(const ConfigurationRef& q, int part, int parts) {
@@ -59,6 +75,7 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   time_ = time;
   line_ = line;
   near_.clear();
+  too_many_ = false;
   parts_ = 1;
   if (line_.isZero(0)) return true;
   if (!find_near_pairs(q)) return false;
@@ -66,8 +83,8 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   parts_ = part_count();
   if (parts_ == 1) return false;
   for (NearPair& near : near_) {
-    near.finished = near.worst >= 0;
-    if (!near.finished) near.worst = std::numeric_limits<double>::infinity();
+    near.finished = near.least >= 0;
+    if (!near.finished) near.least = std::numeric_limits<double>::infinity();
   }
   bool proved = true;
   for (int part = 0; part < parts_; ++part) {
@@ -78,8 +95,8 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   return proved;
 }
 
-/// Whether a pair may come close by what is known without the frames.
-bool StopProof::is_in_reach() const {
+/// Whether a pair may come close, by the bounds of its distance and of the joints' motions alone.
+bool StopProof::is_in_reach(bool keeps_apart) const {
   const double factor = std::max(1.0, 1 / (gain_ * time_));
   const BodyMotions& motions = pairs_.motions();
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
@@ -89,6 +106,7 @@ bool StopProof::is_in_reach() const {
   }
   for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
     const BodyPair& pair = pairs_.pair(k);
+    if (pair.is_apart && keeps_apart) continue;
     if (!(pairs_.excess(k) >= factor * motions.of(pair.first, frame_of_second(pair)))) return true;
   }
   return false;
@@ -112,12 +130,12 @@ double StopProof::displacement(const MovingCapsule& moving) const {
                   first_order / (gain_ * time_));
 }
 
-/// Sets near_. Returns false if there are too many pairs.
+/// Sets near_, the nearest pairs first. Returns false if there are too many.
 bool StopProof::find_near_pairs(const ConfigurationRef& q) {
   pairs_.motions().set(q, line_);
-  if (!is_in_reach()) return true;
   at_ = q + line_;
   const bool keeps_apart = bodies_->keeps_apart(q) && bodies_->keeps_apart(at_);
+  if (!is_in_reach(keeps_apart)) return true;
   set_frames(q, 0, 1);
   const double factor = std::max(1.0, 1 / (gain_ * time_));
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
@@ -138,7 +156,9 @@ bool StopProof::find_near_pairs(const ConfigurationRef& q) {
     const double reach = displacement(moving);
     if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
   }
-  return !near_.full() || near_.size() == pairs_.size();
+  std::sort(near_.begin(), near_.end(),
+            [](const auto& a, const auto& b) { return a.excess < b.excess; });
+  return !too_many_;
 }
 
 const ConvexBody& StopProof::placed(std::uint32_t body) {
@@ -171,8 +191,8 @@ double StopProof::rounding(const BodyPair& pair) {
 Separation StopProof::separate(std::size_t index) {
   const BodyPair& pair = pairs_.pair(index);
   const ConvexBody &first = placed(pair.first), &second = second_of(pair);
-  Vector3 guess = known_[index].step > 0 ? known_[index].points.direction
-                                         : Vector3(second.centre - first.centre);
+  Vector3 guess = last_separations_[index].step > 0 ? last_separations_[index].points.direction
+                                                    : Vector3(second.centre - first.centre);
   if (guess.isZero(0)) guess = Vector3::UnitX();
   return separation(first, second, guess);
 }
@@ -196,40 +216,57 @@ bool StopProof::is_clear_along(const BodyPair& pair, const MovingCapsule& moving
 void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, double reach) {
   const BodyPair& pair = pairs_.pair(index);
   const ConvexBody &first = placed(pair.first), &second = second_of(pair);
-  if (known_[index].step != step_) {
+  if (last_separations_[index].step != step_) {
     const Vector3 between = second.centre - first.centre;
     const double length = between.norm();
-    const bool is_known = known_[index].step > 0;
+    const bool is_known = last_separations_[index].step > 0;
     if (is_known || length > 0) {
-      const Vector3 n = is_known ? known_[index].points.direction : Vector3(between / length);
+      const Vector3 n =
+          is_known ? last_separations_[index].points.direction : Vector3(between / length);
       double excess = 0;
       const bool is_clear = is_clear_along(pair, moving, n, excess);
       if (excess > pairs_.excess(index)) pairs_.set_excess(index, excess);
       if (is_clear) return;
     }
   }
-  if (near_.full()) return;
+  if (near_.full() && pairs_.excess(index) >= farthest_near()->excess) {
+    too_many_ = true;
+    return;
+  }
   const double rounded = rounding(pair);
-  Known& known = known_[index];
+  LastSeparation& known = last_separations_[index];
   if (known.step != step_) {
     const Separation found = separate(index);
-    known = {found.points, found.lower - rounded - pair.clearance, step_};
+    known = {found.points, found.lower - rounded - pair.clearance,
+             found.upper + rounded < pair.clearance + resolution, step_};
     pairs_.set_excess(index, std::max(pairs_.excess(index), known.excess));
   }
   if (known.excess >= reach) return;
   NearPair near;
   near.pair = index;
   near.rounding = rounded;
-  near.at_start = near.latest = known.points;
-  near.worst = std::numeric_limits<double>::infinity();
-  near_.push_back(near);
+  near.excess = known.excess;
+  near.is_below = known.is_below;
+  near.start_points = near.last_points = known.points;
+  near.least = std::numeric_limits<double>::infinity();
+  too_many_ = too_many_ || near_.full();
+  if (!near_.full()) {
+    near_.push_back(near);
+  } else if (const auto farthest = farthest_near(); near.excess < farthest->excess) {
+    *farthest = near;
+  }
+}
+
+BoundedList<StopProof::NearPair>::Iterator StopProof::farthest_near() {
+  return std::max_element(near_.begin(), near_.end(),
+                          [](const auto& a, const auto& b) { return a.excess < b.excess; });
 }
 
 /// Returns the number of parts with which the remainder of each is small.
 int StopProof::part_count() const {
   double largest = 0;
   for (const NearPair& near : near_) {
-    if (near.worst < 0) largest = std::max(largest, near.remainder);
+    if (near.least < 0) largest = std::max(largest, near.remainder);
   }
   const double parts = std::ceil(std::sqrt(largest / fine_bound));
   return parts < max_parts ? std::max(1, static_cast<int>(parts)) : max_parts;
@@ -246,8 +283,9 @@ StopProof::PartBound StopProof::bound_on_part(const BodyPair& pair, const Vector
 }
 
 /// Bounds the distances of near_ from below on a part of the line, at whose start the frames are.
-/// Along a direction n, with s from 0 to 1 on the part, the distance is at least (1 - s) start + s
-/// end - s^2 remainder: it is concave in s, and least at an end. The part before bounds the start.
+/// Along a direction n that is fixed to the second body, with s from 0 to 1 on the part, the
+/// distance is at least (1 - s) start + s end - s^2 remainder: it is concave in s, and least at an
+/// end.
 bool StopProof::prove_part(int part, int parts) {
   bool proved = true;
   for (NearPair& near : near_) {
@@ -256,23 +294,30 @@ bool StopProof::prove_part(int part, int parts) {
     const ChainMotion::TubeBounds bounds =
         motion_.bounds(pairs_.motions().reach(pair.first),
                        bodies_->link_bodies[pair.first].carried.frame, frame_of_second(pair));
-    PartBound along = bound_on_part(pair, near.latest.direction);
-    if (part > 0 && along.end - bounds.remainder < near.floor) {
-      near.latest = separate(near.pair).points;
-      along = bound_on_part(pair, near.latest.direction);
+    PartBound along = bound_on_part(pair, near.last_points.direction);
+    // The direction of the part before is another one in the frame of a second body that moves.
+    if (part > 0 && std::min(along.start, along.end - bounds.remainder) < near.floor) {
+      near.last_points = separate(near.pair).points;
+      along = bound_on_part(pair, near.last_points.direction);
     }
-    if (part == 0) near.floor = std::min(pair.clearance + near.rounding, along.start);
+    if (part == 0) {
+      near.floor = pair.clearance + near.rounding;
+      if (near.is_below) near.floor = std::min(near.floor, along.start);
+    }
     if (parts == 1) {
       near.approach = along.start - along.end;
       near.remainder = bounds.remainder;
       near.gap = along.start;
     }
-    const double least = along.end - bounds.remainder - near.floor;
-    if (least < near.worst) {
-      near.worst = least;
-      near.lever = static_cast<double>(part + 1) / parts;
+    double least = along.end - bounds.remainder - near.floor;
+    const double at_start = along.start - near.floor;
+    const bool start_is_least = (part > 0 || at_start < 0) && at_start < least;
+    if (start_is_least) least = at_start;
+    if (least < near.least) {
+      near.least = least;
+      near.least_at = static_cast<double>(std::max(1, start_is_least ? part : part + 1)) / parts;
       near.part = part;
-      near.at_worst = near.latest;
+      near.least_points = near.last_points;
     }
     near.finished = along.start - near.floor - (parts - part) * bounds.displacement > 0;
     proved = proved && least >= 0;
@@ -280,11 +325,15 @@ bool StopProof::prove_part(int part, int parts) {
   return proved;
 }
 
+/// By how much less than the damper allows the distance falls, to first order, m; negative if more.
+double StopProof::damper_slack(const NearPair& near) const {
+  constexpr double rounding = 1e-12;
+  return gain_ * time_ * (near.gap - near.floor) - near.approach + rounding;
+}
+
 bool StopProof::is_damped() const {
-  const double ahead = gain_ * time_;
-  return std::all_of(near_.begin(), near_.end(), [ahead](const NearPair& near) {
-    return near.approach <= ahead * (near.gap - near.floor) + 1e-12;
-  });
+  return std::all_of(near_.begin(), near_.end(),
+                     [this](const NearPair& near) { return damper_slack(near) >= 0; });
 }
 
 void StopProof::fill_gradient(std::size_t index, const NearestPoints& points,

@@ -13,30 +13,37 @@
 namespace beeline::internal {
 
 /// Proves that a straight joint motion from the current configuration keeps the clearances of a
-/// CollisionModel: the line q + s (line), s from 0 to 1. A pair of bodies that is closer than its
-/// clearance at q must not come closer on the line. Does not allocate after construction.
+/// CollisionModel: the line q + s (line), s from 0 to 1. A pair of bodies that is certainly at or
+/// below its clearance at q must not come closer on the line, along the direction of its nearest
+/// points. If the bounds of its distance at q do not decide it, the line is not proved. Does not
+/// allocate after construction.
 class StopProof {
  public:
   /// A pair of bodies that may come below its clearance on the line.
   struct NearPair {
     std::size_t pair = 0;
+    double excess = 0;      ///< lower bound of its distance beyond its clearance at q, m
     double rounding = 0;    ///< of distances, m
     double remainder = 0;   ///< of the whole line, m
-    double floor = 0;       ///< distance that is kept on the line, m
+    double floor = 0;       ///< distance that is kept on the line, with its rounding, m
     double gap = 0;         ///< distance at q, m
     double approach = 0;    ///< decrease of the distance on the line to first order at q, m
-    double worst = 0;       ///< least lower bound on the line beyond `floor`, m
-    double lever = 0;       ///< s where it is
+    double least = 0;       ///< least lower bound on the line beyond `floor`, m
+    double least_at = 0;    ///< s where it is
     int part = 0;           ///< its part of the line
     bool finished = false;  ///< whether the rest of the line is proved
-    NearestPoints at_start, at_worst;
-    NearestPoints latest;  ///< of the last separation on the line
+    bool is_below = false;  ///< whether it is at or below its clearance at q
+    NearestPoints start_points, least_points;
+    NearestPoints last_points;  ///< of the last separation on the line
   };
 
   enum class Effort { first_violation, all_pairs };
 
   /// `gain` is the one of the damper, 1/s, for which near() looks ahead.
   StopProof(const CollisionBodies& bodies, double gain);
+
+  /// Forgets the steps so far.
+  void reset();
 
   void begin_step(const ConfigurationRef& q);
 
@@ -46,11 +53,13 @@ class StopProof {
   bool prove(const ConfigurationRef& q, const Eigen::VectorXd& line, double time, Effort effort);
 
   // Of the line of the last proof:
-  const BoundedList<NearPair>& near() const { return near_; }
+  const BoundedList<NearPair>& near() const { return near_; }  ///< the nearest first
   double time() const { return time_; }
   int parts() const { return parts_; }  ///< number of parts that the line is divided into
-  /// Returns the pair that comes closest.
-  std::optional<std::size_t> closest_pair() const;
+  /// Returns the pair that comes closest if that is below its clearance, else the one whose
+  /// distance falls fastest if that is faster than the damper allows. With more near pairs than
+  /// near() holds, returns the nearest.
+  std::optional<std::size_t> violated_pair() const;
   /// Whether no distance falls faster than the damper allows.
   bool is_damped() const;
 
@@ -65,18 +74,22 @@ class StopProof {
 
  private:
   /// The separation of a pair in the last step that computed it.
-  struct Known {
+  struct LastSeparation {
     NearestPoints points;
     double excess = 0;
-    std::uint32_t step = 0;
+    bool is_below = false;
+    std::uint64_t step = 0;
   };
-  /// A lower bound of a distance along a direction, at both ends of a part of the line, m.
+  /// A lower bound of a distance along a direction, at both ends of a part of the line, m. The end
+  /// is to first order.
   struct PartBound {
     double start = 0, end = 0;
   };
 
   bool find_near_pairs(const ConfigurationRef& q);
-  bool is_in_reach() const;
+  bool is_in_reach(bool keeps_apart) const;
+  BoundedList<NearPair>::Iterator farthest_near();
+  double damper_slack(const NearPair& near) const;
   MovingCapsule capsule(std::uint32_t body, std::size_t from) const;
   double displacement(const MovingCapsule& capsule) const;
   void add_if_near(std::size_t pair, const MovingCapsule& capsule, double reach);
@@ -98,9 +111,10 @@ class StopProof {
   ChainMotion motion_;
   std::vector<ConvexBody> placed_;
   std::vector<char> is_placed_;
-  std::vector<Known> known_;  ///< of each pair
-  std::uint32_t step_ = 0;    ///< counts steps, from 1
-  BoundedList<NearPair> near_;
+  std::vector<LastSeparation> last_separations_;  ///< of each pair
+  std::uint64_t step_ = 0;                        ///< counts steps, from 1
+  BoundedList<NearPair> near_;                    ///< the nearest first
+  bool too_many_ = false;                         ///< whether more pairs are near than near_ holds
   double time_ = 0;
   int parts_ = 1;
   Eigen::VectorXd line_, part_line_, at_, zero_;

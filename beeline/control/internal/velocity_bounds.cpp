@@ -5,6 +5,19 @@
 
 namespace beeline::internal {
 
+double velocity_within(const VelocityBounds& bounds, double velocity, double last, double change) {
+  return std::clamp(std::clamp(velocity, bounds.lower, bounds.upper), last - change, last + change);
+}
+
+void fill_velocity_box(const Arm& arm, const std::vector<VelocityBounds>& bounds,
+                       const Eigen::VectorXd& last, double time_step, VelocityBox& box) {
+  for (Eigen::Index k = 0; k < last.size(); ++k) {
+    const double change = arm.limits(k).acceleration * time_step;
+    box.lower[k] = velocity_within(bounds[k], -Limits::none, last[k], change);
+    box.upper[k] = velocity_within(bounds[k], Limits::none, last[k], change);
+  }
+}
+
 double max_stopping_speed(double distance, double acceleration, double time_step) {
   if (!(distance > 0)) return 0;
   if (!std::isfinite(acceleration) || !std::isfinite(distance)) return distance / time_step;

@@ -19,6 +19,21 @@ struct VelocityBounds {
   ServoLimit limit(double velocity) const { return velocity > 0 ? upper_limit : lower_limit; }
 };
 
+/// Returns the velocity nearest to `velocity` within the bounds of this step, `change` being the
+/// largest change of the last velocity. If both exclude each other, the velocity is within `change`
+/// of the last one.
+double velocity_within(const VelocityBounds& bounds, double velocity, double last, double change);
+
+/// The joint velocities that the limits of the joints allow in one step.
+struct VelocityBox {
+  Eigen::VectorXd lower, upper;  ///< rad/s or m/s
+};
+
+/// Sets the box to the ends of velocity_within() for each coordinate. Does not allocate if the box
+/// has its size.
+void fill_velocity_box(const Arm& arm, const std::vector<VelocityBounds>& bounds,
+                       const Eigen::VectorXd& last, double time_step, VelocityBox& box);
+
 /// Returns the largest speed v at which a coordinate can stop within `distance`, if it continues
 /// for one time step h and then brakes with acceleration a: v h + v^2 / (2 a) = distance. Without
 /// an acceleration limit v = distance / h.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <beeline/control/internal/velocity_damper.h>
 #include <beeline/error.h>
@@ -8,13 +9,22 @@
 namespace beeline::internal {
 namespace {
 
+/// Parts of a line from which a second projection is left out, which would take too long.
 constexpr int few_parts = 3;
-constexpr double margin = 1e-7;  // m, that the linear inequalities add to the clearance
+
+/// Distance that the linear inequalities add to the clearance, m, for the curvature of the line
+/// about which they are linear.
+constexpr double margin = 1e-7;
+
+/// Largest number of inequalities. A pair adds one or two.
 constexpr int max_rows = 24;
 
-// Weight of the tool's rotation, so that a tool that is pushed against a wall does not tilt, and of
-// the joint motion, relative to the tool's translation.
+/// Weight of the tool's rotation relative to its translation, each in the units of the task, so
+/// that a tool that is pushed against a wall does not tilt.
 constexpr double rotation_weight = 100;
+
+/// Weight of the joint motion, as a fraction of the mean square of the task's columns. It makes the
+/// velocity unique, and is too small to lead the tool aside.
 constexpr double joint_weight = 1e-4;
 
 const CollisionBodies& bodies_for(const Arm& arm, const CollisionModel& model, double time_step,
@@ -41,6 +51,8 @@ VelocityDamper::VelocityDamper(const Arm& arm, const Task& task, const Collision
       task_(arm, task),
       proof_(bodies_for(arm, model, time_step, gain), gain),
       line_(arm.dof()),
+      expected_(arm.dof()),
+      stepped_(arm.dof()),
       brake_(arm.dof()),
       trial_(arm.dof()),
       gradient_(arm.dof()),
@@ -68,17 +80,18 @@ double VelocityDamper::stopping_time(const Eigen::VectorXd& velocity) const {
   return time_step_ * (1 + steps - (steps > 0 ? fraction * steps * (steps + 1) / 2 : 0));
 }
 
-bool VelocityDamper::stops_within_limits(const ConfigurationRef& q,
-                                         const Eigen::VectorXd& velocity) const {
-  constexpr double rounding = 1e-12;
+/// Returns a coordinate that would stop beyond its position limits.
+std::optional<int> VelocityDamper::joint_beyond_limits(const ConfigurationRef& q,
+                                                       const Eigen::VectorXd& velocity) const {
+  constexpr double rounding = 1e-12;  // rad or m
   const double time = stopping_time(velocity);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double v = velocity[k], end = q[k] + time * v;
     if (v > 0 ? end > positions_.upper[k] + rounding : end < positions_.lower[k] - rounding) {
-      if (v != 0) return false;
+      if (v != 0) return static_cast<int>(k);
     }
   }
-  return true;
+  return std::nullopt;
 }
 
 /// Mixes the velocity with the braking one until the line ends within the position limits: joints
@@ -86,7 +99,7 @@ bool VelocityDamper::stops_within_limits(const ConfigurationRef& q,
 /// Returns the coordinate that needs it.
 std::optional<int> VelocityDamper::stop_within_limits(const ConfigurationRef& q,
                                                       Eigen::VectorXd& velocity) const {
-  if (stops_within_limits(q, velocity)) return std::nullopt;
+  if (!joint_beyond_limits(q, velocity)) return std::nullopt;
   std::optional<int> joint;
   const double time = std::max(stopping_time(velocity), stopping_time(brake_));
   double part = 1;
@@ -105,32 +118,69 @@ std::optional<int> VelocityDamper::stop_within_limits(const ConfigurationRef& q,
   return joint;
 }
 
-DampedBy VelocityDamper::keep_clearance(const ConfigurationRef& q, const Eigen::VectorXd& last,
-                                        const VelocityBox& box, const Eigen::VectorXd& wanted,
-                                        Eigen::VectorXd& velocity) {
+void VelocityDamper::reset() {
+  proof_.reset();
+  is_changing_ = last_proved_ = false;
+}
+
+VelocityChange VelocityDamper::keep_clearance(const ConfigurationRef& q,
+                                              const Eigen::VectorXd& last, const VelocityBox& box,
+                                              const Eigen::VectorXd& wanted,
+                                              Eigen::VectorXd& velocity) {
   proof_.begin_step(q);
   brake_ = std::max(0.0, 1 - braking_fraction(last)) * last;
-  DampedBy by{.joint = stop_within_limits(q, velocity)};
+  VelocityChange change = admit(q, box, wanted, velocity);
+  if (!change.proved) change.proved = is_brake_proved(q, last);
+  last_proved_ = change.proved;
+  expected_ = q + time_step_ * velocity;
+  stepped_ = velocity;
+  return change;
+}
+
+/// Changes the velocity of this step. The result says that it is not proved if the velocity becomes
+/// the braking one.
+VelocityChange VelocityDamper::admit(const ConfigurationRef& q, const VelocityBox& box,
+                                     const Eigen::VectorXd& wanted, Eigen::VectorXd& velocity) {
+  VelocityChange change{.joint = stop_within_limits(q, velocity)};
   const bool is_admitted = prove(q, velocity, StopProof::Effort::all_pairs) && proof_.is_damped();
-  held_ = !is_admitted || (held_ && !proof_.near().empty());
-  if (!held_) return by;
+  is_changing_ = !is_admitted || (is_changing_ && !proof_.near().empty());
+  if (!is_changing_) return change;
   trial_ = velocity;
-  if (!is_admitted) by = {.pair = proof_.closest_pair()};
+  if (!is_admitted) {
+    if (const auto pair = proof_.violated_pair()) {
+      change = {.pair = pair};
+    } else if (const auto joint = joint_beyond_limits(q, velocity)) {
+      change = {.joint = joint};
+    }
+  }
   for (int pass = 0; pass < 2 && (pass == 0 || proof_.parts() < few_parts); ++pass) {
     project(q, box, wanted);
     const int leading = constrained_.leading_row();
-    if (leading >= 0) by = {.pair = row_pairs_[static_cast<std::size_t>(leading)]};
+    if (leading >= 0) change = {.pair = row_pairs_[static_cast<std::size_t>(leading)]};
     if (prove(q, trial_,
               pass == 0 ? StopProof::Effort::all_pairs : StopProof::Effort::first_violation)) {
       velocity = trial_;
-      held_ = !is_reached(wanted);
-      return by;
+      is_changing_ = !is_reached(wanted);
+      return change;
     }
   }
-  if (is_admitted) return by;
+  if (is_admitted) return change;
   trial_ = brake_ + 0.5 * (trial_ - brake_);
-  velocity = prove(q, trial_, StopProof::Effort::first_violation) ? trial_ : brake_;
-  return by;
+  change.proved = prove(q, trial_, StopProof::Effort::first_violation);
+  velocity = change.proved ? trial_ : brake_;
+  return change;
+}
+
+/// Whether the braking velocity keeps the clearances: by the proof of the last step, whose line it
+/// continues if the arm is where that step led, to the rounding of the sum, or by its own.
+bool VelocityDamper::is_brake_proved(const ConfigurationRef& q, const Eigen::VectorXd& last) {
+  bool continues = last_proved_ && last == stepped_;
+  for (Eigen::Index k = 0; continues && k < q.size(); ++k) {
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(q[k]));
+    continues = std::abs(q[k] - expected_[k]) <= rounding;
+  }
+  return continues || prove(q, brake_, StopProof::Effort::first_violation);
 }
 
 /// Whether the line of a velocity is proved and ends within the position limits.
@@ -138,7 +188,7 @@ bool VelocityDamper::prove(const ConfigurationRef& q, const Eigen::VectorXd& vel
                            StopProof::Effort effort) {
   const double time = stopping_time(velocity);
   line_ = time * velocity;
-  return proof_.prove(q, line_, time, effort) && stops_within_limits(q, velocity);
+  return proof_.prove(q, line_, time, effort) && !joint_beyond_limits(q, velocity);
 }
 
 /// Whether trial_ is the wanted velocity.
@@ -167,13 +217,13 @@ void VelocityDamper::fill_rows(const ConfigurationRef& q, const Eigen::VectorXd&
       if (!has_frames) proof_.set_frames(q, part, proof_.parts());
       has_frames = true;
       if (part == 0) {
-        proof_.fill_gradient(near.pair, near.at_start, gradient_);
+        proof_.fill_gradient(near.pair, near.start_points, gradient_);
         // The braking velocity satisfies it, too.
         add(near, std::min(-gain_ * (near.gap - near.floor), gradient_.dot(brake_)));
       }
-      if (near.part != part || !std::isfinite(near.worst)) continue;
-      proof_.fill_gradient(near.pair, near.at_worst, gradient_);
-      add(near, gradient_.dot(about) + (margin - near.worst) / (near.lever * proof_.time()));
+      if (near.part != part || !std::isfinite(near.least)) continue;
+      proof_.fill_gradient(near.pair, near.least_points, gradient_);
+      add(near, gradient_.dot(about) + (margin - near.least) / (near.least_at * proof_.time()));
     }
   }
 }

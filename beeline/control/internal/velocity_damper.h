@@ -8,20 +8,18 @@
 #include <beeline/control/internal/bounded_list.h>
 #include <beeline/control/internal/constrained_velocity.h>
 #include <beeline/control/internal/stop_proof.h>
+#include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/internal/weighted_task.h>
 #include <beeline/inverse/numerical/bounds.h>
 
 namespace beeline::internal {
 
-/// The joint velocities that the limits of the joints allow in one step.
-struct VelocityBox {
-  Eigen::VectorXd lower, upper;  ///< rad/s or m/s
-};
-
-/// What changes a velocity: a pair of bodies, or a joint that stops before its position limit.
-struct DampedBy {
+/// The cause for which a velocity was changed most: a pair of bodies, or a joint that has to stop
+/// before its position limit. Without both, the velocity stays as it is.
+struct VelocityChange {
   std::optional<std::size_t> pair = std::nullopt;  ///< index for names()
   std::optional<int> joint = std::nullopt;         ///< coordinate
+  bool proved = true;  ///< whether the clearances are proved for the step and the stop after it
 };
 
 /// Keeps the clearance of a CollisionModel in a control loop.
@@ -40,8 +38,8 @@ struct DampedBy {
 /// velocity itself, which is proved already if the arm is where the last step left it.
 class VelocityDamper {
  public:
-  /// Throws Error if the model has another arm, and for a gain that is not
-  /// above 0 and at most 1 / time_step.
+  /// Throws Error if the model has another arm, and for a gain that is not above 0 and at most
+  /// 1 / time_step.
   VelocityDamper(const Arm& arm, const Task& task, const CollisionModel& model, double time_step,
                  double gain);
 
@@ -49,14 +47,16 @@ class VelocityDamper {
   /// it has to change, it becomes the admitted velocity nearest to `wanted`, which may be beyond
   /// the box, in this step and in the next ones until `wanted` is reached: a velocity that keeps
   /// the direction of the command within the acceleration limits could not leave the direction of a
-  /// wall. `last` is the velocity of the step before. Returns what changes it most; nothing if it
-  /// stays as it is.
-  DampedBy keep_clearance(const ConfigurationRef& q, const Eigen::VectorXd& last,
-                          const VelocityBox& box, const Eigen::VectorXd& wanted,
-                          Eigen::VectorXd& velocity);
+  /// wall. `last` is the velocity of the step before.
+  VelocityChange keep_clearance(const ConfigurationRef& q, const Eigen::VectorXd& last,
+                                const VelocityBox& box, const Eigen::VectorXd& wanted,
+                                Eigen::VectorXd& velocity);
 
-  /// Whether a clearance has changed the velocity in the last step or since it did.
-  bool is_held() const { return held_; }
+  /// Continues from another configuration as a new object does.
+  void reset();
+
+  /// Whether a clearance has changed the velocity, and the wanted one has not been reached since.
+  bool is_changing() const { return is_changing_; }
 
   /// Returns the names of the bodies of a pair. They live as long as the model.
   std::array<std::string_view, 2> names(std::size_t pair) const { return proof_.names(pair); }
@@ -64,12 +64,16 @@ class VelocityDamper {
  private:
   double stopping_time(const Eigen::VectorXd& velocity) const;
   double braking_fraction(const Eigen::VectorXd& velocity) const;
-  bool stops_within_limits(const ConfigurationRef& q, const Eigen::VectorXd& velocity) const;
+  std::optional<int> joint_beyond_limits(const ConfigurationRef& q,
+                                         const Eigen::VectorXd& velocity) const;
   std::optional<int> stop_within_limits(const ConfigurationRef& q, Eigen::VectorXd& velocity) const;
 
   bool prove(const ConfigurationRef& q, const Eigen::VectorXd& velocity, StopProof::Effort effort);
   void fill_rows(const ConfigurationRef& q, const Eigen::VectorXd& about);
   void project(const ConfigurationRef& q, const VelocityBox& box, const Eigen::VectorXd& wanted);
+  VelocityChange admit(const ConfigurationRef& q, const VelocityBox& box,
+                       const Eigen::VectorXd& wanted, Eigen::VectorXd& velocity);
+  bool is_brake_proved(const ConfigurationRef& q, const Eigen::VectorXd& last);
   bool is_reached(const Eigen::VectorXd& wanted) const;
 
   Arm arm_;
@@ -78,7 +82,9 @@ class VelocityDamper {
   WeightedTask task_;
   StopProof proof_;
   Eigen::VectorXd line_;
-  bool held_ = false;  ///< whether a clearance has changed the velocity until now
+  bool is_changing_ = false;
+  bool last_proved_ = false;            ///< whether the last step was proved
+  Eigen::VectorXd expected_, stepped_;  ///< where the last step leads, and its velocity
   Eigen::VectorXd brake_, trial_, gradient_, row_;
   ConstrainedVelocity constrained_;
   BoundedList<std::size_t> row_pairs_;
