@@ -275,8 +275,20 @@ def test_a_servo_keeps_the_clearance_of_a_model():
         pair = beeline.nearest_pair(model, q)
         assert pair.lower >= pair.clearance - 1e-9
     assert (step.limit, step.bodies, step.joint) == ("clearance", ("panda_link7", "wall"), None)
-    assert str(step).endswith("limit clearance of panda_link7 and wall")
+    assert str(step).endswith("limit clearance of panda_link7 and wall") and step.proved
     assert servo.step(q, [-0.1, 0, 0, 0, 0, 0]).bodies is None
+
+
+def test_a_servo_says_that_a_step_is_not_proved():
+    model = wall_model()
+    servo, q = beeline.Servo(PANDA, model=model), BEFORE_WALL
+    while (pair := beeline.nearest_pair(model, q)).lower > pair.clearance + 1e-3:
+        step = servo.step(q, [0.3, 0, 0, 0, 0, 0])
+        q = q + 1e-3 * step.velocity
+    while (pair := beeline.nearest_pair(model, q)).lower > pair.clearance:
+        q = q + 1e-3 * step.velocity
+    step = servo.step(q, [0.3, 0, 0, 0, 0, 0])
+    assert not step.proved and str(step).endswith(", not proved")
 
 
 def test_a_tracker_keeps_the_clearance_of_a_model():
@@ -289,6 +301,7 @@ def test_a_tracker_keeps_the_clearance_of_a_model():
         pair = beeline.nearest_pair(model, step.q)
         assert pair.lower >= pair.clearance - 1e-9
     assert (step.status, step.limit, step.bodies) == ("limited", "clearance", ("panda_link7", "wall"))
+    assert step.proved
 
 
 def test_a_loop_keeps_its_model_and_its_copies_do():

@@ -63,10 +63,11 @@ def test_every_member_of_python_is_described_in_its_header():
     without = {"::".join(member.split("::")[-2:]) for member in members} - set(texts)
     # Their words are of their enumeration, of the keywords of a budget, or of the structs of which these are the arrays.
     assert {name for name in without if name.split("::")[1] not in ("kind", "status", "method", "budget")} == {
-        "ServoMotion::scale", "ServoMotion::limit", "ServoMotion::joint", "ServoMotion::bodies", "ServoMotion::proved", "SliceArray::arm", "SliceArray::measure",
-        "SliceArray::at", "SliceArray::grid", "SliceArray::values", "CellArrays::branches", "CellArrays::manipulability",
-        "CellArrays::margin", "CellArrays::ending", "PositionArrays::directions", "PositionArrays::branches",
-        "PositionArrays::manipulability", "PositionArrays::margin"}
+        "ServoMotion::scale", "ServoMotion::limit", "ServoMotion::joint", "ServoMotion::bodies", "ServoMotion::proved",
+        "SliceArray::arm", "SliceArray::measure", "SliceArray::at", "SliceArray::grid", "SliceArray::values",
+        "CellArrays::branches", "CellArrays::manipulability", "CellArrays::margin", "CellArrays::ending",
+        "PositionArrays::directions", "PositionArrays::branches", "PositionArrays::manipulability",
+        "PositionArrays::margin"}
     assert "Profile" in enumerations
 
 
