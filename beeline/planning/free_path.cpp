@@ -181,7 +181,7 @@ class PathSearch {
   FreePath run(const std::vector<std::size_t>& free_goals) {
     try_straight(free_goals);
     if (free_goals.empty() || (found() && path_.goal == free_goals.front())) return path_;
-    const std::vector<std::size_t> closer = closer_than(path_.length, free_goals);
+    const std::vector<std::size_t> closer = closer_than(length(), free_goals);
     const auto near = closer_than(near_goals * distance(free_goals.front()), closer);
     if (near.size() < closer.size() && grow_trees(near, near_goal_edges)) return path_;
     grow_trees(closer, found() ? near_goal_edges : options_.max_edges);
@@ -190,6 +190,7 @@ class PathSearch {
 
  private:
   bool found() const { return !path_.waypoints.empty(); }
+  double length() const { return found() ? path_.length : std::numeric_limits<double>::infinity(); }
   double distance(std::size_t goal) const { return (goals_[goal] - start_).norm(); }
 
   std::vector<std::size_t> closer_than(double limit, std::vector<std::size_t> goals) const {
@@ -226,10 +227,10 @@ class PathSearch {
     if (!way.empty()) shorten(examined, options_.random_seed, options_.shortcuts, way);
     path_.edges += examined.count();
     if (way.empty()) return false;
-    const double length = chord_length(way).back();
-    if (length >= path_.length) return false;
+    const double found_length = chord_length(way).back();
+    if (found_length >= length()) return false;
     path_.waypoints = std::move(way);
-    path_.length = length;
+    path_.length = found_length;
     path_.goal = goals[goal];
     return true;
   }
@@ -239,7 +240,7 @@ class PathSearch {
   std::span<const Configuration> goals_;
   const FreePathOptions& options_;
   BudgetMeter& budget_;
-  FreePath path_{.length = std::numeric_limits<double>::infinity()};
+  FreePath path_;
 };
 
 }  // namespace
@@ -276,7 +277,6 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
     path.status = MotionStatus::reached;
     return path;
   }
-  path.length = 0;
   if (!budget.complete()) {
     set_ended(ReasonCode::ended_before_free_path, budget.ending(), path);
     path.reason.set(ReasonField::count, path.edges);

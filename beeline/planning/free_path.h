@@ -45,8 +45,7 @@ std::ostream& operator<<(std::ostream& out, const FreePath& path);
 /// clearance of the model: the straight joint motions to the goals first, then, unless the nearest
 /// goal is reached, two trees of random configurations that grow towards each other from both ends
 /// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. Each edge of the trees is
-/// proved before it is used. The path that is found is shortened; The result is the
-/// shortest path that was found.
+/// proved before it is used. The path is shortened, and the shortest one that is found is returned.
 /// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
 /// paths add radians and metres.
 ///

@@ -114,8 +114,7 @@ void bind_programs(nb::module_& m) {
       "other move changes the branch. A move 'around' is a motion of move_around() in the scene of "
       "the model, with the parts that the tool carries. verify() proves the deviation of all moves "
       "except joint motions, with all pauses. Raises Error for a program that makes no sense, "
-      "whose "
-      "move it names.");
+      "whose move it names.");
   planned.takes_arm()
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "

@@ -17,6 +17,14 @@ RetimeOptions timing_options(const PathMotionOptions& options) {
           .max_samples = options.max_samples};
 }
 
+FreeMotionOptions free_motion_options(const PathMotionOptions& options) {
+  return {.profile = options.profile,
+          .interpolation = options.interpolation,
+          .tool_speed = options.tool_speed,
+          .rate = options.rate,
+          .max_samples = options.max_samples};
+}
+
 VerifyOptions proof_options(const PathMotionOptions& options) {
   return {.task = options.task,
           .tolerance = options.tolerance,

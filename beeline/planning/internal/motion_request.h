@@ -1,6 +1,7 @@
 #pragma once
 
 #include <beeline/certificate/verify.h>
+#include <beeline/planning/free_path.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/retime.h>
 
@@ -28,6 +29,7 @@ struct MotionRequest {
 /// a branch may use.
 BranchOptions branch_options(const Arm& arm, const PathMotionOptions& options, double tolerated);
 RetimeOptions timing_options(const PathMotionOptions& options);
+FreeMotionOptions free_motion_options(const PathMotionOptions& options);
 VerifyOptions proof_options(const PathMotionOptions& options);
 
 }  // namespace beeline::internal

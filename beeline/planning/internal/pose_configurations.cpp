@@ -46,4 +46,12 @@ std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, 
   return found;
 }
 
+InverseResult solution_for(const Arm& arm, const Task& task, const Pose& pose,
+                           const Configuration& from, const Budget& budget) {
+  InverseResult found =
+      inverse_kinematics(arm, pose, {.seed = from, .task = task, .budget = budget});
+  explain(found, budget);
+  return found;
+}
+
 }  // namespace beeline::internal

@@ -11,4 +11,9 @@ namespace beeline::internal {
 std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
                                               const Configuration& from, const Budget& budget);
 
+/// Returns the one solution that inverse_kinematics() finds from a configuration with its default
+/// options, or why there is none.
+InverseResult solution_for(const Arm& arm, const Task& task, const Pose& pose,
+                           const Configuration& from, const Budget& budget);
+
 }  // namespace beeline::internal

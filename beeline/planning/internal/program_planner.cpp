@@ -4,10 +4,8 @@
 
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
-#include <beeline/planning/free_path.h>
 #include <beeline/planning/internal/current_scene.h>
 #include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/pose_configurations.h>
@@ -114,7 +112,7 @@ class ProgramPlanner {
     if (program_.moves.front().kind == MoveKind::around) {
       return begin_free(configurations_for(arm_, *options_.task, pose, middle, budget_.part()),
                         path, q, ahead) ||
-             (!motion_.reason && configuration_at(0, pose, middle, q));
+             (!motion_.reason && solution_at(0, pose, middle, q));
     }
     if (!path) return configuration_at(0, pose, middle, q);
     if (!follow(0, std::nullopt, ahead)) return false;
@@ -141,12 +139,15 @@ class ProgramPlanner {
                         std::optional<Configuration>& q) {
     const auto found = configurations_for(arm_, *options_.task, pose, from, budget_.part());
     if (!found.empty()) q = found.front();
-    if (q) return true;
-    InverseResult none = inverse_kinematics(
-        arm_, pose, {.seed = from, .task = options_.task, .budget = budget_.part()});
-    beeline::explain(none, budget_.part());
-    if (none) q = none.solutions.front();
-    return none || fail(move, motion_status(none.status), none.reason);
+    return q || solution_at(move, pose, from, q);
+  }
+
+  /// Sets q to the solution of a search with all means, or fails with the reason why there is none.
+  bool solution_at(std::size_t move, const Pose& pose, const Configuration& from,
+                   std::optional<Configuration>& q) {
+    const InverseResult found = solution_for(arm_, *options_.task, pose, from, budget_.part());
+    if (found) q = found.solutions.front();
+    return found || fail(move, motion_status(found.status), found.reason);
   }
 
   /// Plans the path of a part.
@@ -245,7 +246,7 @@ class ProgramPlanner {
     std::vector<Configuration> goals =
         configurations_for(arm_, *options_.task, target, from, budget_.part());
     std::optional<Configuration> q;
-    if (goals.empty() && configuration_at(i, target, from, q)) goals.push_back(*q);
+    if (goals.empty() && solution_at(i, target, from, q)) goals.push_back(*q);
     if (!path_follows(p)) return goals;
     std::optional<PathMotion> ahead;
     std::erase_if(goals, [&](const auto& goal) { return !has_branch(p + 1, goal); });
@@ -256,8 +257,10 @@ class ProgramPlanner {
   }
 
   /// Takes the next goals of a move around obstacles out of `goals`: all, or a few from which the
-  /// path after it is possible and free.
-  std::vector<Configuration> next_goals(std::size_t p, std::vector<Configuration>& goals) {
+  /// path after it is possible and free, with the motions along this path.
+  std::vector<Configuration> next_goals(std::size_t p, std::vector<Configuration>& goals,
+                                        std::vector<PathMotion>& paths) {
+    paths.clear();
     constexpr std::size_t few = 4;
     std::vector<Configuration> next;
     if (!path_follows(p)) return std::exchange(goals, {});
@@ -265,7 +268,9 @@ class ProgramPlanner {
     std::size_t examined = 0;
     while (examined < goals.size() && next.size() < few && !budget_.ended()) {
       const Configuration& goal = goals[examined++];
-      if (follow_free(p + 1, goal, ahead)) next.push_back(goal);
+      if (!follow_free(p + 1, goal, ahead)) continue;
+      next.push_back(goal);
+      paths.push_back(std::move(*ahead));
     }
     goals.erase(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(examined));
     return next;
@@ -275,23 +280,21 @@ class ProgramPlanner {
   bool move_around_to(std::size_t p, PlannedMove& planned, std::optional<PathMotion>& ahead) {
     const std::size_t i = parts_[p].first;
     std::vector<Configuration> left = goals_around(p);
+    std::vector<PathMotion> paths;
+    FreeMotionOptions options = free_motion_options(options_);
+    options.tool_speed = program_.moves[i].speed.value_or(options_.tool_speed);
     std::optional<FreeMotion> failed;  // the search for the soonest goals
     while (!left.empty() && !budget_.ended()) {
-      const std::vector<Configuration> goals = next_goals(p, left);
+      const std::vector<Configuration> goals = next_goals(p, left, paths);
       if (goals.empty()) continue;
+      options.budget = budget_.part();
       FreeMotion motion =
-          move_around(scene_->model(), trajectory_.positions().back(), goals,
-                      {.profile = options_.profile,
-                       .interpolation = options_.interpolation,
-                       .tool_speed = program_.moves[i].speed.value_or(options_.tool_speed),
-                       .rate = options_.rate,
-                       .max_samples = options_.max_samples,
-                       .budget = budget_.part()});
+          move_around(scene_->model(), trajectory_.positions().back(), goals, options);
       if (!motion) {
         if (!failed) failed = std::move(motion);
         continue;
       }
-      if (path_follows(p) && !follow_free(p + 1, goals[motion.path.goal], ahead)) return false;
+      if (path_follows(p)) ahead = std::move(paths[motion.path.goal]);
       for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
         trajectory_.append(motion.trajectory, k);
       }
