@@ -96,7 +96,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   std::optional<ProvedScene> proved;
   if (scene != nullptr) {
     proved.emplace(ProvedScene{arguments, *scene});
-    options.blocked_by = [&proved](const Trajectory& motion, const Budget& budget) {
+    options.blocked_by = blocked_motions(scene->model);
+    options.blocked_by.reason = [&proved](const Trajectory& motion, const Budget& budget) {
       return proved->blocked(motion, budget);
     };
   }

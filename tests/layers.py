@@ -80,7 +80,10 @@ def violations(root):
 def outside_violations(root):
     found = []
     for path in (path for folder in OUTSIDE for path in sources(root / folder)):
-        for number, line in enumerate(path.read_text().splitlines(), 1):
+        text = path.read_text()
+        if "fmt::join" in text and "#include <fmt/ranges.h>" not in text:
+            found.append(f"{path.relative_to(root)}: fmt::join() of fmt 11 needs <fmt/ranges.h>")
+        for number, line in enumerate(text.splitlines(), 1):
             include = INCLUDE.match(line)
             target = Path(include.group(2).removeprefix("beeline/")) if include else None
             place = f"{path.relative_to(root)}:{number}"

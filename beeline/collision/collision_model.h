@@ -113,6 +113,12 @@ std::string digest(const CollisionModel& model);
 /// when q does not fit the arm, and for a model without pairs.
 BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q);
 
+/// Returns the least distance beyond its clearance of a pair at a configuration, m, rounded down:
+/// negative if the configuration is blocked. It is `most` where all are farther, whose distances
+/// are not computed. Throws Error when q does not fit the arm.
+double spare_clearance(const CollisionModel& model, const ConfigurationRef& q,
+                       double most = Limits::none);
+
 /// Returns all pairs that may be closer than their clearance, the deepest first.
 std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const ConfigurationRef& q);
 

@@ -248,6 +248,16 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
   return pairs;
 }
 
+double spare_clearance(const CollisionModel& model, const ConfigurationRef& q, double most) {
+  check_configuration(model.arm(), q);
+  double least = most;
+  const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
+  distances.visit(least, [&](const FoundPair& pair) {
+    least = std::min(least, pair.distance.lower - pair.distance.clearance);
+  });
+  return least;
+}
+
 Reason blocked_by(const CollisionModel& model, const ConfigurationRef& q) {
   check_configuration(model.arm(), q);
   BlockingPair blocking;

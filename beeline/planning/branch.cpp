@@ -51,11 +51,15 @@ KnotSequence search_graph(const Arm& arm, const std::optional<Configuration>& st
                                      .start = start,
                                      .spacing = 0.06 * coarseness,
                                      .step = 0.15 * coarseness,
+                                     .spare_clearance = options.spare_clearance,
                                      .budget = options.budget});
   }
-  return search_layered_graph(
-      arm, path,
-      {.task = options.task, .start = start, .grid = grids[grid], .budget = options.budget});
+  return search_layered_graph(arm, path,
+                              {.task = options.task,
+                               .start = start,
+                               .grid = grids[grid],
+                               .spare_clearance = options.spare_clearance,
+                               .budget = options.budget});
 }
 
 /// Whether a finer grid may succeed after this one failed. With one redundant joint: if the graph
@@ -83,8 +87,8 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
       guided.guide = [&spline](double s) { return spline.at(s); };
       guided.budget = budget.part(share, 1);
       const Branch branch = track_branch(arm, knots.front().q, path, guided);
-      if (!best || branch.path_parameter > best->path_parameter) best = branch;
-      if (branch) break;
+      if (!best || better(branch, *best)) best = branch;
+      if (branch && branch.spare_clearance >= 0) break;
     }
     const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;
     if (finest || budget.ended() || !refine(arm, options, i, found.complete)) break;

@@ -58,6 +58,8 @@ struct Branch {
   /// its largest singular value, with lengths in units of the arm's reach. It is 0 at a singularity
   /// and at most 1. 0 if the budget ended the search.
   double inverse_condition = 1;
+  /// Least value of BranchOptions::spare_clearance, m; infinite without it.
+  double spare_clearance = Limits::none;
   /// Samples along each segment; one sample if the task's rows are at rest.
   std::vector<TrackedSegment> segments = {};
 
@@ -79,11 +81,19 @@ struct BranchOptions {
   /// Returns the preferred configuration at a path parameter, for poses with several solutions;
   /// default: no preference.
   std::function<Configuration(double)> guide = {};
+  /// Distance beyond the clearance at a configuration, m, negative where it is blocked, usually
+  /// spare_clearance() of a model (in Python the CollisionModel). A complete branch on which it is
+  /// negative gives way to the others. Default: nothing is blocked.
+  std::function<double(const ConfigurationRef&)> spare_clearance = {};
   Budget budget = {};
 };
 
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
 /// best configuration for the path's beginning.
+///
+/// With options.spare_clearance, complete branches without blocked samples precede the others, and
+/// the self-motion of a redundant arm keeps to configurations that are not blocked, next to joint
+/// limits and obstacles alike: 0.1 m of spare clearance count as half a joint's range.
 ///
 /// - An arm that is redundant for the task follows the best path through a graph of configurations
 ///   (Ferrentino & Chiacchio 2020), which is refined until a motion is complete. With one redundant

@@ -2,6 +2,7 @@
 #include <ostream>
 #include <utility>
 
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/certificate/verify.h>
@@ -54,9 +55,13 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
   return clamped(bounds_of(arm), start);
 }
 
-/// Whether the motion is planned, timed and proved.
-bool is_possible(const MotionRequest& request, BudgetMeter& budget) {
-  return planned_motion_in_time(request, budget) && budget.complete();
+/// Whether the motion is planned, timed, proved and not blocked.
+bool is_possible(const MotionRequest& request, const BlockedMotions& blocked_by,
+                 BudgetMeter& budget) {
+  const PathMotion motion = planned_motion_in_time(request, budget);
+  const bool blocked =
+      motion && blocked_by.reason && blocked_by.reason(motion.trajectory, budget.part());
+  return motion && !blocked && budget.complete();
 }
 
 struct Suggestions {
@@ -65,7 +70,8 @@ struct Suggestions {
 };
 
 /// Searches for nearby paths and another start with which the motion is possible.
-Suggestions suggestions(const MotionRequest& request, BudgetMeter& whole) {
+Suggestions suggestions(const MotionRequest& request, const BlockedMotions& blocked_by,
+                        BudgetMeter& whole) {
   const Arm& arm = request.arm;
   const std::optional<Configuration>& start = request.start;
   const Route& route = request.route;
@@ -73,12 +79,14 @@ Suggestions suggestions(const MotionRequest& request, BudgetMeter& whole) {
   limited.max_work = max_suggestion_work;
   BudgetMeter budget(limited);
   BranchOptions options = request.branch;
+  options.spare_clearance = blocked_by.spare_clearance;
   options.budget = budget.part(0, planning_share);
   Suggestions result;
   const auto add_if_possible = [&](NearbyPath nearby, const std::optional<Configuration>& from) {
     Route other = route;
     other.path = nearby.path;
-    if (is_possible({arm, from, other, options, request.timing, request.proof}, budget)) {
+    const MotionRequest nearby_request{arm, from, other, options, request.timing, request.proof};
+    if (is_possible(nearby_request, blocked_by, budget)) {
       result.found.push_back(std::move(nearby));
     }
   };
@@ -119,10 +127,11 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   PathMotion motion = planned_motion(request, budget);
   const bool followed(motion);
   if (followed && options.duration) keep_duration(request, budget, motion);
+  const bool timed(motion);
+  if (motion && options.blocked_by.reason) {
+    motion = unblocked_motion(request, options.blocked_by, std::move(motion), budget);
+  }
   if (motion) {
-    if (options.blocked_by) {
-      motion = unblocked_motion(request, options.blocked_by, std::move(motion), budget);
-    }
     budget.report(1);
     return motion;
   }
@@ -130,12 +139,14 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   failure.status = motion.status;
   failure.reason = motion.reason;
   failure.path_parameter = motion.path_parameter;
+  failure.blocked = std::move(motion.blocked);
   // A plan takes long with more redundancy.
   const bool quick = arm.dof() <= request.task().size() + 1;
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
-  if (followed || !options.suggest || !quick || !off_path || !budget.complete()) return failure;
-  Suggestions near = suggestions(request, budget);
+  const bool may_be_nearby = timed || (!followed && off_path);
+  if (!options.suggest || !quick || !may_be_nearby || !budget.complete()) return failure;
+  Suggestions near = suggestions(request, options.blocked_by, budget);
   failure.nearby = std::move(near.found);
   if (!budget.complete()) {
     failure.reason.set(ReasonField::search_ending, budget.ending());
@@ -146,6 +157,20 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
 }
 
 }  // namespace
+
+BlockedMotions blocked_motions(std::shared_ptr<const CollisionModel> model) {
+  constexpr double enough = 0.1;  // metres: a larger distance is as good
+  return {.reason =
+              [model](const Trajectory& motion, const Budget& budget) {
+                return prove_clearance(*model, motion, {.budget = budget}).reason;
+              },
+          .spare_clearance =
+              [model](const ConfigurationRef& q) { return spare_clearance(*model, q, enough); }};
+}
+
+BlockedMotions blocked_motions(const CollisionModel& model) {
+  return blocked_motions(std::shared_ptr<const CollisionModel>(std::shared_ptr<void>(), &model));
+}
 
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <initializer_list>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include <beeline/budget.h>
 #include <beeline/certificate/verify.h>
+#include <beeline/collision/collision_model.h>
 #include <beeline/error.h>
 #include <beeline/planning/branch.h>
 #include <beeline/timing/retime.h>
@@ -40,6 +42,21 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);
 
+/// The motions along a path that must not be given.
+struct BlockedMotions {
+  /// Reason against a planned motion, within a budget; none if it may be given.
+  std::function<Reason(const Trajectory&, const Budget&)> reason = {};
+  /// Distance beyond the clearance at a configuration, m, negative where it is blocked: where the
+  /// best motion has a reason, others are planned that keep it positive, also by self-motion.
+  /// Default: unknown.
+  std::function<double(const ConfigurationRef&)> spare_clearance = {};
+};
+
+/// Returns the motions that do not keep the clearance of a model: a shared one, or one that
+/// outlives the result.
+BlockedMotions blocked_motions(std::shared_ptr<const CollisionModel> model);
+BlockedMotions blocked_motions(const CollisionModel& model);
+
 struct PathMotionOptions {
   /// Rows that matter; default: planar for a planar arm, whose path must then be in its plane, else
   /// spatial. Lines allow any task; other segments need all orientation rows or none, and position
@@ -61,13 +78,14 @@ struct PathMotionOptions {
   std::optional<double> duration = std::nullopt;
   /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
   int max_samples = default_max_samples;
-  /// Reason why a planned motion must not be given, within a budget, none if it may; usually the
-  /// reason of prove_clearance() (in Python the CollisionModel). If it has one and there is no
-  /// start, the other branches are planned, and the best one without a reason is given; those with
-  /// one are in PathMotion::blocked. Default: every motion may be given.
-  std::function<Reason(const Trajectory&, const Budget&)> blocked_by = {};
-  bool suggest = false;  ///< whether to search for nearby paths if the path cannot be followed
-  Budget budget = {};    ///< budget of the plan, its timing, its proof and the suggestions
+  /// Motions that must not be given, usually blocked_motions() (in Python the CollisionModel).
+  /// If the best one is blocked, the other branches are planned and, if the arm is redundant, other
+  /// self-motions, and the best motion that is not blocked is given. PathMotion::blocked lists the
+  /// others. Default: every motion may be given.
+  BlockedMotions blocked_by = {};
+  /// Whether to search for nearby paths if the path cannot be followed or its motions are blocked.
+  bool suggest = false;
+  Budget budget = {};  ///< budget of the plan, its timing, its proof and the suggestions
 };
 
 /// A branch that is not given: PathMotionOptions::blocked_by has a reason against its motion, or it

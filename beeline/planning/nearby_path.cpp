@@ -99,7 +99,8 @@ struct Trial {
   ToolPath at(const Vector3& step) const { return changed(path, start.has_value(), step, rotate); }
 
   bool works(const Vector3& step) const {
-    return static_cast<bool>(plan_path(arm, start, at(step), exact));
+    const Branch branch = plan_path(arm, start, at(step), exact);
+    return branch && branch.spare_clearance >= 0;
   }
 
   double smallest() const { return rotate ? min_rotation : min_translation; }
@@ -157,11 +158,17 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   constexpr std::int64_t most = internal::max_nearby_path_work;
   if (!all.max_work || *all.max_work > most) all.max_work = most;
   internal::BudgetMeter budget(all);
-  const InverseOptions one{.task = options.task,
-                           .redundancy = Redundancy::any,
-                           .grid = 16,
-                           .max_restarts = 32,
-                           .budget = budget.part()};
+  InverseOptions one{.task = options.task,
+                     .redundancy = Redundancy::any,
+                     .grid = 16,
+                     .max_restarts = 32,
+                     .budget = budget.part()};
+  const auto& spare = options.spare_clearance;
+  if (spare) {
+    one.blocked_by = [&spare](const ConfigurationRef& q) {
+      return spare(q) < 0 ? Reason{ReasonCode::bodies_too_close} : Reason{};
+    };
+  }
   Trial trial{arm, start, path, rotate, options, options, one, middle_configuration(arm)};
   trial.exact.reasons = BranchOptions::Reasons::none;
   trial.exact.budget = budget.part();

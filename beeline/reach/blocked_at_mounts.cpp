@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <beeline/certificate/clearance.h>
 #include <beeline/reach/place.h>
 
 namespace beeline {
@@ -11,13 +10,10 @@ std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionMode
     const Reason base = base_blocked_by(*there);
     if (base) {
       return {.configuration = [base](const ConfigurationRef&) { return base; },
-              .motion = [base](const Trajectory&, const Budget&) { return base; }};
+              .motions = {.reason = [base](const Trajectory&, const Budget&) { return base; }}};
     }
     return {.configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
-            .motion =
-                [there](const Trajectory& motion, const Budget& budget) {
-                  return prove_clearance(*there, motion, {.budget = budget}).reason;
-                }};
+            .motions = blocked_motions(there)};
   };
 }
 

@@ -307,7 +307,7 @@ bool has_lines(const Arm& arm, std::span<const Pose> poses, const PlacementOptio
   PathMotionOptions motion_options;
   motion_options.budget = budget.part();
   if (options.blocked_by) {
-    motion_options.blocked_by = options.blocked_by(placement.world_T_mount).motion;
+    motion_options.blocked_by = options.blocked_by(placement.world_T_mount).motions;
   }
   const PathMotion motion =
       move_in_lines(with_mount(arm, placement.world_T_mount), poses, motion_options);

@@ -9,8 +9,8 @@
 #include <beeline/budget.h>
 #include <beeline/collision/collision_model.h>
 #include <beeline/error.h>
+#include <beeline/planning/move_along.h>
 #include <beeline/reach/reach_map.h>
-#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 
@@ -18,7 +18,7 @@ namespace beeline {
 /// functions have no reason.
 struct BlockedAtMount {
   std::function<Reason(const ConfigurationRef&)> configuration = {};
-  std::function<Reason(const Trajectory&, const Budget&)> motion = {};
+  BlockedMotions motions = {};
 };
 
 /// Returns PlacementOptions::blocked_by for a model of the map's arm, whose obstacles stay while

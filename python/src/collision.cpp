@@ -258,6 +258,17 @@ void bind_blocked_by(nb::module_& m) {
         return Value<Reason>::to(blocked_by(model, Value<Configuration>::from(q, "q")));
       },
       blocked, nb::arg("model"), nb::arg("q"));
+  Signature spare("spare_clearance", "float", comment("spare_clearance"));
+  spare.takes("model", "CollisionModel", "The arm among obstacles.")
+      .takes("q", array_like, "Configuration (n,).")
+      .takes("most", "float", "Distance, m, beyond which distances are not computed.", "inf");
+  define(
+      m,
+      [](const CollisionModel& model, nb::handle q, nb::handle most) {
+        return spare_clearance(model, Value<Configuration>::from(q, "q"),
+                               Value<double>::from(most, "most"));
+      },
+      spare, nb::arg("model"), nb::arg("q"), nb::arg("most") = Limits::none);
   Signature base("base_blocked_by", "Reason", comment("base_blocked_by"));
   base.takes("model", "CollisionModel", "The arm among obstacles.")
       .returns("Empty, which is false, if the arm can stand there.");
@@ -352,6 +363,11 @@ std::map<std::string, std::string> Value<std::map<std::string, std::string>>::fr
     folders[Value<std::string>::from(key, name)] = path_from(folder, name);
   }
   return folders;
+}
+
+std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char* name) {
+  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, "CollisionModel | None", value);
+  return {shared_object(nb::borrow(value)), &nb::cast<const CollisionModel&>(value)};
 }
 
 void check_model_of(const Arm& arm, const nb::dict& keywords) {

@@ -197,6 +197,10 @@ struct Fields<ClearanceOverTime>
               &ClearanceOverTime::sample_times, &ClearanceOverTime::sampled,
               &ClearanceOverTime::clearance, &ClearanceOverTime::ending> {};
 
+/// Returns the model that an option has, which keeps its Python object. Throws TypeError for
+/// anything else.
+std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char* name);
+
 /// Throws Error if the option blocked_by is a model of another arm.
 void check_model_of(const Arm& arm, const nb::dict& keywords);
 

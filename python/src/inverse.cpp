@@ -234,9 +234,7 @@ void bind_inverse_method(nb::module_& m) {
 Value<std::function<Reason(const ConfigurationRef&)>>::Function
 Value<std::function<Reason(const ConfigurationRef&)>>::from(nb::handle value, const char* name) {
   if (value.is_none()) return {};
-  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
-  const auto* const model = &nb::cast<const CollisionModel&>(value);
-  return [model, held = shared_object(nb::borrow(value))](const ConfigurationRef& q) {
+  return [model = shared_model(value, name)](const ConfigurationRef& q) {
     return blocked_by(*model, q);
   };
 }

@@ -70,10 +70,8 @@ Picture picture_of(const SliceArray& arrays) {
 std::function<BlockedAtMount(const Pose&)> Value<std::function<BlockedAtMount(const Pose&)>>::from(
     nb::handle value, const char* name) {
   if (value.is_none()) return {};
-  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
-  return [blocked_at = blocked_at_mounts(nb::cast<const CollisionModel&>(value)),
-          held = shared_object(nb::borrow(value))](const Pose& world_T_mount) {
-    return blocked_at(world_T_mount);
+  return [model = shared_model(value, name)](const Pose& world_T_mount) {
+    return blocked_at_mounts(*model)(world_T_mount);
   };
 }
 

@@ -1,5 +1,3 @@
-#include <beeline/certificate/clearance.h>
-
 #include "bindings.h"
 #include "collision_fields.h"
 #include "interruption.h"
@@ -8,16 +6,15 @@
 
 namespace beeline::python {
 
-Value<std::function<Reason(const Trajectory&, const Budget&)>>::Function
-Value<std::function<Reason(const Trajectory&, const Budget&)>>::from(nb::handle value,
-                                                                     const char* name) {
+BlockedMotions Value<BlockedMotions>::from(nb::handle value, const char* name) {
   if (value.is_none()) return {};
-  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, type(), value);
-  const auto* const model = &nb::cast<const CollisionModel&>(value);
-  return [model, held = shared_object(nb::borrow(value))](const Trajectory& motion,
-                                                          const Budget& budget) {
-    return prove_clearance(*model, motion, {.budget = budget}).reason;
-  };
+  return blocked_motions(shared_model(value, name));
+}
+
+Value<std::function<double(const ConfigurationRef&)>>::Function
+Value<std::function<double(const ConfigurationRef&)>>::from(nb::handle value, const char* name) {
+  if (value.is_none()) return {};
+  return blocked_motions(shared_model(value, name)).spare_clearance;
 }
 
 std::function<Configuration(double)> Value<std::function<Configuration(double)>>::from(

@@ -22,8 +22,16 @@ struct Value<std::function<Configuration(double)>> {
 
 /// PathMotionOptions::blocked_by: a CollisionModel, which the function keeps.
 template <>
-struct Value<std::function<Reason(const Trajectory&, const Budget&)>> {
-  using Function = std::function<Reason(const Trajectory&, const Budget&)>;
+struct Value<BlockedMotions> {
+  static std::string type() { return "CollisionModel | None"; }
+  static nb::object to(const BlockedMotions&) { return nb::none(); }
+  static BlockedMotions from(nb::handle value, const char* name);
+};
+
+/// BranchOptions::spare_clearance: a CollisionModel, which the function keeps.
+template <>
+struct Value<std::function<double(const ConfigurationRef&)>> {
+  using Function = std::function<double(const ConfigurationRef&)>;
   static std::string type() { return "CollisionModel | None"; }
   static nb::object to(const Function&) { return nb::none(); }
   static Function from(nb::handle value, const char* name);
@@ -40,13 +48,14 @@ struct Fields<TrackedSegment>
 template <>
 struct Fields<Branch>
     : Members<&Branch::start, &Branch::status, &Branch::reason, &Branch::path_parameter,
-              &Branch::limit_margin, &Branch::inverse_condition, &Branch::segments> {};
+              &Branch::limit_margin, &Branch::inverse_condition, &Branch::spare_clearance,
+              &Branch::segments> {};
 
 template <>
 struct Fields<BranchOptions>
     : Members<&BranchOptions::task, &BranchOptions::tolerance, &BranchOptions::max_samples,
               &BranchOptions::max_grid, &BranchOptions::reasons, &BranchOptions::guide,
-              &BranchOptions::budget> {};
+              &BranchOptions::spare_clearance, &BranchOptions::budget> {};
 
 template <>
 struct Fields<NearbyPath>

@@ -56,15 +56,15 @@ TEST(BlockedBranches, GiveWayToTheBestClearOne) {
       return prove_clearance(model, motion, {.budget = budget}).reason;
     };
     ASSERT_TRUE(blocked(free.trajectory, {}));
-    const PathMotion motion = move_in_lines(arm, line, {.blocked_by = blocked});
+    const PathMotion motion = move_in_lines(arm, line, {.blocked_by = {.reason = blocked}});
     ASSERT_FALSE(motion.blocked.empty());
     EXPECT_EQ(motion.blocked.front().start, free.trajectory.positions.front());
     for (const BlockedBranch& branch : motion.blocked) {
       EXPECT_TRUE(branch.reason);
       EXPECT_NE(branch.status, MotionStatus::reached);
       if (branch.status != MotionStatus::collides) continue;
-      const PathMotion again =
-          move_in_lines(arm, branch.start, std::span(line).subspan(1), {.blocked_by = blocked});
+      const PathMotion again = move_in_lines(arm, branch.start, std::span(line).subspan(1),
+                                             {.blocked_by = {.reason = blocked}});
       EXPECT_FALSE(again) << branch.reason;
       EXPECT_TRUE(again.blocked.empty());
     }
@@ -91,10 +91,7 @@ TEST(BlockedBranches, OfARedundantArmGiveWayToo) {
     if (!free) continue;
     const Vector3 elbow = link_poses(arm, free.trajectory.positions.front())[4].translation();
     const CollisionModel model = model_with_ball(arm, elbow, 0.03);
-    const PathMotion motion =
-        move_in_lines(arm, line, {.blocked_by = [&](const Trajectory& tried, const Budget& budget) {
-                        return prove_clearance(model, tried, {.budget = budget}).reason;
-                      }});
+    const PathMotion motion = move_in_lines(arm, line, {.blocked_by = blocked_motions(model)});
     ASSERT_FALSE(motion.blocked.empty());
     if (!motion) continue;
     ++replaced;
@@ -110,10 +107,10 @@ TEST(BlockedBranches, AreNoneWhereTheBestOneIsClear) {
                                forward_kinematics(arm, q + Configuration::Constant(6, 0.1))};
   int asked = 0;
   const PathMotion motion =
-      move_in_lines(arm, line, {.blocked_by = [&](const Trajectory&, const Budget&) {
-                      ++asked;
-                      return Reason();
-                    }});
+      move_in_lines(arm, line, {.blocked_by = {.reason = [&](const Trajectory&, const Budget&) {
+                                  ++asked;
+                                  return Reason();
+                                }}});
   EXPECT_TRUE(motion);
   EXPECT_TRUE(motion.blocked.empty());
   EXPECT_EQ(asked, 1);
@@ -127,10 +124,10 @@ TEST(BlockedBranches, EndWithTheBudget) {
   const Reason never{ReasonCode::bodies_too_close};
   testing::for_each_cancellation(testing::cases(30), [&](int n) {
     testing::CancelAt cancel(n);
-    const PathMotion motion =
-        move_in_lines(arm, line,
-                      {.blocked_by = [&](const Trajectory&, const Budget&) { return never; },
-                       .budget = cancel.budget()});
+    const PathMotion motion = move_in_lines(
+        arm, line,
+        {.blocked_by = {.reason = [&](const Trajectory&, const Budget&) { return never; }},
+         .budget = cancel.budget()});
     EXPECT_FALSE(motion);
     if (!cancel.cancelled()) {
       EXPECT_EQ(motion.status, MotionStatus::collides);
@@ -144,8 +141,9 @@ TEST(BlockedBranches, AreNotOfPrograms) {
   const Arm arm = built_in("puma560");
   const Program program{.moves = {{.kind = MoveKind::joint, .q = Configuration::Constant(6, 0.2)}}};
   EXPECT_REFUSED(
-      move_program(arm, Configuration::Zero(6), program,
-                   {.blocked_by = [](const Trajectory&, const Budget&) { return Reason(); }}),
+      move_program(
+          arm, Configuration::Zero(6), program,
+          {.blocked_by = {.reason = [](const Trajectory&, const Budget&) { return Reason(); }}}),
       "blocked_by is for paths");
 }
 

@@ -267,10 +267,7 @@ std::function<BlockedAtMount(const Pose&)> at_mounts(const CollisionModel& model
     const auto there = std::make_shared<CollisionModel>(with_mount(model, world_T_mount));
     return BlockedAtMount{
         .configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
-        .motion =
-            [there](const Trajectory& motion, const Budget& budget) {
-              return prove_clearance(*there, motion, {.budget = budget}).reason;
-            }};
+        .motions = blocked_motions(there)};
   };
 }
 

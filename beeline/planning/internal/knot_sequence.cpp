@@ -13,6 +13,7 @@ namespace {
 // 0.006 s^2 per layer, which is less than a step of 0.1 s; a joint at a limit costs 0.15 s^2.
 constexpr double limit_weight = 0.003;  // seconds squared
 constexpr double limit_offset = 0.02;
+constexpr double metres_per_margin = 0.1;  // of clearance: as far as the middle of a joint's range
 // Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
 constexpr double max_seconds_per_unit = 1e100;
 
@@ -24,8 +25,12 @@ KnotCosts::KnotCosts(const Arm& arm) : seconds_per_unit(arm.dof()), bounds(bound
   }
 }
 
-double KnotCosts::node(const ConfigurationRef& q) const {
-  double sum = 0;
+double GraphOptions::clearance_margin(const ConfigurationRef& q) const {
+  return spare_clearance ? spare_clearance(q) / metres_per_margin : Limits::none;
+}
+
+double KnotCosts::node(const ConfigurationRef& q, double clearance_margin) const {
+  double sum = limit_weight / (std::max(0.0, clearance_margin) + limit_offset);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double margin = std::max(0.0, limit_margin(q[k], bounds.lower[k], bounds.upper[k]));
     sum += limit_weight / (margin + limit_offset);
@@ -107,7 +112,9 @@ void smooth_knots(const Arm& arm, const ToolPath& path, const GraphOptions& opti
   std::vector<double> spans;
   std::vector<Pose> poses;
   std::vector<Bounds> bounds;
+  std::vector<double> clearances;  // to be kept
   for (const Knot& knot : knots) {
+    clearances.push_back(std::min(margin, options.clearance_margin(knot.q)));
     spans.push_back(span_to(path, knot.s));
     poses.push_back(pose_at(path, knot.s));
     bounds.push_back(inner(bounds_of(arm), margin, knot.q));
@@ -125,7 +132,10 @@ void smooth_knots(const Arm& arm, const ToolPath& path, const GraphOptions& opti
         wanted[k] += push * push_from_limits(q[k], bounds[r].lower[k], bounds[r].upper[k]);
       }
       const auto found = solved_near(arm, poses[r], options.task, bounds[r], wanted);
-      if (found && (*found - q).lpNorm<Eigen::Infinity>() < largest_move) knots[r].q = *found;
+      if (found && (*found - q).lpNorm<Eigen::Infinity>() < largest_move &&
+          options.clearance_margin(*found) >= clearances[r]) {
+        knots[r].q = *found;
+      }
     }
     budget.report((pass + 1.0) / passes);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,12 @@ struct GraphOptions {
   double step = 0.15;     ///< of the nodes along a self-motion, radians or metres
   int grid =
       16;  ///< of a layered graph: solutions per pose, values of a redundant joint x branches
+  std::function<double(const ConfigurationRef&)> spare_clearance = {};  ///< see BranchOptions
   Budget budget = {};
+
+  /// The spare clearance of a configuration as a margin comparable with limit_margin(), negative
+  /// where it is blocked; infinite without `spare_clearance`.
+  double clearance_margin(const ConfigurationRef& q) const;
 };
 
 struct KnotSequence {
@@ -33,14 +39,15 @@ struct KnotSequence {
 };
 
 /// The costs of knots and of the steps between them, seconds squared:
-///     c(q) = w sum_k 1 / (margin of joint k to its limits + 0.02),
+///     c(q) = w sum_k 1 / (m_k + 0.02)   with the margins m_k of the joints to their limits and,
+///                                       as one of them, the clearance margin,
 ///     d(p, q) = sum_k ((q_k - p_k) / v_k)^2   with the velocity limits v_k.
 struct KnotCosts {
   Eigen::VectorXd seconds_per_unit;  ///< 1 / v_k: seconds per radian or metre
   Bounds bounds;
 
   explicit KnotCosts(const Arm& arm);
-  double node(const ConfigurationRef& q) const;
+  double node(const ConfigurationRef& q, double clearance_margin) const;
   double edge(const ConfigurationRef& step) const;  ///< of a step q - p
 };
 
@@ -60,7 +67,8 @@ std::vector<double> layer_parameters(const ToolPath& path, const Task& task, dou
 
 /// Smooths the knots, except a given start, in the null space: moves each towards the line between
 /// its neighbours and away from the joint limits, then restores the tool's pose by damped least
-/// squares. Each keeps this margin to the joint limits (see limit_margin()), or its own if smaller.
+/// squares. Each keeps this margin to the joint limits (see limit_margin()) and this clearance
+/// margin, or its own if smaller.
 void smooth_knots(const Arm& arm, const ToolPath& path, const GraphOptions& options, double margin,
                   BudgetMeter& budget, std::vector<Knot>& knots);
 

@@ -23,10 +23,11 @@ constexpr std::size_t max_removed_edges = 60;
 /// A pose of the path and its solutions.
 struct Layer {
   double s = 0;
-  Pose pose;
-  std::vector<Configuration> solutions;
-  std::vector<double> cost;      ///< of the shortest path to each solution from the first layer
-  std::vector<int> predecessor;  ///< of each solution, in the layer before; -1: none
+  Pose pose = {};
+  std::vector<Configuration> solutions = {};
+  std::vector<double> clearance_margin = {};  ///< of each solution
+  std::vector<double> cost = {};  ///< of the shortest path to each solution from the first layer
+  std::vector<int> predecessor = {};  ///< of each solution, in the layer before; -1: none
 };
 
 struct Edge {
@@ -37,11 +38,23 @@ struct Edge {
 
 /// Returns layers without solutions.
 std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
-  std::vector<Layer> layers{{0, pose_at(path, 0), {}, {}, {}}};
+  std::vector<Layer> layers{{0, pose_at(path, 0)}};
   for (const double s : layer_parameters(path, task, spacing)) {
-    layers.push_back({s, pose_at(path, s), {}, {}, {}});
+    layers.push_back({s, pose_at(path, s)});
   }
   return layers;
+}
+
+/// Removes the solutions that are blocked, and fills in the clearance margins of the others.
+void keep_unblocked(const GraphOptions& options, Layer& layer) {
+  std::vector<Configuration> kept;
+  for (const Configuration& q : layer.solutions) {
+    const double margin = options.clearance_margin(q);
+    if (margin < 0) continue;
+    kept.push_back(q);
+    layer.clearance_margin.push_back(margin);
+  }
+  layer.solutions = std::move(kept);
 }
 
 /// Fills in the solutions of the layers, and removes the first layer that has none and all after
@@ -71,6 +84,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
       continuation = solved_near(arm, layers[r].pose, options.task, costs.bounds, *continuation);
       if (continuation) solutions.push_back(*continuation);
     }
+    keep_unblocked(options, layers[r]);
     if (solutions.empty() || budget.ended()) {
       layers.resize(r);
       break;
@@ -99,7 +113,7 @@ bool relax(const Layer& before, Layer& layer, std::size_t r, const KnotCosts& co
       layer.predecessor[j] = edge.from;
     }
     if (layer.predecessor[j] < 0) continue;
-    layer.cost[j] += costs.node(q);
+    layer.cost[j] += costs.node(q, layer.clearance_margin[j]);
     reached = true;
   }
   return reached;
@@ -117,7 +131,7 @@ std::size_t relax(std::vector<Layer>& layers, const KnotCosts& costs,
       continue;
     }
     for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
-      layer.cost[j] = costs.node(layer.solutions[j]);
+      layer.cost[j] = costs.node(layer.solutions[j], layer.clearance_margin[j]);
     }
   }
   return layers.size();
@@ -135,15 +149,18 @@ std::vector<int> shortest_path(const std::vector<Layer>& layers, std::size_t end
 }
 
 /// Whether a continuous motion is likely to join two knots: the path's pose half-way has a solution
-/// near their midpoint, within 0.3 of the edge's length plus an offset for short edges.
-bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
-                   const Knot& a, const Knot& b) {
+/// near their midpoint, within 0.3 of the edge's length plus an offset for short edges, that is not
+/// blocked.
+bool is_continuous(const Arm& arm, const ToolPath& path, const GraphOptions& options,
+                   const Bounds& bounds, const Knot& a, const Knot& b) {
   constexpr double fraction = 0.3, offset = 0.02;  // of the edge; radians or metres
   const Configuration middle = (a.q + b.q) / 2;
   const double begin = std::max(a.s, static_cast<double>(segment_at(path, b.s)));
-  const auto q = solved_near(arm, pose_at(path, (begin + b.s) / 2), task, bounds, middle);
+  const Pose pose = pose_at(path, (begin + b.s) / 2);
+  const auto q = solved_near(arm, pose, options.task, bounds, middle);
   const double length = (b.q - a.q).lpNorm<Eigen::Infinity>();
-  return q && (*q - middle).lpNorm<Eigen::Infinity>() < fraction * length + offset;
+  return q && (*q - middle).lpNorm<Eigen::Infinity>() < fraction * length + offset &&
+         options.clearance_margin(*q) >= 0;
 }
 
 }  // namespace
@@ -167,7 +184,7 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
     const auto cancelled = [&] { return budget.ended(0) && budget.ending() == Ending::cancelled; };
     for (; r < end && !cancelled(); ++r) {
       const Knot next{layers[r].s, layers[r].solutions[static_cast<std::size_t>(chosen[r])]};
-      if (r > 0 && !is_continuous(arm, path, options.task, costs.bounds, knots.back(), next)) {
+      if (r > 0 && !is_continuous(arm, path, options, costs.bounds, knots.back(), next)) {
         removed.push_back({r, chosen[r - 1], chosen[r]});
         break;
       }

@@ -221,7 +221,7 @@ void retry_inside_limits(const MotionRequest& request, BudgetMeter& budget, Path
     again.tolerance.orientation *= fraction;
     Branch branch = plan_path(with_inset_limits(request.arm, request.start, inset), request.start,
                               request.route.path, again);
-    if (branch) measure(request.arm, request.task(), budget, branch);
+    if (branch) measure(request.arm, request.branch, budget, branch);
     PathMotion inside = timed(request, branch, many_samples, budget);
     // Within the limits, but not proved at the rate: the reason names what the user can change.
     const bool proof_fails = inside.status == MotionStatus::not_proved && request.timing.rate > 0;

@@ -54,8 +54,10 @@ class BestPath {
     const auto visit = [&](std::size_t k) {
       const Node step = motion_.difference(curve.nodes[k], q);
       if (step.lpNorm<Eigen::Infinity>() > largest_change || visited++ >= count) return false;
-      f(first + k, step);
-      return true;
+      const bool blocked = layers_[r + 1].clearance_margin[first + k] < 0;
+      if (!blocked) f(first + k, step);
+      // The continuation itself may be blocked where a motion to the side is not.
+      return !blocked || k == place.node;
     };
     const auto next = [&](std::size_t k) {
       return k + 1 < count ? k + 1 : curve.closed ? 0 : count;
@@ -77,9 +79,9 @@ class BestPath {
     }
   }
 
-  /// The margin of node i of layer r with the allowance.
+  /// The margin of node i of layer r, with the allowance for limits.
   double allowed_margin(std::size_t r, std::size_t i) const {
-    return layers_[r].margin[i] + allowance_[r];
+    return std::min(layers_[r].margin[i] + allowance_[r], layers_[r].clearance_margin[i]);
   }
 
   /// The largest smallest margin m* of a path to the last layer that one reaches.
@@ -114,7 +116,7 @@ class BestPath {
     cost[0].assign(layers_[0].size(), Limits::none);
     from[0].assign(layers_[0].size(), nowhere);
     for_each_node(0, [&](std::size_t i, const Node& q) {
-      if (allowed(0, i)) cost[0][i] = costs_.node(q);
+      if (allowed(0, i)) cost[0][i] = costs_.node(q, layers_[0].clearance_margin[i]);
     });
     for (std::size_t r = 0; r < reached_; ++r) {
       cost[r + 1].assign(layers_[r + 1].size(), Limits::none);
@@ -130,7 +132,8 @@ class BestPath {
         });
       });
       for_each_node(r + 1, [&](std::size_t k, const Node& q) {
-        if (cost[r + 1][k] < Limits::none) cost[r + 1][k] += costs_.node(q);
+        if (!(cost[r + 1][k] < Limits::none)) return;
+        cost[r + 1][k] += costs_.node(q, layers_[r + 1].clearance_margin[k]);
       });
     }
     const auto& ends = cost[reached_];

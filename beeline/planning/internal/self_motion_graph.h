@@ -13,12 +13,13 @@ namespace beeline::internal {
 /// motion from the path's beginning can reach, as nodes on curves of self-motion: see
 /// SelfMotionSweep. An edge joins a node with the nodes near its continuation, on the same curve.
 ///
-/// With the margins m(q) of configurations to the joint limits (limit_margin(), the smallest of all
-/// joints), the knots q_r solve
+/// With the margins m(q) of configurations, the smallest of the margins of all joints to their
+/// limits (limit_margin()) and the clearance margin (GraphOptions), the knots q_r solve
 ///     min  sum_r c(q_r) + sum_{r>0} d(q_{r-1}, q_r)
 ///     subject to  m(q_r) + a_r >= 0.8 min(m*, 1/4),   m* = max min_r (m(q_r) + a_r),
 /// where m* is the maximum over all paths through the graph, c and d are the costs of KnotCosts,
-/// and a_r is zero, except within 0.3 m of a given start, which may be near a limit. Solved by
+/// and a_r, which does not count for the clearance, is zero, except within 0.3 m of a given start,
+/// which may be near a limit. Edges along a curve end at blocked nodes. Solved by
 /// dynamic programming, once for m* and once for the knots. They are then smoothed in the null
 /// space within the same margin. This does not prove that the arm can move from knot to knot: see
 /// track_segment(). If the budget ends the search, the result has the knots found so far.

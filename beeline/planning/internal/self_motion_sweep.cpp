@@ -27,11 +27,14 @@ Bounds without(const std::vector<bool>& cyclic, Bounds bounds) {
 }  // namespace
 
 SelfMotionLayer::SelfMotionLayer(double at, std::vector<SelfMotionCurve> of,
-                                 const SelfMotion& motion)
+                                 const SelfMotion& motion, const GraphOptions& options)
     : s(at), curves(std::move(of)) {
   for (const SelfMotionCurve& curve : curves) {
     first.push_back(margin.size());
-    for (const Node& q : curve.nodes) margin.push_back(motion.margin(q));
+    for (const Node& q : curve.nodes) {
+      margin.push_back(motion.margin(q));
+      clearance_margin.push_back(options.clearance_margin(Configuration(q)));
+    }
   }
   continuation.assign(margin.size(), {nowhere, 0});
 }
@@ -79,7 +82,7 @@ void SelfMotionSweep::add_first() {
                        self_motion_starts(arm_, options_.task, pose, motion_, budget_), budget_)
             .curves;
   }
-  if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_);
+  if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_, options_);
 }
 
 /// Adds layers up to path parameter `end`, at this distance or, where that is too far, at less;
@@ -153,7 +156,7 @@ void SelfMotionSweep::add(double s, const Pose& pose, const Continued& continued
   for (std::size_t i = 0; i < found.places.size(); ++i) {
     layers_.back().continuation[continued.node[i]] = found.places[i];
   }
-  layers_.emplace_back(s, std::move(found.curves), motion_);
+  layers_.emplace_back(s, std::move(found.curves), motion_, options_);
   budget_.ended(static_cast<std::int64_t>(layers_.back().size()));
 }
 

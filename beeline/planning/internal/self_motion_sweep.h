@@ -18,11 +18,13 @@ struct SelfMotionLayer {
 
   double s = 0;
   std::vector<SelfMotionCurve> curves;
-  std::vector<std::size_t> first;   ///< of each curve: the number of its first node
-  std::vector<double> margin;       ///< of each node: SelfMotion::margin()
-  std::vector<Place> continuation;  ///< of each node, in the next layer; curve `nowhere`: none
+  std::vector<std::size_t> first;        ///< of each curve: the number of its first node
+  std::vector<double> margin;            ///< of each node: SelfMotion::margin()
+  std::vector<double> clearance_margin;  ///< of each node: GraphOptions::clearance_margin()
+  std::vector<Place> continuation;       ///< of each node, in the next layer; curve `nowhere`: none
 
-  SelfMotionLayer(double at, std::vector<SelfMotionCurve> of, const SelfMotion& motion);
+  SelfMotionLayer(double at, std::vector<SelfMotionCurve> of, const SelfMotion& motion,
+                  const GraphOptions& options);
   std::size_t size() const { return margin.size(); }
   const RedundantConfiguration& node(std::size_t i) const;
 };

@@ -190,13 +190,14 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
 
 }  // namespace
 
-void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& branch) {
+void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, Branch& branch) {
   branch.limit_margin = 1;
   branch.inverse_condition = 1;
+  branch.spare_clearance = Limits::none;
   for (const TrackedSegment& segment : branch.segments) {
     for (const Configuration& q : segment.samples) {
       if (budget.ended()) {
-        branch.limit_margin = branch.inverse_condition = 0;
+        branch.limit_margin = branch.inverse_condition = branch.spare_clearance = 0;
         return;
       }
       for (int k = 0; k < arm.dof(); ++k) {
@@ -204,7 +205,10 @@ void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& bran
         const double margin = std::max(0.0, limit_margin(q[k], limits.lower, limits.upper));
         branch.limit_margin = std::min(branch.limit_margin, margin);
       }
-      const Eigen::MatrixXd j = task_jacobian(arm, q, task, unit_of_length(arm));
+      if (options.spare_clearance) {
+        branch.spare_clearance = std::min(branch.spare_clearance, options.spare_clearance(q));
+      }
+      const Eigen::MatrixXd j = task_jacobian(arm, q, options.task, unit_of_length(arm));
       branch.inverse_condition =
           std::min(branch.inverse_condition, 1 / manipulability_measures(j).condition);
     }
@@ -235,6 +239,8 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
 
 bool better(const Branch& a, const Branch& b) {
   if (a.path_parameter != b.path_parameter) return a.path_parameter > b.path_parameter;
+  const bool blocked = a.spare_clearance < 0;
+  if (blocked != (b.spare_clearance < 0)) return !blocked;
   return std::min(a.limit_margin, a.inverse_condition) >
          std::min(b.limit_margin, b.inverse_condition);
 }
@@ -251,7 +257,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
     SingularWaypoints(search).complete(branch, 0, [](const Branch&) { return true; });
   }
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
-  measure(arm, options.task, budget, branch);
+  measure(arm, options, budget, branch);
   return branch;
 }
 
@@ -265,7 +271,7 @@ std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
   for (const Branch& branch : branches) farthest = std::max(farthest, branch.path_parameter);
   for (Branch& branch : branches) {  // margins only order branches that reach equally far
     if (options.reasons == Reasons::all || branch.path_parameter == farthest) {
-      measure(arm, options.task, budget, branch);
+      measure(arm, options, budget, branch);
     }
   }
   std::stable_sort(branches.begin(), branches.end(), better);

@@ -23,11 +23,12 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
 /// Sets the status and reason of a branch that is incomplete and has no reason yet.
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
 
-/// Sets limit_margin and inverse_condition from the branch's samples, or to 0 if the budget has
-/// ended.
-void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& branch);
+/// Sets limit_margin, inverse_condition and spare_clearance from the branch's samples, or to 0 if
+/// the budget has ended.
+void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, Branch& branch);
 
-/// The order of branches: `a` reaches farther than b, or as far with the larger smallest margin.
+/// The order of branches: `a` reaches farther than b, or as far and is not blocked, or has the
+/// larger smallest margin.
 bool better(const Branch& a, const Branch& b);
 
 }  // namespace beeline::internal

@@ -15,9 +15,10 @@ MotionStatus status_of_blocked(const Reason& reason) {
 
 namespace {
 
-/// Replaces a motion that blocked_by has a reason against by the reason.
-void refuse_blocked(const BlockedBy& blocked_by, BudgetMeter& budget, PathMotion& motion) {
-  Reason reason = blocked_by(motion.trajectory, budget.part());
+/// Replaces a motion that is blocked by the reason.
+void refuse_blocked(const BlockedMotions& blocked_by, BudgetMeter& budget, PathMotion& motion) {
+  if (!motion) return;
+  Reason reason = blocked_by.reason(motion.trajectory, budget.part());
   if (!reason) return;
   PathMotion refused;
   refused.status = status_of_blocked(reason);
@@ -32,7 +33,7 @@ BlockedBranch blocked_branch(const Configuration& start, const PathMotion& motio
 
 /// Plans, times and proves the motion of a branch, or returns why there is none.
 PathMotion motion_of(const MotionRequest& request, const Branch& branch,
-                     const BlockedBy& blocked_by, BudgetMeter& budget) {
+                     const BlockedMotions& blocked_by, BudgetMeter& budget) {
   if (!branch) {
     PathMotion motion;
     motion.status = branch.status;
@@ -44,19 +45,38 @@ PathMotion motion_of(const MotionRequest& request, const Branch& branch,
   from_start.start = branch.start;
   from_start.branch.budget = budget.part();
   PathMotion motion = planned_motion_in_time(from_start, budget);
-  if (motion) refuse_blocked(blocked_by, budget, motion);
+  refuse_blocked(blocked_by, budget, motion);
+  return motion;
+}
+
+/// Plans the motion again, with a self-motion that keeps clear.
+PathMotion motion_aside(const MotionRequest& request, const BlockedMotions& blocked_by,
+                        BudgetMeter& budget) {
+  MotionRequest aside = request;
+  aside.branch.spare_clearance = blocked_by.spare_clearance;
+  aside.branch.budget = budget.part();
+  PathMotion motion = planned_motion_in_time(aside, budget);
+  refuse_blocked(blocked_by, budget, motion);
   return motion;
 }
 
 }  // namespace
 
-PathMotion unblocked_motion(const MotionRequest& request, const BlockedBy& blocked_by,
+PathMotion unblocked_motion(const MotionRequest& request, const BlockedMotions& blocked_by,
                             PathMotion best, BudgetMeter& budget) {
   constexpr double same = 1e-6;  // radians or metres
   const Configuration first = best.trajectory.positions.front();
   refuse_blocked(blocked_by, budget, best);
-  if (best || request.start || !budget.complete()) return best;
+  if (best || !budget.complete()) return best;
   const bool redundant = request.arm.dof() > request.task().size();
+  if (redundant && blocked_by.spare_clearance) {
+    PathMotion aside = motion_aside(request, blocked_by, budget);
+    if (aside) {
+      aside.blocked = {blocked_branch(first, best)};
+      return aside;
+    }
+  }
+  if (request.start || !budget.complete()) return best;
   BranchOptions options = request.branch;
   options.budget = budget.part();
   std::optional<PathMotion> found;
