@@ -63,9 +63,11 @@ KnotSequence search_graph(const Arm& arm, const std::optional<Configuration>& st
 }
 
 /// Whether a finer grid may succeed after this one failed. With one redundant joint: if the graph
-/// was complete, or a step of Newton's method may have been too long. With more: once.
+/// was complete, or a step of Newton's method may have been too long, or a gap between obstacles
+/// too narrow for the nodes. With more: once.
 bool refine(const Arm& arm, const BranchOptions& options, std::size_t grid, bool complete) {
-  return has_self_motion_curves(arm, options.task) ? complete : grid < 1;
+  if (!has_self_motion_curves(arm, options.task)) return grid < 1;
+  return complete || options.spare_clearance;
 }
 
 /// Returns the branch that reaches farthest of the branches guided by graphs; nothing if the graphs

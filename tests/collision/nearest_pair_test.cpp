@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/collision/collision_model.h>
+#include <beeline/collision/internal/nearest_pair.h>
 #include <beeline/collision/internal/separation.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -164,6 +165,34 @@ TEST(CollisionModel, RefusesWhatIsNoModel) {
   EXPECT_REFUSED(model(links, {}, {.allowed_pairs = {{"tip", "tabel"}}}), "link or obstacle");
   EXPECT_REFUSED(nearest_pair(CollisionModel(arm, {}), Configuration::Zero(3)), "no pair");
   EXPECT_REFUSED(nearest_pair(CollisionModel(arm, links), Configuration::Zero(2)), "2");
+}
+
+TEST(SpareClearance, IsTheDistanceOfTheNearestPairBeyondItsClearance) {
+  Random random;
+  int blocked = 0, free = 0;
+  for (int i = 0; i < testing::cases(100); ++i) {
+    const Arm arm = testing::random_arm(random, random.integer(2, 7), 4);
+    const CollisionModel model(arm, testing::random_link_shapes(random, arm, 0.3),
+                               testing::random_scene(random, arm, random.integer(1, 20), 0.5, 3));
+    const Configuration q = random.configuration(arm);
+    if (!internal::has_pairs(model, q)) continue;
+    const BodyDistance nearest = nearest_pair(model, q);
+    const double spare = nearest.lower - nearest.clearance;
+    EXPECT_EQ(spare_clearance(model, q), spare);
+    EXPECT_EQ(spare_clearance(model, q, 0.01), std::min(spare, 0.01));
+    EXPECT_EQ(spare < 0, static_cast<bool>(blocked_by(model, q)));
+    (spare < 0 ? blocked : free) += 1;
+  }
+  EXPECT_GT(blocked, 0);
+  EXPECT_GT(free, 0);
+}
+
+TEST(SpareClearance, IsTheMostWithoutPairs) {
+  const Arm arm = built_in("ur5");
+  const CollisionModel model(arm, {}, {});
+  EXPECT_EQ(spare_clearance(model, Configuration::Zero(6)), Limits::none);
+  EXPECT_EQ(spare_clearance(model, Configuration::Zero(6), 0.1), 0.1);
+  EXPECT_REFUSED(spare_clearance(model, Configuration::Zero(5)), "6");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/certificate/clearance.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
@@ -98,6 +99,84 @@ TEST(BlockedBranches, OfARedundantArmGiveWayToo) {
     EXPECT_TRUE(prove_clearance(model, motion.trajectory));
   }
   EXPECT_GT(replaced, 0);
+}
+
+// From a given start there is no other branch: the elbow passes the ball by self-motion.
+TEST(BlockedBranches, GiveWayToAMotionAsideFromTheSameStart) {
+  Random random;
+  const Arm arm = built_in("panda");
+  int aside = 0;
+  for (int i = 0; i < testing::cases(30); ++i) {
+    const std::vector<Pose> line = random_line(random, arm);
+    const PathMotion free = move_in_lines(arm, line);
+    if (!free) continue;
+    const Configuration& start = free.trajectory.positions.front();
+    const CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.01);
+    if (blocked_by(model, start)) continue;
+    const std::span<const Pose> waypoints = std::span(line).subspan(1);
+    const PathMotion motion =
+        move_in_lines(arm, start, waypoints, {.blocked_by = blocked_motions(model)});
+    if (!motion) continue;
+    EXPECT_TRUE(prove_clearance(model, motion.trajectory));
+    EXPECT_EQ(motion.trajectory.positions.front(), start);
+    if (motion.blocked.empty()) continue;
+    ++aside;
+    EXPECT_EQ(motion.blocked.size(), 1U);
+    EXPECT_EQ(motion.blocked.front().start, start);
+    EXPECT_EQ(motion.blocked.front().status, MotionStatus::collides);
+    const BlockedMotions proofs_alone{.reason = blocked_motions(model).reason};
+    EXPECT_FALSE(move_in_lines(arm, start, waypoints, {.blocked_by = proofs_alone}));
+  }
+  EXPECT_GT(aside, 0);
+}
+
+// Two redundant joints: the graph of configurations has no blocked ones.
+TEST(BlockedBranches, OfAnArmWithTwoRedundantJointsGiveWay) {
+  Random random;
+  const Arm arm = arm_from_joint_string("RRRR:0.3,0.3,0.3,0.3");
+  int aside = 0;
+  for (int i = 0; i < testing::cases(12); ++i) {
+    PathMotionOptions options{.task = Task{{true, true, false, false, false, false}}};
+    const std::vector<Pose> line = random_line(random, arm);
+    const PathMotion free = move_in_lines(arm, line, options);
+    if (!free) continue;
+    const Configuration& start = free.trajectory.positions.front();
+    const CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.01);
+    if (blocked_by(model, start)) continue;
+    options.blocked_by = blocked_motions(model);
+    const PathMotion motion = move_in_lines(arm, start, std::span(line).subspan(1), options);
+    if (!motion) continue;
+    EXPECT_TRUE(prove_clearance(model, motion.trajectory));
+    aside += motion.blocked.empty() ? 0 : 1;
+  }
+  EXPECT_GT(aside, 0);
+}
+
+TEST(BlockedBranches, AreNotOfSuggestedPaths) {
+  Random random;
+  int suggested = 0;
+  for (int i = 0; i < testing::cases(12); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "ur5" : "panda");
+    const std::vector<Pose> line = random_line(random, arm);
+    const PathMotion free = move_in_lines(arm, line);
+    if (!free) continue;
+    // The ball is where the flange has to be in the end.
+    const CollisionModel model = model_with_ball(
+        arm, link_poses(arm, free.trajectory.positions.back()).back().translation(), 0.02);
+    const Configuration& start = free.trajectory.positions.front();
+    if (blocked_by(model, start)) continue;
+    const PathMotionOptions options{.blocked_by = blocked_motions(model), .suggest = true};
+    const PathMotion motion = move_in_lines(arm, start, std::span(line).subspan(1), options);
+    EXPECT_EQ(motion.status, MotionStatus::collides);
+    for (const NearbyPath& nearby : motion.nearby) {
+      ++suggested;
+      const PathMotion again = move_along(arm, nearby.start.value_or(start),
+                                          route_of(nearby.path, PathKind::line), options);
+      EXPECT_TRUE(again) << again.reason;
+      EXPECT_TRUE(prove_clearance(model, again.trajectory));
+    }
+  }
+  EXPECT_GT(suggested, 0);
 }
 
 TEST(BlockedBranches, AreNoneWhereTheBestOneIsClear) {
