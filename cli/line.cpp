@@ -358,9 +358,10 @@ Verb line_verb() {
           "check`; otherwise no motion is written, the status is collides or not_decided, "
           "and --draw shows the arm where it collides. "
           "Without --from the best branch that keeps it is taken, and those that do not are "
-          "listed as blocked, with what they hit and where or why they end early; a program has "
-          "one motion. The path is not planned around obstacles; joint motions are, see `beeline "
-          "help move`.\n\n"
+          "listed as blocked, with what they hit and where or why they end early. A redundant arm "
+          "moves aside by self-motion, also with --from. A program has one motion. The tool's path "
+          "stays as it is; joint motions are planned around obstacles, see `beeline help "
+          "move`.\n\n"
           "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments->arm.argument()},
       .options =
