@@ -185,6 +185,13 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
 /// limit would be below Limits::min_rate.
 Arm with_speed_scale(const Arm& arm, double k);
 
+/// Returns whether the joints of both arms carry the links in the same way, from bases at the same
+/// pose. Limits, names and tools may differ.
+bool same_links(const Arm& a, const Arm& b);
+
+/// The same for arms whose bases may be at different poses.
+bool same_joints(const Arm& a, const Arm& b);
+
 /// Throws Error unless q has arm.dof() values, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);
 

@@ -82,8 +82,8 @@ struct BranchOptions {
   /// default: no preference.
   std::function<Configuration(double)> guide = {};
   /// Distance beyond the clearance at a configuration, m, negative where it is blocked, usually
-  /// spare_clearance() of a model (in Python the CollisionModel). A complete branch on which it is
-  /// negative gives way to the others. Default: nothing is blocked.
+  /// spare_clearance() of a model (in Python the CollisionModel). A complete branch with a
+  /// negative value gives way to the others. Default: nothing is blocked.
   std::function<double(const ConfigurationRef&)> spare_clearance = {};
   Budget budget = {};
 };

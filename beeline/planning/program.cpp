@@ -1,6 +1,5 @@
 #include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/internal/enum_names.h>
-#include <beeline/model/internal/same_links.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/program_parts.h>

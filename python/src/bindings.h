@@ -23,6 +23,7 @@ void bind_joint_paths(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);
 void bind_certificates(nanobind::module_& module);
 void bind_collisions(nanobind::module_& module);
+void bind_distances(nanobind::module_& module);
 void bind_planning(nanobind::module_& module);
 void bind_pose_lists(nanobind::module_& module);
 void bind_programs(nanobind::module_& module);

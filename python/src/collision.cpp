@@ -158,21 +158,6 @@ void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
                 listed(far));
 }
 
-/// Whether the joints of both arms carry the links in the same way.
-bool same_links(const Arm& a, const Arm& b) {
-  const auto same_joint = [](const Joint& x, const Joint& y) {
-    return x.offset.matrix() == y.offset.matrix() && x.screw == y.screw;
-  };
-  const auto same_coupling = [](const Arm::JointCoupling& x, const Arm::JointCoupling& y) {
-    return x.coordinate == y.coordinate && x.ratio == y.ratio && x.shift == y.shift;
-  };
-  return a.base().matrix() == b.base().matrix() &&
-         std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
-                    same_joint) &&
-         std::equal(a.couplings().begin(), a.couplings().end(), b.couplings().begin(),
-                    b.couplings().end(), same_coupling);
-}
-
 void bind_bodies_of_model(nb::class_<CollisionModel>& model) {
   model
       .def_prop_ro(
@@ -247,61 +232,6 @@ void bind_model(nb::module_& m) {
       mounted, nb::arg("world_T_mount"));
 }
 
-void bind_blocked_by(nb::module_& m) {
-  Signature blocked("blocked_by", "Reason", comment("blocked_by"));
-  blocked.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("q", array_like, "Configuration (n,).")
-      .returns("Empty, which is false, if the configuration is free.");
-  define(
-      m,
-      [](const CollisionModel& model, nb::handle q) {
-        return Value<Reason>::to(blocked_by(model, Value<Configuration>::from(q, "q")));
-      },
-      blocked, nb::arg("model"), nb::arg("q"));
-  Signature spare("spare_clearance", "float", comment("spare_clearance"));
-  spare.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("q", array_like, "Configuration (n,).")
-      .takes("most", "float", "Distance, m, beyond which distances are not computed.", "inf");
-  define(
-      m,
-      [](const CollisionModel& model, nb::handle q, nb::handle most) {
-        return spare_clearance(model, Value<Configuration>::from(q, "q"),
-                               Value<double>::from(most, "most"));
-      },
-      spare, nb::arg("model"), nb::arg("q"), nb::arg("most") = Limits::none);
-  Signature base("base_blocked_by", "Reason", comment("base_blocked_by"));
-  base.takes("model", "CollisionModel", "The arm among obstacles.")
-      .returns("Empty, which is false, if the arm can stand there.");
-  define(
-      m, [](const CollisionModel& model) { return Value<Reason>::to(base_blocked_by(model)); },
-      base, nb::arg("model"));
-}
-
-void bind_distances(nb::module_& m) {
-  Signature nearest("nearest_pair", "BodyDistance",
-                    "Returns the pair with the least distance beyond its clearance at a "
-                    "configuration. Raises Error for a model without pairs.");
-  nearest.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("q", array_like, "Configuration (n,).");
-  define(
-      m,
-      [](const CollisionModel& model, nb::handle q) {
-        return nearest_pair(model, Value<Configuration>::from(q, "q"));
-      },
-      nearest, nb::arg("model"), nb::arg("q"));
-
-  Signature close("pairs_too_close", "list[BodyDistance]", comment("pairs_too_close"));
-  close.takes("model", "CollisionModel", "The arm among obstacles.")
-      .takes("q", array_like, "Configuration (n,).");
-  define(
-      m,
-      [](const CollisionModel& model, nb::handle q) {
-        return Value<std::vector<BodyDistance>>::to(
-            pairs_too_close(model, Value<Configuration>::from(q, "q")));
-      },
-      close, nb::arg("model"), nb::arg("q"));
-}
-
 }  // namespace
 
 nb::object Value<ShapeBody>::to(const ShapeBody& value) {
@@ -365,20 +295,6 @@ std::map<std::string, std::string> Value<std::map<std::string, std::string>>::fr
   return folders;
 }
 
-std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char* name) {
-  if (!nb::isinstance<CollisionModel>(value)) raise_type(name, "CollisionModel | None", value);
-  return {shared_object(nb::borrow(value)), &nb::cast<const CollisionModel&>(value)};
-}
-
-void check_model_of(const Arm& arm, const nb::dict& keywords) {
-  if (!keywords.contains("blocked_by")) return;
-  const nb::object model = keywords["blocked_by"];
-  if (nb::isinstance<CollisionModel>(model) &&
-      !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
-    throw Error("blocked_by is a model of another arm");
-  }
-}
-
 void bind_collisions(nb::module_& m) {
   bind_record<Sphere>(m);
   bind_record<Capsule>(m);
@@ -407,8 +323,6 @@ void bind_collisions(nb::module_& m) {
                               nb::str(files.scene.data(), files.scene.size()));
       },
       nb::arg());  // for the page
-  bind_distances(m);
-  bind_blocked_by(m);
 }
 
 }  // namespace beeline::python

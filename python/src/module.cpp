@@ -46,6 +46,7 @@ NB_MODULE(_core, module) {
   bind_timing(module);
   bind_certificates(module);
   bind_collisions(module);
+  bind_distances(module);
   bind_planning(module);
   bind_pose_lists(module);
   bind_programs(module);

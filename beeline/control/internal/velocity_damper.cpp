@@ -4,7 +4,6 @@
 
 #include <beeline/control/internal/velocity_damper.h>
 #include <beeline/error.h>
-#include <beeline/model/internal/same_links.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include <beeline/model/internal/same_links.h>
+#include <beeline/model/arm.h>
 
-namespace beeline::internal {
+namespace beeline {
 
 bool same_joints(const Arm& a, const Arm& b) {
   const auto same_joint = [](const Joint& x, const Joint& y) {
@@ -21,4 +21,4 @@ bool same_links(const Arm& a, const Arm& b) {
   return a.base().matrix() == b.base().matrix() && same_joints(a, b);
 }
 
-}  // namespace beeline::internal
+}  // namespace beeline
