@@ -1,9 +1,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/math/revolution.h>
 #include <beeline/planning/internal/self_motion.h>
 
@@ -18,16 +18,30 @@ constexpr double smallest_fraction =
 
 using Node = RedundantConfiguration;
 
+/// Returns the last column of Q in A = Q R.
+template <class Matrix>
+Node last_column(const Matrix& a) {
+  const Eigen::HouseholderQR<Matrix> qr(a);
+  Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1, 0, 7, 1> column;
+  column.setUnit(a.rows(), a.rows() - 1);
+  column.applyOnTheLeft(qr.householderQ());
+  return column;
+}
+
 }  // namespace
 
 SelfMotion::SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds,
-                       std::vector<bool> cyclic, double step)
+                       const std::vector<bool>& cyclic, double step)
     : arm_(arm),
       task_(task),
       bounds_(bounds),
-      cyclic_(std::move(cyclic)),
+      half_period_(arm.dof()),
       step_(step),
-      problem_(numerical_problem(arm, task, no_bounds(arm))) {}
+      problem_(numerical_problem(arm, task, no_bounds(arm))) {
+  for (Eigen::Index k = 0; k < half_period_.size(); ++k) {
+    half_period_[k] = cyclic[static_cast<std::size_t>(k)] ? revolution / 2 : Limits::none;
+  }
+}
 
 bool SelfMotion::solve(const Pose& pose, Node& q) {
   const LaneOptions options{
@@ -50,29 +64,48 @@ bool SelfMotion::solve(const Pose& pose, Node& q) {
 double SelfMotion::margin(const Node& q) const {
   double least = Limits::none;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (cyclic_[static_cast<std::size_t>(k)]) continue;
+    if (half_period_[k] < Limits::none) continue;
     least = std::min(least, limit_margin(q[k], bounds_.lower[k], bounds_.upper[k]));
   }
   return least;
 }
 
+inline double SelfMotion::coordinate_difference(Eigen::Index k, double b, double a) const {
+  constexpr double one_period = 9;  // below 3 pi; the difference from a revolution is then exact
+  const double d = b - a, size = std::abs(d);
+  if (!(size > half_period_[k])) return d;
+  return size < one_period ? d - std::copysign(revolution, d) : std::remainder(d, revolution);
+}
+
 Node SelfMotion::difference(const Node& b, const Node& a) const {
-  Node d = b - a;
-  for (Eigen::Index k = 0; k < d.size(); ++k) {
-    const bool wraps = std::abs(d[k]) > std::numbers::pi && cyclic_[static_cast<std::size_t>(k)];
-    if (wraps) d[k] = std::remainder(d[k], revolution);
-  }
+  Node d(b.size());
+  for (Eigen::Index k = 0; k < d.size(); ++k) d[k] = coordinate_difference(k, b[k], a[k]);
   return d;
 }
 
+bool SelfMotion::difference_within(double reach, const Node& b, const Node& a,
+                                   Node& difference) const {
+  difference.resize(b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k) {
+    difference[k] = coordinate_difference(k, b[k], a[k]);
+    if (std::abs(difference[k]) > reach) return false;
+  }
+  return true;
+}
+
 /// Computes a unit vector of the null space of the task's Jacobian, oriented as `direction` before.
-/// The last column of Q in J^T = Q R.
 bool SelfMotion::tangent(const Node& q, Node& direction) const {
-  using Transposed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 6>;
-  const Transposed j = task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose();
-  const Eigen::HouseholderQR<Transposed> qr(j);
-  Node null = Node::Unit(q.size(), q.size() - 1);
-  null.applyOnTheLeft(qr.householderQ());
+  Node null;
+  if (task_.size() == 6) {
+    Eigen::Matrix<double, 6, 7> columns;
+    jacobian(arm_, q, columns, task_.frame);
+    columns.topRows<3>() /= problem_.length;
+    null = last_column(Eigen::Matrix<double, 7, 6>(columns.transpose()));
+  } else {
+    using Transposed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 6>;
+    null = last_column(
+        Transposed(task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose()));
+  }
   if (!null.allFinite()) return false;
   direction = null.dot(direction) < 0 ? Node(-null) : null;
   return true;
@@ -206,10 +239,10 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
   const std::size_t all = curve.nodes.size();
   std::optional<std::size_t> best;
   double least = tolerance;
+  Node to;
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t i = (first + n) % all, j = (i + 1) % all;
-    const Node to = motion.difference(q, curve.nodes[i]);
-    if (to.lpNorm<Eigen::Infinity>() > motion.step() + tolerance) continue;
+    if (!motion.difference_within(motion.step() + tolerance, q, curve.nodes[i], to)) continue;
     const double distance = to.norm();
     if (distance < least) {
       least = distance;

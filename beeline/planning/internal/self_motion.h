@@ -28,8 +28,8 @@ class SelfMotion {
  public:
   /// Coordinates in `cyclic` have no bounds and are angles: curves may close after a revolution.
   /// `step` is the distance of neighbouring nodes, radians or metres.
-  SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds, std::vector<bool> cyclic,
-             double step);
+  SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds,
+             const std::vector<bool>& cyclic, double step);
 
   double step() const { return step_; }
   const Bounds& bounds() const { return bounds_; }
@@ -45,6 +45,11 @@ class SelfMotion {
   RedundantConfiguration difference(const RedundantConfiguration& b,
                                     const RedundantConfiguration& a) const;
 
+  /// Computes the same; returns whether no coordinate differs by more than `reach`. If one does,
+  /// the difference is not complete.
+  bool difference_within(double reach, const RedundantConfiguration& b,
+                         const RedundantConfiguration& a, RedundantConfiguration& difference) const;
+
   /// Traces the curve through q, a solution within the limits, to its ends.
   SelfMotionCurve curve_through(const Pose& pose, const RedundantConfiguration& q);
 
@@ -57,6 +62,7 @@ class SelfMotion {
                                                     double reach);
 
  private:
+  double coordinate_difference(Eigen::Index k, double b, double a) const;
   bool tangent(const RedundantConfiguration& q, RedundantConfiguration& direction) const;
   bool follow(const Pose& pose, bool limited, RedundantConfiguration direction,
               std::vector<RedundantConfiguration>& nodes);
@@ -67,7 +73,7 @@ class SelfMotion {
   Arm arm_;
   Task task_;
   Bounds bounds_;
-  std::vector<bool> cyclic_;
+  RedundantConfiguration half_period_;  ///< pi, infinite for coordinates that are not cyclic
   double step_;
   NumericalProblem problem_;  ///< without bounds
   GaussNewtonState solver_;
