@@ -70,27 +70,10 @@ double SelfMotion::margin(const Node& q) const {
   return least;
 }
 
-inline double SelfMotion::coordinate_difference(Eigen::Index k, double b, double a) const {
-  constexpr double one_period = 9;  // below 3 pi; the difference from a revolution is then exact
-  const double d = b - a, size = std::abs(d);
-  if (!(size > half_period_[k])) return d;
-  return size < one_period ? d - std::copysign(revolution, d) : std::remainder(d, revolution);
-}
-
 Node SelfMotion::difference(const Node& b, const Node& a) const {
   Node d(b.size());
   for (Eigen::Index k = 0; k < d.size(); ++k) d[k] = coordinate_difference(k, b[k], a[k]);
   return d;
-}
-
-bool SelfMotion::difference_within(double reach, const Node& b, const Node& a,
-                                   Node& difference) const {
-  difference.resize(b.size());
-  for (Eigen::Index k = 0; k < b.size(); ++k) {
-    difference[k] = coordinate_difference(k, b[k], a[k]);
-    if (std::abs(difference[k]) > reach) return false;
-  }
-  return true;
 }
 
 /// Computes a unit vector of the null space of the task's Jacobian, oriented as `direction` before.
@@ -240,9 +223,12 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
   std::optional<std::size_t> best;
   double least = tolerance;
   Node to;
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t i = (first + n) % all, j = (i + 1) % all;
-    if (!motion.difference_within(motion.step() + tolerance, q, curve.nodes[i], to)) continue;
+  const double reach = motion.step() + tolerance;
+  const auto next = [all](std::size_t i) { return i + 1 < all ? i + 1 : 0; };
+  std::size_t i = first % all;
+  for (std::size_t n = 0; n < count; ++n, i = next(i)) {
+    if (!motion.difference_within(reach, q, curve.nodes[i], to)) continue;
+    const std::size_t j = next(i);
     const double distance = to.norm();
     if (distance < least) {
       least = distance;

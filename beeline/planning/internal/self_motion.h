@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/kinematics/task.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 
@@ -78,6 +80,24 @@ class SelfMotion {
   NumericalProblem problem_;  ///< without bounds
   GaussNewtonState solver_;
 };
+
+inline double SelfMotion::coordinate_difference(Eigen::Index k, double b, double a) const {
+  constexpr double one_period = 9;  // below 3 pi; the difference from a revolution is then exact
+  const double d = b - a, size = std::abs(d);
+  if (!(size > half_period_[k])) return d;
+  return size < one_period ? d - std::copysign(revolution, d) : std::remainder(d, revolution);
+}
+
+inline bool SelfMotion::difference_within(double reach, const RedundantConfiguration& b,
+                                          const RedundantConfiguration& a,
+                                          RedundantConfiguration& difference) const {
+  difference.resize(b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k) {
+    difference[k] = coordinate_difference(k, b[k], a[k]);
+    if (std::abs(difference[k]) > reach) return false;
+  }
+  return true;
+}
 
 /// The index of the node of the curve that is nearest to q; nothing if q is farther than
 /// `tolerance` from all chords between neighbouring nodes.
