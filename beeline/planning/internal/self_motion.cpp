@@ -1,6 +1,6 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/jacobian.h>
@@ -18,14 +18,50 @@ constexpr double smallest_fraction =
 
 using Node = RedundantConfiguration;
 
-/// Returns the last column of Q in A = Q R.
-template <class Matrix>
-Node last_column(const Matrix& a) {
-  const Eigen::HouseholderQR<Matrix> qr(a);
-  Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1, 0, 7, 1> column;
-  column.setUnit(a.rows(), a.rows() - 1);
-  column.applyOnTheLeft(qr.householderQ());
-  return column;
+/// The dot product, in two partial sums.
+double dot(const double* a, const double* b, Eigen::Index count) {
+  double even = 0, odd = 0;
+  Eigen::Index i = 0;
+  for (; i + 1 < count; i += 2) {
+    even += a[i] * b[i];
+    odd += a[i + 1] * b[i + 1];
+  }
+  const double sum = even + odd;
+  return i < count ? sum + a[i] * b[i] : sum;
+}
+
+/// Applies the reflection I - scale v v^T, where v = (1, tail), to the numbers from x on.
+void reflect(double scale, const double* tail, Eigen::Index count, double* x) {
+  const double product = x[0] + dot(tail, x + 1, count);
+  x[0] -= scale * product;
+  for (Eigen::Index r = 0; r < count; ++r) x[r + 1] -= scale * tail[r] * product;
+}
+
+/// Returns a unit vector n with J n = 0 for a matrix with one column more than rows: the last
+/// column of Q in J^T = Q R, by Householder's reflections. The rows of J are consecutive.
+Node null_vector(double (&j)[6][7], Eigen::Index rows) {
+  double scale[6];
+  for (Eigen::Index c = 0; c < rows; ++c) {
+    const Eigen::Index count = rows - c;
+    double* const tail = j[c] + c + 1;
+    const double first = j[c][c], below = dot(tail, tail, count);
+    if (below <= std::numeric_limits<double>::min()) {
+      std::fill_n(tail, count, 0);
+      scale[c] = 0;
+      continue;
+    }
+    const double image = -std::copysign(std::sqrt(first * first + below), first);
+    for (Eigen::Index r = 0; r < count; ++r) tail[r] /= first - image;
+    scale[c] = (image - first) / image;
+    for (Eigen::Index other = c + 1; other < rows; ++other) {
+      reflect(scale[c], tail, count, j[other] + c);
+    }
+  }
+  Node null = Node::Unit(rows + 1, rows);
+  for (Eigen::Index c = rows; c-- > 0;) {
+    reflect(scale[c], j[c] + c + 1, rows - c, null.data() + c);
+  }
+  return null;
 }
 
 }  // namespace
@@ -78,17 +114,18 @@ Node SelfMotion::difference(const Node& b, const Node& a) const {
 
 /// Computes a unit vector of the null space of the task's Jacobian, oriented as `direction` before.
 bool SelfMotion::tangent(const Node& q, Node& direction) const {
-  Node null;
+  double j[6][7];
+  Eigen::Map<Eigen::Matrix<double, 7, 6>> rows(*j);  // as columns
   if (task_.size() == 6) {
     Eigen::Matrix<double, 6, 7> columns;
     jacobian(arm_, q, columns, task_.frame);
     columns.topRows<3>() /= problem_.length;
-    null = last_column(Eigen::Matrix<double, 7, 6>(columns.transpose()));
+    rows = columns.transpose();
   } else {
-    using Transposed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 6>;
-    null = last_column(
-        Transposed(task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose()));
+    rows.topLeftCorner(q.size(), task_.size()) =
+        task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose();
   }
+  const Node null = null_vector(j, task_.size());
   if (!null.allFinite()) return false;
   direction = null.dot(direction) < 0 ? Node(-null) : null;
   return true;
@@ -215,10 +252,11 @@ std::optional<Node> SelfMotion::move_inside(const Pose& pose, Node q, double rea
 
 namespace {
 
-/// The nearest of `count` nodes from `first` on, round a closed curve.
+/// The nearest of `count` nodes from `first` on, round a closed curve; with `any`, the first that
+/// is found within the tolerance.
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const Node& q, double tolerance, std::size_t first,
-                                     std::size_t count) {
+                                     std::size_t count, bool any = false) {
   const std::size_t all = curve.nodes.size();
   std::optional<std::size_t> best;
   double least = tolerance;
@@ -226,7 +264,7 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
   const double reach = motion.step() + tolerance;
   const auto next = [all](std::size_t i) { return i + 1 < all ? i + 1 : 0; };
   std::size_t i = first % all;
-  for (std::size_t n = 0; n < count; ++n, i = next(i)) {
+  for (std::size_t n = 0; n < count && !(any && best); ++n, i = next(i)) {
     if (!motion.difference_within(reach, q, curve.nodes[i], to)) continue;
     const std::size_t j = next(i);
     const double distance = to.norm();
@@ -251,6 +289,11 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const Node& q, double tolerance) {
   return node_near(motion, curve, q, tolerance, 0, curve.nodes.size());
+}
+
+bool passes(const SelfMotion& motion, const SelfMotionCurve& curve, const Node& q,
+            double tolerance) {
+  return node_near(motion, curve, q, tolerance, 0, curve.nodes.size(), true).has_value();
 }
 
 SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,

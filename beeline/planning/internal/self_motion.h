@@ -104,6 +104,10 @@ inline bool SelfMotion::difference_within(double reach, const RedundantConfigura
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const RedundantConfiguration& q, double tolerance);
 
+/// Whether q is within `tolerance` of a node or a chord of the curve.
+bool passes(const SelfMotion& motion, const SelfMotionCurve& curve, const RedundantConfiguration& q,
+            double tolerance);
+
 /// The curves through configurations at the pose, each once. If the budget ends the computation,
 /// only some of the first configurations have places.
 struct SelfMotionCurves {
