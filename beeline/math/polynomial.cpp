@@ -78,8 +78,11 @@ Extremes enclosure(const Polynomial& p) {
   for (std::size_t level = 1; level <= degree; ++level) {
     for (std::size_t j = degree; j >= level; --j) b[j] += b[j - 1];
   }
-  const auto [smallest, largest] = std::minmax_element(b.begin(), b.end());
-  return {*smallest, *largest};
+  Extremes found{b[0], b[0]};
+  for (const double value : b) {
+    found = {std::min(found.smallest, value), std::max(found.largest, value)};
+  }
+  return found;
 }
 
 Extremes extremes(const Polynomial& p) {

@@ -32,12 +32,13 @@ int parts(const JointPath& path, std::size_t k, const RefineOptions& options) {
   return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.max_parts)));
 }
 
-/// Throws Error where the refined path would exhaust the memory.
-void check_parts(const JointPath& path, const RefineOptions& options) {
+/// Returns the number of grid points of the refined path, or more. Throws Error where they would
+/// exhaust the memory.
+std::size_t refined_size(const JointPath& path, const RefineOptions& options) {
   constexpr double most = 1e7;
   double all = 1;
   for (std::size_t k = 0; k + 1 < path.size(); ++k) all += parts(path, k, options);
-  if (all <= most) return;
+  if (all <= most) return static_cast<std::size_t>(all);
   throw Error("the refined path would have " + number(all) + " grid points, at most " +
               number(most) + " are possible; lower min_steps or max_parts, or raise max_change");
 }
@@ -96,13 +97,22 @@ void check_path(const JointPath& path) {
 }
 
 PathPoint path_point(const JointPath& path, std::size_t step, double u) {
-  const std::size_t k = step;
-  const double h = path.s[k + 1] - path.s[k];
-  const auto quintic = internal::quintic_between<Configuration>(
-      path.q[k + 1] - path.q[k], h * path.dq[k], h * h * path.ddq[k], h * path.dq[k + 1],
-      h * h * path.ddq[k + 1]);
-  return {path.q[k] + quintic.change(u), quintic.first(u) / h, quintic.second(u) / (h * h),
-          quintic.third(u) / (h * h * h)};
+  const Configuration &q0 = path.q[step], &q1 = path.q[step + 1];
+  const Configuration &v0 = path.dq[step], &v1 = path.dq[step + 1];
+  const Configuration &a0 = path.ddq[step], &a1 = path.ddq[step + 1];
+  const double h = path.s[step + 1] - path.s[step];
+  const Eigen::Index joints = q0.size();
+  PathPoint point{Configuration(joints), Configuration(joints), Configuration(joints),
+                  Configuration(joints)};
+  for (Eigen::Index i = 0; i < joints; ++i) {
+    const auto quintic = internal::quintic_between<double>(q1[i] - q0[i], h * v0[i], h * h * a0[i],
+                                                           h * v1[i], h * h * a1[i]);
+    point.q[i] = q0[i] + quintic.change(u);
+    point.dq[i] = quintic.first(u) / h;
+    point.ddq[i] = quintic.second(u) / (h * h);
+    point.dddq[i] = quintic.third(u) / (h * h * h);
+  }
+  return point;
 }
 
 JointPath joint_spline(std::span<const Configuration> samples, std::span<const double> parameter) {
@@ -168,10 +178,12 @@ std::vector<double> chord_length(std::span<const Configuration> samples) {
 
 JointPath refined(const JointPath& path, const RefineOptions& options) {
   check_path(path);
-  check_parts(path, options);
+  const std::size_t size = refined_size(path, options);
   internal::BudgetMeter budget(options.budget);
   const std::size_t between_reports = 1 + path.size() / 100;
   JointPath fine;
+  fine.s.reserve(size);
+  for (auto* column : {&fine.q, &fine.dq, &fine.ddq}) column->reserve(size);
   const auto append = [&fine](double s, Configuration q, Configuration dq, Configuration ddq) {
     fine.s.push_back(s);
     fine.q.push_back(std::move(q));

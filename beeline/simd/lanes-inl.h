@@ -111,6 +111,18 @@ HWY_INLINE Lanes fnma(Lanes a, Lanes b, Lanes c) {
   return r;
 }
 
+/// The smallest and the largest of the eight numbers, none of which may be NaN.
+HWY_INLINE double smallest_of(Lanes a) {
+  auto least = a.part[0];
+  for (int i = 1; i < register_count; ++i) least = hn::Min(least, a.part[i]);
+  return hn::GetLane(hn::MinOfLanes(RegisterTag(), least));
+}
+HWY_INLINE double largest_of(Lanes a) {
+  auto most = a.part[0];
+  for (int i = 1; i < register_count; ++i) most = hn::Max(most, a.part[i]);
+  return hn::GetLane(hn::MaxOfLanes(RegisterTag(), most));
+}
+
 /// Bit k is set where the mask holds in lane k.
 HWY_INLINE unsigned bits(LaneMask mask) {
   constexpr int width = lane_count / register_count;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -58,7 +59,9 @@ void operations(const double* three_rows, double* out) {
                            added,
                            taken,
                            times,
-                           Lanes(3.5)};
+                           Lanes(3.5),
+                           Lanes(smallest_of(a)),
+                           Lanes(largest_of(a))};
   for (const Lanes& result : results) {
     result.store(out);
     out += lane_count;
@@ -115,7 +118,7 @@ TEST(Lanes, OperationsAreThoseOfTheScalars) {
   on_every_target([] {
     testing::Random random;
     for (int trial = 0; trial < 200; ++trial) {
-      double in[3 * eight], out[27 * eight];
+      double in[3 * eight], out[29 * eight];
       for (double& x : in) x = trial % 2 == 0 ? any(random, -10, 10) : random.integer(-5, 5) / 2.0;
       HWY_DYNAMIC_DISPATCH(operations)(in, out);
       for (std::size_t lane = 0; lane < eight; ++lane) {
@@ -147,7 +150,9 @@ TEST(Lanes, OperationsAreThoseOfTheScalars) {
                                  a + b,
                                  a - b,
                                  a * b,
-                                 3.5};
+                                 3.5,
+                                 *std::min_element(in, in + eight),
+                                 *std::max_element(in, in + eight)};
         for (std::size_t i = 0; i < std::size(wanted); ++i) {
           const double seen = out[i * eight + lane];
           if (std::isnan(wanted[i])) {

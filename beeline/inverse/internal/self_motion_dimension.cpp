@@ -71,11 +71,13 @@ int dimension_found(const Arm& arm, const Task& task, const Pose& goal,
 int self_motion_dimension(const Arm& arm, const Task& task, const Pose& world_T_tool,
                           const std::vector<Configuration>& solutions) {
   const int rank = largest_rank(arm, task);
+  const auto regular = [&](const Configuration& q) { return rank_at(arm, task, q) >= rank; };
+  if (rank < arm.dof() && std::any_of(solutions.begin(), solutions.end(), regular)) {
+    return arm.dof() - rank;
+  }
   std::vector<Configuration> singular;
   std::copy_if(solutions.begin(), solutions.end(), std::back_inserter(singular),
-               [&](const Configuration& q) { return rank_at(arm, task, q) < rank; });
-  const bool regular = singular.size() < solutions.size();
-  if (regular && rank < arm.dof()) return arm.dof() - rank;
+               [&](const Configuration& q) { return !regular(q); });
   return dimension_found(arm, task, world_T_tool, singular);
 }
 

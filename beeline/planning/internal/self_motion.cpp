@@ -1,9 +1,9 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/math/revolution.h>
 #include <beeline/planning/internal/self_motion.h>
 
@@ -18,16 +18,66 @@ constexpr double smallest_fraction =
 
 using Node = RedundantConfiguration;
 
+/// The dot product, in two partial sums.
+double dot(const double* a, const double* b, Eigen::Index count) {
+  double even = 0, odd = 0;
+  Eigen::Index i = 0;
+  for (; i + 1 < count; i += 2) {
+    even += a[i] * b[i];
+    odd += a[i + 1] * b[i + 1];
+  }
+  const double sum = even + odd;
+  return i < count ? sum + a[i] * b[i] : sum;
+}
+
+/// Applies the reflection I - scale v v^T, where v = (1, tail), to the numbers from x on.
+void reflect(double scale, const double* tail, Eigen::Index count, double* x) {
+  const double product = x[0] + dot(tail, x + 1, count);
+  x[0] -= scale * product;
+  for (Eigen::Index r = 0; r < count; ++r) x[r + 1] -= scale * tail[r] * product;
+}
+
+/// Returns a unit vector n with J n = 0 for a matrix with one column more than rows: the last
+/// column of Q in J^T = Q R, by Householder's reflections. The rows of J are consecutive.
+Node null_vector(double (&j)[6][7], Eigen::Index rows) {
+  double scale[6];
+  for (Eigen::Index c = 0; c < rows; ++c) {
+    const Eigen::Index count = rows - c;
+    double* const tail = j[c] + c + 1;
+    const double first = j[c][c], below = dot(tail, tail, count);
+    if (below <= std::numeric_limits<double>::min()) {
+      std::fill_n(tail, count, 0);
+      scale[c] = 0;
+      continue;
+    }
+    const double image = -std::copysign(std::sqrt(first * first + below), first);
+    for (Eigen::Index r = 0; r < count; ++r) tail[r] /= first - image;
+    scale[c] = (image - first) / image;
+    for (Eigen::Index other = c + 1; other < rows; ++other) {
+      reflect(scale[c], tail, count, j[other] + c);
+    }
+  }
+  Node null = Node::Unit(rows + 1, rows);
+  for (Eigen::Index c = rows; c-- > 0;) {
+    reflect(scale[c], j[c] + c + 1, rows - c, null.data() + c);
+  }
+  return null;
+}
+
 }  // namespace
 
 SelfMotion::SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds,
-                       std::vector<bool> cyclic, double step)
+                       const std::vector<bool>& cyclic, double step)
     : arm_(arm),
       task_(task),
       bounds_(bounds),
-      cyclic_(std::move(cyclic)),
+      half_period_(arm.dof()),
       step_(step),
-      problem_(numerical_problem(arm, task, no_bounds(arm))) {}
+      problem_(numerical_problem(arm, task, no_bounds(arm))) {
+  for (Eigen::Index k = 0; k < half_period_.size(); ++k) {
+    half_period_[k] = cyclic[static_cast<std::size_t>(k)] ? revolution / 2 : Limits::none;
+  }
+}
 
 bool SelfMotion::solve(const Pose& pose, Node& q) {
   const LaneOptions options{
@@ -50,29 +100,32 @@ bool SelfMotion::solve(const Pose& pose, Node& q) {
 double SelfMotion::margin(const Node& q) const {
   double least = Limits::none;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (cyclic_[static_cast<std::size_t>(k)]) continue;
+    if (half_period_[k] < Limits::none) continue;
     least = std::min(least, limit_margin(q[k], bounds_.lower[k], bounds_.upper[k]));
   }
   return least;
 }
 
 Node SelfMotion::difference(const Node& b, const Node& a) const {
-  Node d = b - a;
-  for (Eigen::Index k = 0; k < d.size(); ++k) {
-    const bool wraps = std::abs(d[k]) > std::numbers::pi && cyclic_[static_cast<std::size_t>(k)];
-    if (wraps) d[k] = std::remainder(d[k], revolution);
-  }
+  Node d(b.size());
+  for (Eigen::Index k = 0; k < d.size(); ++k) d[k] = coordinate_difference(k, b[k], a[k]);
   return d;
 }
 
 /// Computes a unit vector of the null space of the task's Jacobian, oriented as `direction` before.
-/// The last column of Q in J^T = Q R.
 bool SelfMotion::tangent(const Node& q, Node& direction) const {
-  using Transposed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 6>;
-  const Transposed j = task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose();
-  const Eigen::HouseholderQR<Transposed> qr(j);
-  Node null = Node::Unit(q.size(), q.size() - 1);
-  null.applyOnTheLeft(qr.householderQ());
+  double j[6][7];
+  Eigen::Map<Eigen::Matrix<double, 7, 6>> rows(*j);  // as columns
+  if (task_.size() == 6) {
+    Eigen::Matrix<double, 6, 7> columns;
+    jacobian(arm_, q, columns, task_.frame);
+    columns.topRows<3>() /= problem_.length;
+    rows = columns.transpose();
+  } else {
+    rows.topLeftCorner(q.size(), task_.size()) =
+        task_jacobian(arm_, Configuration(q), task_, problem_.length).transpose();
+  }
+  const Node null = null_vector(j, task_.size());
   if (!null.allFinite()) return false;
   direction = null.dot(direction) < 0 ? Node(-null) : null;
   return true;
@@ -199,17 +252,21 @@ std::optional<Node> SelfMotion::move_inside(const Pose& pose, Node q, double rea
 
 namespace {
 
-/// The nearest of `count` nodes from `first` on, round a closed curve.
+/// The nearest of `count` nodes from `first` on, round a closed curve; with `any`, the first that
+/// is found within the tolerance.
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const Node& q, double tolerance, std::size_t first,
-                                     std::size_t count) {
+                                     std::size_t count, bool any = false) {
   const std::size_t all = curve.nodes.size();
   std::optional<std::size_t> best;
   double least = tolerance;
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t i = (first + n) % all, j = (i + 1) % all;
-    const Node to = motion.difference(q, curve.nodes[i]);
-    if (to.lpNorm<Eigen::Infinity>() > motion.step() + tolerance) continue;
+  Node to;
+  const double reach = motion.step() + tolerance;
+  const auto next = [all](std::size_t i) { return i + 1 < all ? i + 1 : 0; };
+  std::size_t i = first % all;
+  for (std::size_t n = 0; n < count && !(any && best); ++n, i = next(i)) {
+    if (!motion.difference_within(reach, q, curve.nodes[i], to)) continue;
+    const std::size_t j = next(i);
     const double distance = to.norm();
     if (distance < least) {
       least = distance;
@@ -232,6 +289,11 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const Node& q, double tolerance) {
   return node_near(motion, curve, q, tolerance, 0, curve.nodes.size());
+}
+
+bool passes(const SelfMotion& motion, const SelfMotionCurve& curve, const Node& q,
+            double tolerance) {
+  return node_near(motion, curve, q, tolerance, 0, curve.nodes.size(), true).has_value();
 }
 
 SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,

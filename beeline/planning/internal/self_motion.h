@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/kinematics/task.h>
+#include <beeline/math/revolution.h>
 
 namespace beeline::internal {
 
@@ -28,8 +30,8 @@ class SelfMotion {
  public:
   /// Coordinates in `cyclic` have no bounds and are angles: curves may close after a revolution.
   /// `step` is the distance of neighbouring nodes, radians or metres.
-  SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds, std::vector<bool> cyclic,
-             double step);
+  SelfMotion(const Arm& arm, const Task& task, const Bounds& bounds,
+             const std::vector<bool>& cyclic, double step);
 
   double step() const { return step_; }
   const Bounds& bounds() const { return bounds_; }
@@ -45,6 +47,11 @@ class SelfMotion {
   RedundantConfiguration difference(const RedundantConfiguration& b,
                                     const RedundantConfiguration& a) const;
 
+  /// Computes the same; returns whether no coordinate differs by more than `reach`. If one does,
+  /// the difference is not complete.
+  bool difference_within(double reach, const RedundantConfiguration& b,
+                         const RedundantConfiguration& a, RedundantConfiguration& difference) const;
+
   /// Traces the curve through q, a solution within the limits, to its ends.
   SelfMotionCurve curve_through(const Pose& pose, const RedundantConfiguration& q);
 
@@ -57,6 +64,7 @@ class SelfMotion {
                                                     double reach);
 
  private:
+  double coordinate_difference(Eigen::Index k, double b, double a) const;
   bool tangent(const RedundantConfiguration& q, RedundantConfiguration& direction) const;
   bool follow(const Pose& pose, bool limited, RedundantConfiguration direction,
               std::vector<RedundantConfiguration>& nodes);
@@ -67,16 +75,38 @@ class SelfMotion {
   Arm arm_;
   Task task_;
   Bounds bounds_;
-  std::vector<bool> cyclic_;
+  RedundantConfiguration half_period_;  ///< pi, infinite for coordinates that are not cyclic
   double step_;
   NumericalProblem problem_;  ///< without bounds
   GaussNewtonState solver_;
 };
 
+inline double SelfMotion::coordinate_difference(Eigen::Index k, double b, double a) const {
+  constexpr double one_period = 9;  // below 3 pi; the difference from a revolution is then exact
+  const double d = b - a, size = std::abs(d);
+  if (!(size > half_period_[k])) return d;
+  return size < one_period ? d - std::copysign(revolution, d) : std::remainder(d, revolution);
+}
+
+inline bool SelfMotion::difference_within(double reach, const RedundantConfiguration& b,
+                                          const RedundantConfiguration& a,
+                                          RedundantConfiguration& difference) const {
+  difference.resize(b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k) {
+    difference[k] = coordinate_difference(k, b[k], a[k]);
+    if (std::abs(difference[k]) > reach) return false;
+  }
+  return true;
+}
+
 /// The index of the node of the curve that is nearest to q; nothing if q is farther than
 /// `tolerance` from all chords between neighbouring nodes.
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const RedundantConfiguration& q, double tolerance);
+
+/// Whether q is within `tolerance` of a node or a chord of the curve.
+bool passes(const SelfMotion& motion, const SelfMotionCurve& curve, const RedundantConfiguration& q,
+            double tolerance);
 
 /// The curves through configurations at the pose, each once. If the budget ends the computation,
 /// only some of the first configurations have places.

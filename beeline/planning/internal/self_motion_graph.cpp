@@ -51,9 +51,10 @@ class BestPath {
     const SelfMotionCurve& curve = layers_[r + 1].curves[place.curve];
     const std::size_t first = layers_[r + 1].first[place.curve], count = curve.nodes.size();
     std::size_t visited = 0;
+    Node step;
     const auto visit = [&](std::size_t k) {
-      const Node step = motion_.difference(curve.nodes[k], q);
-      if (step.lpNorm<Eigen::Infinity>() > largest_change || visited++ >= count) return false;
+      if (!motion_.difference_within(largest_change, curve.nodes[k], q, step)) return false;
+      if (visited++ >= count) return false;
       const bool blocked = layers_[r + 1].clearance_margin[first + k] < 0;
       if (!blocked) f(first + k, step);
       // The continuation itself may be blocked where a motion to the side is not.

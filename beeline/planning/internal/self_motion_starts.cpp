@@ -100,10 +100,10 @@ std::vector<Node> self_motion_starts(const Arm& arm, const Task& task, const Pos
   for (const Configuration& solution : unlimited_solutions(arm, task, pose, budget)) {
     if (budget.ended()) break;
     const Node q = solution;
-    const auto passes = [&](const SelfMotionCurve& curve) {
-      return node_near(unlimited, curve, q, 0.2 * unlimited.step()).has_value();
+    const auto passed = [&](const SelfMotionCurve& curve) {
+      return passes(unlimited, curve, q, 0.2 * unlimited.step());
     };
-    if (std::any_of(curves.begin(), curves.end(), passes)) continue;
+    if (std::any_of(curves.begin(), curves.end(), passed)) continue;
     curves.push_back(unlimited.unlimited_curve_through(pose, q));
     add_inside(arm, pose, unlimited, curves.back(), motion, starts);
   }

@@ -14,6 +14,10 @@ DurationProblem::DurationProblem(const SquaredRateSpline& spline,
     inverse_limits_.push_back(1 / acceleration[i]);
     inverse_limits_.push_back(1 / jerk[i]);
   }
+  constexpr std::size_t outermost_blocks = 4;
+  const std::size_t blocks = 3 * (spline.steps() / lanes + 1) + outermost_blocks;
+  numbers_.reserve(blocks * (lanes * (11 + 3 * static_cast<std::size_t>(jerk.size()))));
+  times_.reserve(blocks * lanes);
   const auto add = [&](std::size_t first, double u, double weight) {
     first_steps_.push_back(first);
     numbers_.resize(numbers_.size() + block_size());

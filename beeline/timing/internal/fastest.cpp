@@ -2,176 +2,97 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/thread_scratch.h>
 #include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/fastest.h>
-#include <beeline/timing/internal/step_polygon.h>
+#include <beeline/timing/internal/step_constraints.h>
 #include <beeline/timing/internal/timed_section.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr double near_limit = 0.9;       // of a squared velocity limit; steps are not checked below
-constexpr double simply_slower = 1.001;  // a violation up to this is removed without a new pass
+constexpr double simply_slower = 1.001;     // a violation up to this is removed without a new pass
 constexpr double shortest_duration = 1e-3;  // seconds, if nothing moves; times must increase
 
 constexpr std::size_t steps_between_asks = 64;  // steps of the path; then the budget is asked
 
 double squared(double x) { return x * x; }
 
-/// dq/ds and d2q/ds2 of one joint in the middle of a step: of the quintic through its ends.
-struct Middle {
-  double dq, ddq;
-};
-inline Middle middle(const JointPath& path, std::size_t k, Eigen::Index i, double h) {
-  const double d0 = path.dq[k][i], d1 = path.dq[k + 1][i];
-  const double c0 = path.ddq[k][i], c1 = path.ddq[k + 1][i];
-  const double chord = (path.q[k + 1][i] - path.q[k][i]) / h;
-  return {1.875 * chord - 0.4375 * (d0 + d1) - h / 32 * (c0 - c1),
-          1.5 * (d1 - d0) / h - 0.25 * (c0 + c1)};
+/// Calls f(from, to) for parts of the steps in their order until f returns false or the budget ends
+/// the computation.
+template <class F>
+void for_parts(std::size_t steps, BudgetMeter& budget, const F& f) {
+  for (std::size_t from = 0; from < steps && !budget.ended(0); from += steps_between_asks) {
+    if (!f(from, std::min(steps, from + steps_between_asks))) return;
+  }
 }
 
-/// The constraints of a path with limits on the squared speeds b at its grid points, for both
-/// constraints.
-class Constraints {
- public:
-  Constraints(const JointPath& path, const PathLimits& limits, BudgetMeter& budget)
-      : path_(path),
-        limits_(limits),
-        budget_(budget),
-        slowness_(limits.velocity.cwiseInverse()),
-        polygon_(constraints_, constraints_of_a_step()) {
-    prepare();
-  }
+/// Computes the constraints of a path whose limits have been set.
+void prepare(const JointPath& path, const PathLimits& limits, BudgetMeter& budget,
+             StepConstraints& constraints) {
+  const double fastest = squared((path.s.back() - path.s.front()) / shortest_duration);
+  for_parts(path.size() - 1, budget, [&](std::size_t from, std::size_t to) {
+    set_constraints(path, limits, fastest, from, to, constraints);
+    return true;
+  });
+}
 
-  /// Whether the budget has ended the computation, asked at some of the steps k.
-  bool ended(std::size_t k) const { return k % steps_between_asks == 0 && budget_.ended(0); }
+/// Divides the velocity limits by the factor.
+void lower_velocity_limits(const JointPath& path, const PathLimits& limits, double factor,
+                           BudgetMeter& budget, StepConstraints& constraints) {
+  for (double& slowness : constraints.slowness) slowness *= factor;
+  const double begin = constraints.largest.front(), end = constraints.largest.back();
+  prepare(path, limits, budget, constraints);
+  constraints.largest.front() = begin;  // the given speeds stay
+  constraints.largest.back() = end;
+}
 
-  /// The largest squared speed at grid point k that the velocity limits allow.
-  double largest(std::size_t k) const { return largest_[k]; }
+/// The largest fraction of a velocity limit that is used between the quarters of the steps.
+double velocity_fraction(const JointPath& path, const StepConstraints& constraints,
+                         BudgetMeter& budget, const std::vector<double>& b) {
+  double largest = 0;
+  for_parts(path.size() - 1, budget, [&](std::size_t from, std::size_t to) {
+    largest = std::max(largest, squared_velocity_fraction(path, constraints, from, to, b.data()));
+    return true;
+  });
+  return std::sqrt(largest);
+}
 
-  /// See StepPolygon, for step k.
-  SquaredSpeeds begins(std::size_t k, const SquaredSpeeds& ends) {
-    polygon_.go_to(k * constraints_of_a_step());
-    return polygon_.begins(ends, largest_[k]);
-  }
-
-  double furthest_end(std::size_t k, double x, const SquaredSpeeds& ends) {
-    polygon_.go_to(k * constraints_of_a_step());
-    return polygon_.furthest_end(x, ends);
-  }
-
-  /// Divides the velocity limits by the factor.
-  void slow_down(double factor) {
-    slowness_ *= factor;
-    const double begin = largest_.front(), end = largest_.back();  // the given speeds stay
-    prepare();
-    largest_.front() = begin;
-    largest_.back() = end;
-  }
-
-  /// The largest fraction of a velocity limit that is used, between the quarters of the steps, at
-  /// which the constraints keep it.
-  double velocity_fraction(const std::vector<double>& b) const {
-    double largest = 0;
-    for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) {
-      const double h = path_.s[k + 1] - path_.s[k], higher = std::max(b[k], b[k + 1]);
-      for (Eigen::Index i = 0; i < slowness_.size(); ++i) {
-        const double d0 = path_.dq[k][i], d1 = path_.dq[k + 1][i], mid = middle(path_, k, i, h).dq;
-        const double scale = squared(slowness_[i]);
-        if (std::max({d0 * d0, mid * mid, d1 * d1}) * scale * higher < near_limit) continue;
-        for (const double x : {0.125, 0.375, 0.625, 0.875}) {
-          const double slope =
-              (1 - x) * (1 - 2 * x) * d0 + 4 * x * (1 - x) * mid + x * (2 * x - 1) * d1;
-          largest = std::max(largest, slope * slope * scale * ((1 - x) * b[k] + x * b[k + 1]));
-        }
-      }
+/// The backward pass: the intervals of the squared speeds at the grid points from which the end can
+/// be reached. Returns why there are none, or no reason.
+Reason controllable_speeds(const JointPath& path, double end_speed,
+                           const StepConstraints& constraints, BudgetMeter& budget,
+                           std::vector<SquaredSpeeds>& controllable) {
+  std::size_t to = path.size() - 1;
+  controllable.resize(path.size());
+  controllable[to].min = controllable[to].max = squared(end_speed);
+  while (to > 0 && !budget.ended(0)) {
+    const std::size_t from = to - std::min(to, steps_between_asks);
+    const std::size_t failed = controllable_speeds(constraints, from, to, controllable.data());
+    if (failed < to) {
+      return {ReasonCode::end_speed_unreachable, {{ReasonField::s, path.s[failed]}}};
     }
-    return std::sqrt(largest);
+    to = from;
   }
-
- private:
-  std::size_t constraints_of_a_step() const {
-    return static_cast<std::size_t>(3 * slowness_.size() + 3);
-  }
-
-  void prepare() {
-    const double fastest = squared((path_.s.back() - path_.s.front()) / shortest_duration);
-    largest_.resize(path_.size());
-    for (std::size_t k = 0; k < path_.size(); ++k) {
-      double slowest = path_.dq[k].cwiseAbs().cwiseProduct(slowness_).maxCoeff();
-      if (!limits_.speed.empty()) slowest = std::max(slowest, 1 / limits_.speed[k]);
-      largest_[k] = std::min(fastest, 1 / squared(slowest));
-    }
-    constraints_.begin.resize((path_.size() - 1) * constraints_of_a_step());
-    constraints_.end.resize(constraints_.begin.size());
-    for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) prepare_step(k);
-  }
-
-  /// With the squared speeds x and y at both ends, d2s/dt2 = (y - x) / 2h. A joint's acceleration
-  /// q' d2s/dt2 + q'' b is a parabola in s where the path is cubic: within its limit where the
-  /// three coefficients of its Bernstein form are. Its velocity is kept at the ends by `largest`,
-  /// and here at the quarters.
-  void prepare_step(std::size_t k) {
-    const double h = path_.s[k + 1] - path_.s[k], half = 0.5 / h;
-    double* begin = &constraints_.begin[k * constraints_of_a_step()];
-    double* end = &constraints_.end[k * constraints_of_a_step()];
-    const auto& fraction = limits_.fraction;
-    const double usable = fraction.empty() ? 1 : std::min(fraction[k], fraction[k + 1]);
-    double slowest[3] = {0, 0, 0};  // inverse of the speed at each quarter of the step
-    for (Eigen::Index i = 0; i < slowness_.size(); ++i) {
-      const double d0 = path_.dq[k][i], d1 = path_.dq[k + 1][i];
-      const double scale = 1 / (usable * limits_.acceleration[i]);
-      const Middle mid = middle(path_, k, i, h);
-      const double e0 = d0 * half, e = mid.dq * half, e1 = d1 * half;  // q' / 2h
-      const double x0 = path_.ddq[k][i] - e0, y1 = path_.ddq[k + 1][i] + e1;
-      *begin++ = x0 * scale;
-      *end++ = e0 * scale;
-      *begin++ = (mid.ddq - 2 * e - 0.5 * (x0 - e1)) * scale;
-      *end++ = (mid.ddq + 2 * e - 0.5 * (e0 + y1)) * scale;
-      *begin++ = -e1 * scale;
-      *end++ = y1 * scale;
-      const double first = 0.375 * d0 + 0.75 * mid.dq - 0.125 * d1;
-      const double third = -0.125 * d0 + 0.75 * mid.dq + 0.375 * d1;
-      slowest[0] = std::max(slowest[0], std::abs(first) * slowness_[i]);
-      slowest[1] = std::max(slowest[1], std::abs(mid.dq) * slowness_[i]);
-      slowest[2] = std::max(slowest[2], std::abs(third) * slowness_[i]);
-    }
-    for (int j = 0; j < 3; ++j) {
-      const double u = 0.25 * (j + 1), inverse = squared(slowest[j]);
-      *begin++ = (1 - u) * inverse;
-      *end++ = u * inverse;
-    }
-  }
-
-  const JointPath& path_;
-  const PathLimits& limits_;
-  BudgetMeter& budget_;
-  Configuration slowness_;       ///< inverses of the limits of velocity
-  StepConstraints constraints_;  ///< of all steps
-  StepPolygon polygon_;
-  std::vector<double> largest_;
-};
+  return {};
+}
 
 /// The backward and the forward pass. Writes the squared speeds at the grid points into b. Returns
 /// why there are none; no reason when there are, or the budget has ended the computation.
-Reason squared_speeds(const JointPath& path, const EndSpeeds& ends, Constraints& constraints,
+Reason squared_speeds(const JointPath& path, const EndSpeeds& ends,
+                      const StepConstraints& constraints, BudgetMeter& budget,
                       std::vector<double>& b) {
-  if (constraints.ended(0)) return {};
+  if (budget.ended(0)) return {};
   const std::size_t last = path.size() - 1;
   const double within = 1 + 1e-9;  // rounding of a speed computed as the largest
-  if (squared(ends.end) > constraints.largest(last) * within) {
+  const double largest = constraints.largest[last];
+  if (squared(ends.end) > largest * within) {
     return {ReasonCode::end_speed_too_high,
-            {{ReasonField::speed, ends.end},
-             {ReasonField::needed_speed, std::sqrt(constraints.largest(last))}}};
+            {{ReasonField::speed, ends.end}, {ReasonField::needed_speed, std::sqrt(largest)}}};
   }
-  std::vector<SquaredSpeeds> controllable(last + 1);
-  controllable[last].min = controllable[last].max = squared(ends.end);
-  for (std::size_t k = last; k-- > 0;) {
-    if (constraints.ended(k)) return {};
-    controllable[k] = constraints.begins(k, controllable[k + 1]);
-    if (!controllable[k].none()) continue;
-    return {ReasonCode::end_speed_unreachable, {{ReasonField::s, path.s[k]}}};
-  }
+  std::vector<SquaredSpeeds> controllable;
+  Reason reason = controllable_speeds(path, ends.end, constraints, budget, controllable);
+  if (reason || budget.ended(0)) return reason;
   b.assign(last + 1, 0);
   b[0] = squared(ends.begin);
   if (b[0] > controllable[0].max * within || b[0] * within < controllable[0].min) {
@@ -181,13 +102,12 @@ Reason squared_speeds(const JointPath& path, const EndSpeeds& ends, Constraints&
         {{ReasonField::speed, ends.begin},
          {ReasonField::needed_speed, std::sqrt(high ? controllable[0].max : controllable[0].min)}}};
   }
-  for (std::size_t k = 0; k < last; ++k) {
-    if (constraints.ended(k)) return {};
-    b[k + 1] = constraints.furthest_end(k, b[k], controllable[k + 1]);
-    if (b[k] + b[k + 1] > 0) continue;
-    return {ReasonCode::path_not_traversable, {{ReasonField::s, path.s[k]}}};
-  }
-  return {};
+  for_parts(last, budget, [&](std::size_t from, std::size_t to) {
+    const std::size_t k = largest_speeds(constraints, from, to, controllable.data(), b.data());
+    if (k < to) reason = {ReasonCode::path_not_traversable, {{ReasonField::s, path.s[k]}}};
+    return k == to;
+  });
+  return reason;
 }
 
 /// The time scaling with these squared speeds at the grid points.
@@ -227,10 +147,13 @@ void check(const JointPath& path, const PathLimits& limits, const EndSpeeds& end
 TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends,
                     BudgetMeter& budget) {
   check(path, limits, ends);
-  Constraints constraints(path, limits, budget);
+  ThreadScratch<StepConstraints> scratch;
+  StepConstraints& constraints = *scratch;
+  begin_constraints(path, limits, constraints);
+  prepare(path, limits, budget, constraints);
   std::vector<double> b;
-  Reason reason = squared_speeds(path, ends, constraints, b);
-  const double found = reason ? 0 : constraints.velocity_fraction(b);
+  Reason reason = squared_speeds(path, ends, constraints, budget, b);
+  const double found = reason ? 0 : velocity_fraction(path, constraints, budget, b);
   if (budget.ended(0)) return ended_scaling(budget);
   // The peaks are between the eighths at which it is evaluated; a quarter more bounds a parabola.
   const double over = found + 0.25 * std::max(0.0, found - 1);
@@ -241,8 +164,8 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
     return scaling;
   }
   if (over > 1) {
-    constraints.slow_down(over * (1 + 1e-9));
-    reason = squared_speeds(path, ends, constraints, b);
+    lower_velocity_limits(path, limits, over * (1 + 1e-9), budget, constraints);
+    reason = squared_speeds(path, ends, constraints, budget, b);
   }
   if (budget.ended(0)) return ended_scaling(budget);
   if (!reason) return scaling_of(path, b);

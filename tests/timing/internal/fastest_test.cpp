@@ -4,6 +4,8 @@
 
 #include <beeline/timing/internal/fastest.h>
 
+#include <hwy/targets.h>
+
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>
 
@@ -29,6 +31,28 @@ TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
     const double fraction = largest_fraction(path, limits, scaling);
     ASSERT_LE(fraction, 1 + 1e-6);
     ASSERT_GE(fraction, 0.999);
+  }
+}
+
+TEST(Fastest, IsTheSameOnEveryInstructionSet) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(60); ++i) {
+    const int joints = random.integer(1, 17);
+    const JointPath path = random_path(random, joints, random.integer(3, 10));
+    const PathLimits limits = random_limits(random, joints);
+    const TimeScaling scaling = fastest(path, limits);
+    ASSERT_FALSE(scaling.reason);
+    const double fraction = largest_fraction(path, limits, scaling);
+    ASSERT_LE(fraction, 1 + 1e-6) << joints;
+    ASSERT_GE(fraction, 0.999) << joints;
+    for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      hwy::SetSupportedTargetsForTest(target);
+      const TimeScaling other = fastest(path, limits);
+      hwy::SetSupportedTargetsForTest(0);
+      ASSERT_FALSE(other.reason) << hwy::TargetName(target);
+      ASSERT_NEAR(other.duration(), scaling.duration(), 1e-9 * scaling.duration())
+          << hwy::TargetName(target);
+    }
   }
 }
 
