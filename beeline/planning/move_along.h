@@ -78,10 +78,10 @@ struct PathMotionOptions {
   std::optional<double> duration = std::nullopt;
   /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
   int max_samples = default_max_samples;
-  /// Motions that must not be given, usually blocked_motions() (in Python the CollisionModel).
-  /// If the best one is blocked, the other branches are planned and, if the arm is redundant, other
-  /// self-motions, and the best motion that is not blocked is given. PathMotion::blocked lists the
-  /// others. Default: every motion may be given.
+  /// Motions that must not be given, as in a scene (in Python the CollisionModel). If the best one
+  /// is blocked, the other branches are planned and, if the arm is redundant, other self-motions,
+  /// and the best motion that is not blocked is given. PathMotion::blocked lists the others.
+  /// Default: every motion may be given.
   BlockedMotions blocked_by = {};
   /// Whether to search for nearby paths if the path cannot be followed or its motions are blocked.
   bool suggest = false;

@@ -51,14 +51,15 @@ void bind_nearest(nb::module_& m) {
   Signature spare("spare_clearance", "float", comment("spare_clearance"));
   spare.takes("model", "CollisionModel", "The arm among obstacles.")
       .takes("q", array_like, "Configuration (n,).")
-      .takes("most", "float", "Distance, m, beyond which distances are not computed.", "inf");
+      .takes("most", "float | None",
+             "Distance, m, beyond which distances are not computed; None: all are.", "None");
   define(
       m,
       [](const CollisionModel& model, nb::handle q, nb::handle most) {
         return spare_clearance(model, Value<Configuration>::from(q, "q"),
-                               Value<double>::from(most, "most"));
+                               most.is_none() ? Limits::none : Value<double>::from(most, "most"));
       },
-      spare, nb::arg("model"), nb::arg("q"), nb::arg("most") = Limits::none);
+      spare, nb::arg("model"), nb::arg("q"), nb::arg("most") = nb::none());
 }
 
 }  // namespace
