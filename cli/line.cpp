@@ -72,17 +72,18 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
   return report;
 }
 
-/// A scene in which motions are proved to keep their clearance, and the report of the best branch
-/// that does or, while none does, of the best one.
+/// A scene in which motions are proved to keep their clearance, and the reports of the first motion
+/// that does and of the first one that does not.
 struct ProvedScene {
   const LineArguments& arguments;
   const CheckedScene& scene;
-  std::optional<ClearanceReport> report = std::nullopt;
+  std::optional<ClearanceReport> kept = std::nullopt, refused = std::nullopt;
 
   Reason blocked(const Trajectory& motion, const Budget& budget) {
-    ClearanceReport next = arguments.scene.prove(scene, motion, budget);
-    const Reason reason = next.proof.reason;
-    if (!report || (!reason && !report->proof)) report = std::move(next);
+    ClearanceReport report = arguments.scene.prove(scene, motion, budget);
+    Reason reason = report.proof.reason;
+    std::optional<ClearanceReport>& first = reason ? refused : kept;
+    if (!first) first = std::move(report);
     return reason;
   }
 };
@@ -109,8 +110,10 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   report.path_parameter = motion.path_parameter;
   report.nearby = std::move(motion.nearby);
   report.blocked = std::move(motion.blocked);
-  if (proved) report.clearance = std::move(proved->report);
-  if (report.status == MotionStatus::reached) {
+  // Where none is given, a motion that is kept is of a nearby path.
+  const bool reached = report.status == MotionStatus::reached;
+  if (proved) report.clearance = std::move(reached ? proved->kept : proved->refused);
+  if (reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
                    poses};
   }

@@ -168,6 +168,26 @@ def test_a_line_takes_a_branch_that_is_free_for_the_whole_path(beeline, arm, wri
     assert [one["start"] for one in answer.json["blocked"]] == starts
 
 
+def test_a_line_moves_aside_or_suggests_another(beeline, written):
+    def post(x, y, z, size):
+        return json.dumps({"obstacles": [{"name": "post", "shapes": [{"box": {"size": size}, "pose": {"xyz": [x, y, z]}}]}]})
+
+    poses = written("poses.csv", "x,y,z,roll,pitch,yaw\n0.394,0.4,0.555,180,0,-45\n")
+    line = ("line", "panda", "--from=0,-30,0,-130,0,100,45", "--degrees", "--through", poses, "--out", "motion.csv", "--scene")
+    aside = written("post.json", post(0.1, 0.2, 0.75, [0.06, 0.06, 1.5]))
+    answer = beeline(*line, aside, "--json")
+    assert answer.code == 0 and answer.json["clearance"]["status"] == "clear", answer.err
+    assert [one["fields"]["other_body"] for one in answer.json["blocked"]] == ["post"]
+    assert beeline("check", "panda", "motion.csv", "--scene", aside).code == 0
+    # At the goal, which nothing can reach then.
+    wall = written("wall.json", post(0.4, 0.4, 0.55, [0.3, 0.05, 0.3]))
+    answer = beeline(*line, wall, "--json")
+    assert answer.code == 1 and answer.json["status"] == answer.json["clearance"]["status"] == "collides"
+    assert answer.json["nearby"]
+    printed = beeline(*line, wall).out
+    assert "would work    with every waypoint moved by" in printed and "kept at all times" not in printed
+
+
 @pytest.mark.parametrize("options, says", [
     (("--clearance", "0.1"), "--clearance"),
     (("--scene", "none.json"), "none.json"),
