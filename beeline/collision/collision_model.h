@@ -113,9 +113,9 @@ std::string digest(const CollisionModel& model);
 /// when q does not fit the arm, and for a model without pairs.
 BodyDistance nearest_pair(const CollisionModel& model, const ConfigurationRef& q);
 
-/// Returns the least distance beyond its clearance of a pair at a configuration, m, rounded down:
-/// negative if the configuration is blocked. It is `most` where all are farther, whose distances
-/// are not computed. Throws Error when q does not fit the arm.
+/// Returns the smallest distance beyond its clearance over all pairs at a configuration, m, rounded
+/// down, or `most` if that is smaller; negative if the configuration is blocked. Throws Error when
+/// q does not fit the arm, and for `most` below 0.
 double spare_clearance(const CollisionModel& model, const ConfigurationRef& q,
                        double most = Limits::none);
 

@@ -250,6 +250,7 @@ std::vector<BodyDistance> pairs_too_close(const CollisionModel& model, const Con
 
 double spare_clearance(const CollisionModel& model, const ConfigurationRef& q, double most) {
   check_configuration(model.arm(), q);
+  if (!(most >= 0)) throw Error::of("most", "must be 0 or more, not " + number(most));
   double least = most;
   const Distances distances(model.bodies(), q, internal::ApartPairs::outside_limits);
   distances.visit(least, [&](const FoundPair& pair) {

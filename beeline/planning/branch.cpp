@@ -89,7 +89,8 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
       guided.guide = [&spline](double s) { return spline.at(s); };
       guided.budget = budget.part(share, 1);
       const Branch branch = track_branch(arm, knots.front().q, path, guided);
-      if (!best || better(branch, *best)) best = branch;
+      const bool farther = best && branch.path_parameter > best->path_parameter;
+      if (!best || farther || (options.spare_clearance && better(branch, *best))) best = branch;
       if (branch && branch.spare_clearance >= 0) break;
     }
     const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;

@@ -58,7 +58,7 @@ struct Branch {
   /// its largest singular value, with lengths in units of the arm's reach. It is 0 at a singularity
   /// and at most 1. 0 if the budget ended the search.
   double inverse_condition = 1;
-  /// Least value of BranchOptions::spare_clearance, m; infinite without it.
+  /// Least value of BranchOptions::spare_clearance at the samples, m; infinite without it.
   double spare_clearance = Limits::none;
   /// Samples along each segment; one sample if the task's rows are at rest.
   std::vector<TrackedSegment> segments = {};
@@ -66,6 +66,9 @@ struct Branch {
   /// Whether it reaches the end of the path.
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
+
+/// Spare clearance, m, that is as good as the middle of a joint's range; more is not better.
+constexpr double enough_spare_clearance = 0.1;
 
 struct BranchOptions {
   Task task;                           ///< rows that are constrained; default: spatial, all six
@@ -91,9 +94,9 @@ struct BranchOptions {
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
 /// best configuration for the path's beginning.
 ///
-/// With options.spare_clearance, complete branches without blocked samples precede the others, and
-/// the self-motion of a redundant arm keeps to configurations that are not blocked, next to joint
-/// limits and obstacles alike: 0.1 m of spare clearance count as half a joint's range.
+/// With options.spare_clearance, complete branches without blocked samples precede the others. The
+/// self-motion of a redundant arm avoids blocked configurations and keeps away from joint limits
+/// and obstacles.
 ///
 /// - An arm that is redundant for the task follows the best path through a graph of configurations
 ///   (Ferrentino & Chiacchio 2020), which is refined until a motion is complete. With one redundant

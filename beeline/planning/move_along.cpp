@@ -39,6 +39,9 @@ void check_options(const PathMotionOptions& options) {
                 " must be at least " + number(min_tolerance) + ", not " + number(value));
   }
   internal::check_options(timing_options(options));
+  if (options.blocked_by.spare_clearance && !options.blocked_by.reason) {
+    throw Error::of("blocked_by", "spare_clearance of blocked motions needs a reason beside it");
+  }
 }
 
 void check_stops(const Route& route) {
@@ -92,14 +95,17 @@ Suggestions suggestions(const MotionRequest& request, const BlockedMotions& bloc
   };
   if (start) {
     const Branch free = plan_path(arm, std::nullopt, route.path, options);
-    if (free) {
+    if (free && free.spare_clearance >= 0) {
       add_if_possible({.path = route.path,
                        .start = free.start,
                        .description = "from another configuration at the start"},
                       free.start);
     }
   }
+  const bool keeps_blocked_start =
+      start && options.spare_clearance && options.spare_clearance(*start) < 0;
   for (const bool rotate : {false, true}) {
+    if (keeps_blocked_start) break;
     Budget part = budget.part();
     part.max_work = max_suggested_path_work;
     BudgetMeter search(part);
@@ -145,6 +151,7 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
   const bool may_be_nearby = timed || (!followed && off_path);
+  if (timed && !budget.complete()) failure.reason.set(ReasonField::search_ending, budget.ending());
   if (!options.suggest || !quick || !may_be_nearby || !budget.complete()) return failure;
   Suggestions near = suggestions(request, options.blocked_by, budget);
   failure.nearby = std::move(near.found);
@@ -159,13 +166,14 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
 }  // namespace
 
 BlockedMotions blocked_motions(std::shared_ptr<const CollisionModel> model) {
-  constexpr double enough = 0.1;  // metres: a larger distance is as good
   return {.reason =
               [model](const Trajectory& motion, const Budget& budget) {
                 return prove_clearance(*model, motion, {.budget = budget}).reason;
               },
           .spare_clearance =
-              [model](const ConfigurationRef& q) { return spare_clearance(*model, q, enough); }};
+              [model](const ConfigurationRef& q) {
+                return spare_clearance(*model, q, enough_spare_clearance);
+              }};
 }
 
 BlockedMotions blocked_motions(const CollisionModel& model) {

@@ -42,13 +42,12 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);
 
-/// The motions along a path that must not be given.
+/// What blocks motions along a path.
 struct BlockedMotions {
-  /// Reason against a planned motion, within a budget; none if it may be given.
+  /// Reason against a planned motion, within a budget; none if it is not blocked.
   std::function<Reason(const Trajectory&, const Budget&)> reason = {};
-  /// Distance beyond the clearance at a configuration, m, negative where it is blocked: where the
-  /// best motion has a reason, others are planned that keep it positive, also by self-motion.
-  /// Default: unknown.
+  /// Distance beyond the clearance at a configuration, m, negative where it is blocked. Redundant
+  /// arms keep it positive by self-motion if the best motion is blocked. Default: unknown.
   std::function<double(const ConfigurationRef&)> spare_clearance = {};
 };
 

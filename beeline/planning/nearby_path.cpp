@@ -98,10 +98,7 @@ struct Trial {
 
   ToolPath at(const Vector3& step) const { return changed(path, start.has_value(), step, rotate); }
 
-  bool works(const Vector3& step) const {
-    const Branch branch = plan_path(arm, start, at(step), exact);
-    return branch && branch.spare_clearance >= 0;
-  }
+  bool works(const Vector3& step) const { return is_free(plan_path(arm, start, at(step), exact)); }
 
   double smallest() const { return rotate ? min_rotation : min_translation; }
 
@@ -127,11 +124,17 @@ struct Trial {
                                              .step = 0.3,
                                              .budget = exact.budget});
     }
-    return static_cast<bool>(plan_path(arm, start, at(step), coarse));
+    return is_free(plan_path(arm, start, at(step), coarse));
   }
 
   /// Whether planning succeeds with a step; the quick test first.
   bool tried(const Vector3& step) const { return may_work(step) && works(step); }
+
+  /// Whether a branch is complete and not blocked, with a reserve for what is between its samples.
+  static bool is_free(const Branch& branch) {
+    constexpr double reserve = 2e-4;  // metres
+    return branch && branch.spare_clearance >= reserve;
+  }
 
   /// Reduces the size of a step along `unit`, with which planning succeeds, by bisection down to
   /// `fails`.
@@ -139,7 +142,9 @@ struct Trial {
     double succeeds = size;
     for (int i = 0; i < bisections; ++i) {
       const double middle = (fails + succeeds) / 2;
-      (may_work(middle * unit) ? succeeds : fails) = middle;
+      const bool works_there =
+          exact.spare_clearance ? tried(middle * unit) : may_work(middle * unit);
+      (works_there ? succeeds : fails) = middle;
     }
     return works(succeeds * unit) ? succeeds : size;
   }

@@ -71,7 +71,8 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
   check_program(arm, program, options.task);
   check_scene(arm, program, model);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
-  if (options.blocked_by.reason) throw Error("blocked_by is for paths; a program has one motion");
+  if (options.blocked_by.reason || options.blocked_by.spare_clearance)
+    throw Error("blocked_by is for paths; a program has one motion");
   return planned_program(arm, start, program, options, model);
 }
 

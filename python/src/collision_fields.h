@@ -201,7 +201,7 @@ struct Fields<ClearanceOverTime>
 /// anything else.
 std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char* name);
 
-/// Throws Error if the option blocked_by is a model of another arm.
+/// Throws Error if the option blocked_by or spare_clearance is a model of another arm.
 void check_model_of(const Arm& arm, const nb::dict& keywords);
 
 /// A model that the caller keeps as long as it is used.

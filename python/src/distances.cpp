@@ -70,11 +70,13 @@ std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char*
 }
 
 void check_model_of(const Arm& arm, const nb::dict& keywords) {
-  if (!keywords.contains("blocked_by")) return;
-  const nb::object model = keywords["blocked_by"];
-  if (nb::isinstance<CollisionModel>(model) &&
-      !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
-    throw Error("blocked_by is a model of another arm");
+  for (const char* option : {"blocked_by", "spare_clearance"}) {
+    if (!keywords.contains(option)) continue;
+    const nb::object model = keywords[option];
+    if (nb::isinstance<CollisionModel>(model) &&
+        !same_links(nb::cast<const CollisionModel&>(model).arm(), arm)) {
+      throw Error(std::string(option) + " is a model of another arm");
+    }
   }
 }
 

@@ -102,6 +102,7 @@ void bind_branches(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, nb::handle start, const ToolPath& path, const nb::kwargs& keywords) {
+        check_model_of(arm, keywords);
         const auto begin = Start::from(start, "start");
         BranchOptions asked = branch_options(arm, keywords);
         return unlocked(asked.budget, [&] { return plan_path(arm, begin, path, asked); });
@@ -113,6 +114,7 @@ void bind_branches(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, const ToolPath& path, const nb::kwargs& keywords) {
+        check_model_of(arm, keywords);
         BranchOptions asked = branch_options(arm, keywords);
         return Value<std::vector<Branch>>::to(
             unlocked(asked.budget, [&] { return branch_map(arm, path, asked); }));
@@ -129,6 +131,7 @@ void bind_branches(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle start, const ToolPath& path, nb::handle rotate,
          const nb::kwargs& keywords) {
+        check_model_of(arm, keywords);
         const auto begin = Start::from(start, "start");
         const bool rotated = Value<bool>::from(rotate, "rotate");
         BranchOptions asked = branch_options(arm, keywords);

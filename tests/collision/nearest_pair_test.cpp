@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include <beeline/collision/collision_model.h>
@@ -193,6 +194,8 @@ TEST(SpareClearance, IsTheMostWithoutPairs) {
   EXPECT_EQ(spare_clearance(model, Configuration::Zero(6)), Limits::none);
   EXPECT_EQ(spare_clearance(model, Configuration::Zero(6), 0.1), 0.1);
   EXPECT_REFUSED(spare_clearance(model, Configuration::Zero(5)), "6");
+  EXPECT_REFUSED(spare_clearance(model, Configuration::Zero(6), -1), "0 or more");
+  EXPECT_REFUSED(spare_clearance(model, Configuration::Zero(6), std::nan("")), "0 or more");
 }
 
 }  // namespace

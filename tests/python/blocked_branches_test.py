@@ -44,4 +44,7 @@ def test_a_redundant_arm_moves_aside():
     assert beeline.plan_path(arm, start, path).spare_clearance == np.inf
     branch = beeline.plan_path(arm, start, path, spare_clearance=model)
     least = min(beeline.spare_clearance(model, q) for segment in branch.segments for q in segment.samples)
+    other = beeline.CollisionModel(beeline.arms.iiwa7(), beeline.read_arm_shapes("iiwa7").links, beeline.Scene([post]))
+    with pytest.raises(beeline.Error, match="spare_clearance is a model of another arm"):
+        beeline.plan_path(arm, start, path, spare_clearance=other)
     assert branch.spare_clearance == pytest.approx(min(least, 0.1), abs=1e-12) and least > 0

@@ -13,7 +13,6 @@ namespace {
 // 0.006 s^2 per layer, which is less than a step of 0.1 s; a joint at a limit costs 0.15 s^2.
 constexpr double limit_weight = 0.003;  // seconds squared
 constexpr double limit_offset = 0.02;
-constexpr double metres_per_margin = 0.1;  // of clearance: as far as the middle of a joint's range
 // Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
 constexpr double max_seconds_per_unit = 1e100;
 
@@ -26,7 +25,14 @@ KnotCosts::KnotCosts(const Arm& arm) : seconds_per_unit(arm.dof()), bounds(bound
 }
 
 double GraphOptions::clearance_margin(const ConfigurationRef& q) const {
-  return spare_clearance ? spare_clearance(q) / metres_per_margin : Limits::none;
+  return spare_clearance ? spare_clearance(q) / enough_spare_clearance : Limits::none;
+}
+
+std::optional<double> GraphOptions::clearance_margin(const ConfigurationRef& q,
+                                                     BudgetMeter& budget) const {
+  if (!spare_clearance) return Limits::none;
+  if (budget.ended(spare_clearance_work)) return {};
+  return clearance_margin(q);
 }
 
 double KnotCosts::node(const ConfigurationRef& q, double clearance_margin) const {

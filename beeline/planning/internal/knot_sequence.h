@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/path/tool_path.h>
+#include <beeline/planning/branch.h>
 
 namespace beeline::internal {
 
@@ -16,6 +18,9 @@ struct Knot {
   double s = 0;
   Configuration q;
 };
+
+/// Work of one evaluation of BranchOptions::spare_clearance.
+constexpr std::int64_t spare_clearance_work = 8;
 
 /// The options of a search for knots in a graph of configurations along a path.
 struct GraphOptions {
@@ -31,6 +36,8 @@ struct GraphOptions {
   /// The spare clearance of a configuration as a margin comparable with limit_margin(), negative
   /// where it is blocked; infinite without `spare_clearance`.
   double clearance_margin(const ConfigurationRef& q) const;
+  /// The same within a budget; nothing if it has ended.
+  std::optional<double> clearance_margin(const ConfigurationRef& q, BudgetMeter& budget) const;
 };
 
 struct KnotSequence {

@@ -46,13 +46,13 @@ std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double s
 }
 
 /// Removes the solutions that are blocked, and fills in the clearance margins of the others.
-void keep_unblocked(const GraphOptions& options, Layer& layer) {
+void keep_unblocked(const GraphOptions& options, BudgetMeter& budget, Layer& layer) {
   std::vector<Configuration> kept;
   for (const Configuration& q : layer.solutions) {
-    const double margin = options.clearance_margin(q);
-    if (margin < 0) continue;
+    const std::optional<double> margin = options.clearance_margin(q, budget);
+    if (!margin || *margin < 0) continue;
     kept.push_back(q);
-    layer.clearance_margin.push_back(margin);
+    layer.clearance_margin.push_back(*margin);
   }
   layer.solutions = std::move(kept);
 }
@@ -84,7 +84,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
       continuation = solved_near(arm, layers[r].pose, options.task, costs.bounds, *continuation);
       if (continuation) solutions.push_back(*continuation);
     }
-    keep_unblocked(options, layers[r]);
+    keep_unblocked(options, budget, layers[r]);
     if (solutions.empty() || budget.ended()) {
       layers.resize(r);
       break;

@@ -80,9 +80,11 @@ class BestPath {
     }
   }
 
-  /// The margin of node i of layer r, with the allowance for limits.
+  /// The margin of node i of layer r with the allowance; negative if the node is blocked.
   double allowed_margin(std::size_t r, std::size_t i) const {
-    return std::min(layers_[r].margin[i] + allowance_[r], layers_[r].clearance_margin[i]);
+    const double clearance = layers_[r].clearance_margin[i];
+    if (clearance < 0) return clearance;
+    return std::min(layers_[r].margin[i], clearance) + allowance_[r];
   }
 
   /// The largest smallest margin m* of a path to the last layer that one reaches.
@@ -220,6 +222,7 @@ std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
   const KnotCosts costs(arm);
   const std::vector<double> allowance = allowances(layers, path, options.start.has_value());
   const BestPath best(layers, allowance, sweep.motion(), costs);
+  if (options.spare_clearance && best.required_margin() < 0) return result;  // all are blocked
   result.knots = knots_through(best.nodes(), sweep, arm, path, options);
   result.complete = result.complete && result.knots.size() == layers.size();
   if (!options.start && !shift_into_limits(arm, cyclic, result.knots)) return {};

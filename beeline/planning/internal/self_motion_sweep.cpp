@@ -27,13 +27,14 @@ Bounds without(const std::vector<bool>& cyclic, Bounds bounds) {
 }  // namespace
 
 SelfMotionLayer::SelfMotionLayer(double at, std::vector<SelfMotionCurve> of,
-                                 const SelfMotion& motion, const GraphOptions& options)
+                                 const SelfMotion& motion, const GraphOptions& options,
+                                 BudgetMeter& budget)
     : s(at), curves(std::move(of)) {
   for (const SelfMotionCurve& curve : curves) {
     first.push_back(margin.size());
     for (const Node& q : curve.nodes) {
       margin.push_back(motion.margin(q));
-      clearance_margin.push_back(options.clearance_margin(Configuration(q)));
+      clearance_margin.push_back(options.clearance_margin(Configuration(q), budget).value_or(-1));
     }
   }
   continuation.assign(margin.size(), {nowhere, 0});
@@ -82,7 +83,7 @@ void SelfMotionSweep::add_first() {
                        self_motion_starts(arm_, options_.task, pose, motion_, budget_), budget_)
             .curves;
   }
-  if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_, options_);
+  if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_, options_, budget_);
 }
 
 /// Adds layers up to path parameter `end`, at this distance or, where that is too far, at less;
@@ -156,7 +157,7 @@ void SelfMotionSweep::add(double s, const Pose& pose, const Continued& continued
   for (std::size_t i = 0; i < found.places.size(); ++i) {
     layers_.back().continuation[continued.node[i]] = found.places[i];
   }
-  layers_.emplace_back(s, std::move(found.curves), motion_, options_);
+  layers_.emplace_back(s, std::move(found.curves), motion_, options_, budget_);
   budget_.ended(static_cast<std::int64_t>(layers_.back().size()));
 }
 

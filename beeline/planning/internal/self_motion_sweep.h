@@ -23,8 +23,9 @@ struct SelfMotionLayer {
   std::vector<double> clearance_margin;  ///< of each node: GraphOptions::clearance_margin()
   std::vector<Place> continuation;       ///< of each node, in the next layer; curve `nowhere`: none
 
+  /// Nodes count as blocked from where the budget ends.
   SelfMotionLayer(double at, std::vector<SelfMotionCurve> of, const SelfMotion& motion,
-                  const GraphOptions& options);
+                  const GraphOptions& options, BudgetMeter& budget);
   std::size_t size() const { return margin.size(); }
   const RedundantConfiguration& node(std::size_t i) const;
 };

@@ -8,6 +8,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/math/revolution.h>
+#include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/singular_waypoints.h>
 #include <beeline/planning/internal/track_branch.h>
@@ -196,7 +197,7 @@ void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, 
   branch.spare_clearance = Limits::none;
   for (const TrackedSegment& segment : branch.segments) {
     for (const Configuration& q : segment.samples) {
-      if (budget.ended()) {
+      if (budget.ended(options.spare_clearance ? spare_clearance_work : 1)) {
         branch.limit_margin = branch.inverse_condition = branch.spare_clearance = 0;
         return;
       }

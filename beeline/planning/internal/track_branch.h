@@ -27,8 +27,8 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
 /// the budget has ended.
 void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, Branch& branch);
 
-/// The order of branches: `a` reaches farther than b, or as far and is not blocked, or has the
-/// larger smallest margin.
+/// The order of branches: the one that reaches farther; of two that reach as far the one that is
+/// not blocked; then the one with the larger smallest margin.
 bool better(const Branch& a, const Branch& b);
 
 }  // namespace beeline::internal

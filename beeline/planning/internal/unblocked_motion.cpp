@@ -69,7 +69,8 @@ PathMotion unblocked_motion(const MotionRequest& request, const BlockedMotions& 
   refuse_blocked(blocked_by, budget, best);
   if (best || !budget.complete()) return best;
   const bool redundant = request.arm.dof() > request.task().size();
-  if (redundant && blocked_by.spare_clearance) {
+  const auto& spare = blocked_by.spare_clearance;
+  if (redundant && spare && !(request.start && spare(*request.start) < 0)) {
     PathMotion aside = motion_aside(request, blocked_by, budget);
     if (aside) {
       aside.blocked = {blocked_branch(first, best)};
