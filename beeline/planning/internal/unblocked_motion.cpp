@@ -31,7 +31,16 @@ BlockedBranch blocked_branch(const Configuration& start, const PathMotion& motio
   return {start, motion.status, motion.reason, motion.path_parameter};
 }
 
-/// Plans, times and proves the motion of a branch, or returns why there is none.
+/// Plans, times and proves a motion, or returns why there is none that is not blocked.
+PathMotion planned_unblocked(MotionRequest request, const BlockedMotions& blocked_by,
+                             BudgetMeter& budget) {
+  request.branch.budget = budget.part();
+  PathMotion motion = planned_motion_in_time(request, budget);
+  refuse_blocked(blocked_by, budget, motion);
+  return motion;
+}
+
+/// The same for the motion of a branch.
 PathMotion motion_of(const MotionRequest& request, const Branch& branch,
                      const BlockedMotions& blocked_by, BudgetMeter& budget) {
   if (!branch) {
@@ -43,21 +52,15 @@ PathMotion motion_of(const MotionRequest& request, const Branch& branch,
   }
   MotionRequest from_start = request;
   from_start.start = branch.start;
-  from_start.branch.budget = budget.part();
-  PathMotion motion = planned_motion_in_time(from_start, budget);
-  refuse_blocked(blocked_by, budget, motion);
-  return motion;
+  return planned_unblocked(std::move(from_start), blocked_by, budget);
 }
 
-/// Plans the motion again, with a self-motion that keeps clear.
+/// The same with a self-motion that keeps clear.
 PathMotion motion_aside(const MotionRequest& request, const BlockedMotions& blocked_by,
                         BudgetMeter& budget) {
   MotionRequest aside = request;
   aside.branch.spare_clearance = blocked_by.spare_clearance;
-  aside.branch.budget = budget.part();
-  PathMotion motion = planned_motion_in_time(aside, budget);
-  refuse_blocked(blocked_by, budget, motion);
-  return motion;
+  return planned_unblocked(std::move(aside), blocked_by, budget);
 }
 
 }  // namespace
