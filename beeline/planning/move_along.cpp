@@ -165,7 +165,7 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
 
 }  // namespace
 
-BlockedMotions blocked_motions(std::shared_ptr<const CollisionModel> model) {
+BlockedMotions blocked_motions(const std::shared_ptr<const CollisionModel>& model) {
   return {.reason =
               [model](const Trajectory& motion, const Budget& budget) {
                 return prove_clearance(*model, motion, {.budget = budget}).reason;

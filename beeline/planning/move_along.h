@@ -53,7 +53,7 @@ struct BlockedMotions {
 
 /// Returns the motions that do not keep the clearance of a model: a shared one, or one that
 /// outlives the result.
-BlockedMotions blocked_motions(std::shared_ptr<const CollisionModel> model);
+BlockedMotions blocked_motions(const std::shared_ptr<const CollisionModel>& model);
 BlockedMotions blocked_motions(const CollisionModel& model);
 
 struct PathMotionOptions {
