@@ -1,5 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
+#include <utility>
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/io/text/arm.h>
@@ -40,6 +42,26 @@ std::vector<Pose> random_line(Random& random, const Arm& arm) {
 /// The middle of a link's frames half-way along a motion.
 Vector3 elbow_of(const Arm& arm, const Trajectory& motion) {
   return link_poses(arm, motion.positions[motion.size() / 2])[3].translation();
+}
+
+/// A random line from a start that is not blocked, and a ball where the elbow of the best motion is
+/// half-way.
+struct LineBesideBall {
+  std::vector<Pose> waypoints;  // without the first pose
+  Configuration start;
+  CollisionModel model;
+};
+
+/// Nothing if the line cannot be followed without the ball, or the ball is at the start too.
+std::optional<LineBesideBall> line_beside_ball(Random& random, const Arm& arm,
+                                               const PathMotionOptions& options = {}) {
+  const std::vector<Pose> line = random_line(random, arm);
+  const PathMotion free = move_in_lines(arm, line, options);
+  if (!free) return {};
+  const Configuration& start = free.trajectory.positions.front();
+  CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.01);
+  if (blocked_by(model, start)) return {};
+  return LineBesideBall{{line.begin() + 1, line.end()}, start, std::move(model)};
 }
 
 // The ball is at the elbow of the best branch, which is then refused; the given one is clear by a
@@ -106,14 +128,10 @@ TEST(BlockedBranches, GiveWayToAMotionAsideFromTheSameStart) {
   Random random;
   const Arm arm = built_in("panda");
   int aside = 0;
-  for (int i = 0; i < testing::cases(30); ++i) {
-    const std::vector<Pose> line = random_line(random, arm);
-    const PathMotion free = move_in_lines(arm, line);
-    if (!free) continue;
-    const Configuration& start = free.trajectory.positions.front();
-    const CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.01);
-    if (blocked_by(model, start)) continue;
-    const std::span<const Pose> waypoints = std::span(line).subspan(1);
+  for (int i = 0; i < 30; ++i) {
+    const std::optional<LineBesideBall> beside = line_beside_ball(random, arm);
+    if (!beside) continue;
+    const auto& [waypoints, start, model] = *beside;
     const PathMotion motion =
         move_in_lines(arm, start, waypoints, {.blocked_by = blocked_motions(model)});
     if (!motion) continue;
@@ -135,16 +153,13 @@ TEST(BlockedBranches, OfAnArmWithTwoRedundantJointsGiveWay) {
   Random random;
   const Arm arm = arm_from_joint_string("RRRR:0.3,0.3,0.3,0.3");
   int aside = 0;
-  for (int i = 0; i < testing::cases(12); ++i) {
+  for (int i = 0; i < 24; ++i) {
     PathMotionOptions options{.task = Task{{true, true, false, false, false, false}}};
-    const std::vector<Pose> line = random_line(random, arm);
-    const PathMotion free = move_in_lines(arm, line, options);
-    if (!free) continue;
-    const Configuration& start = free.trajectory.positions.front();
-    const CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.01);
-    if (blocked_by(model, start)) continue;
+    const std::optional<LineBesideBall> beside = line_beside_ball(random, arm, options);
+    if (!beside) continue;
+    const auto& [waypoints, start, model] = *beside;
     options.blocked_by = blocked_motions(model);
-    const PathMotion motion = move_in_lines(arm, start, std::span(line).subspan(1), options);
+    const PathMotion motion = move_in_lines(arm, start, waypoints, options);
     if (!motion) continue;
     EXPECT_TRUE(prove_clearance(model, motion.trajectory));
     aside += motion.blocked.empty() ? 0 : 1;
@@ -155,7 +170,7 @@ TEST(BlockedBranches, OfAnArmWithTwoRedundantJointsGiveWay) {
 TEST(BlockedBranches, AreNotOfSuggestedPaths) {
   Random random;
   int suggested = 0;
-  for (int i = 0; i < testing::cases(12); ++i) {
+  for (int i = 0; i < 12; ++i) {
     const Arm arm = built_in(i % 2 == 0 ? "ur5" : "panda");
     const std::vector<Pose> line = random_line(random, arm);
     const PathMotion free = move_in_lines(arm, line);
