@@ -21,10 +21,10 @@ HWY_INLINE Vector in_axes(const LanePose& frame, const Vector& v) {
   return {dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)};
 }
 
-/// Returns the last link's frame in the world at eight configurations. q has a row of eight values
-/// for each coordinate. Writes six rows to `axes` for each link: the direction of its axis, and its
-/// origin.
-HWY_INLINE LanePose last_frame(const internal::Chain& chain, const double* q, double* axes) {
+/// Calls `visit` with the frame of each link in the world at eight configurations, from the first
+/// link on, and returns the last. q has a row of eight values for each coordinate.
+template <class Visit>
+HWY_INLINE LanePose frames_along(const internal::Chain& chain, const double* q, Visit&& visit) {
   const double* base = chain.base.data();  // four columns of four
   LanePose frame{{base[0], base[1], base[2]},
                  {base[4], base[5], base[6]},
@@ -41,11 +41,20 @@ HWY_INLINE LanePose last_frame(const internal::Chain& chain, const double* q, do
     frame.origin = fma(Lanes(step[2]), frame.z, frame.origin);
     frame = rotated_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
     frame = translated_z(rotated_z(frame, theta), coordinate * Lanes(link.d_per_q));
+    visit(frame);
+  }
+  return frame;
+}
+
+/// Returns the last link's frame in the world at eight configurations. q has a row of eight values
+/// for each coordinate. Writes six rows to `axes` for each link: the direction of its axis, and its
+/// origin.
+HWY_INLINE LanePose last_frame(const internal::Chain& chain, const double* q, double* axes) {
+  return frames_along(chain, q, [&](const LanePose& frame) HWY_ATTR {
     frame.z.store(axes);
     frame.origin.store(axes + 3 * lane_count);
     axes += 6 * lane_count;
-  }
-  return frame;
+  });
 }
 
 /// Linear and angular velocity.

@@ -25,9 +25,12 @@ constexpr double node_spacing = 0.5;  // along an edge of a tree, as the norm of
 // examine at most so many edges. So many they also examine to replace a straight joint motion.
 constexpr double near_goals = 1.5;
 constexpr int near_goal_edges = 1000;
+// Trees that do not meet within so many edges begin again, with twice as many: few searches take
+// long, and others with other random configurations then end soon.
+constexpr std::size_t edges_until_restart = 4000;
 constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
-// A tree stops before the place where the proof of an edge ends, because every motion from there is
-// as near to a body.
+// A tree stops before the place where an edge is blocked, because every motion from there is as
+// near to a body.
 constexpr double usable = 0.9;
 
 /// The configurations within the position limits. Joints without limits are within half a
@@ -70,37 +73,85 @@ class TreeSearch {
         trees_{JointTree(model.arm().dof()), JointTree(model.arm().dof())} {}
 
   void add_start(const Configuration& q) { trees_[0].add(q); }
-  void add_goal(const Configuration& q) { trees_[1].add(q); }
+  void add_goal(const Configuration& q) { goals_ = trees_[1].add(q) + 1; }
 
-  /// Returns the path from the start to a goal and the index of the goal among those added; empty
-  /// if the trees do not meet.
-  std::pair<std::vector<Configuration>, std::size_t> path() {
-    for (std::size_t a = 0; !edges_.ended(); a = 1 - a) {
-      const std::size_t b = 1 - a;
+  /// The indices of the nodes from the place where the trees meet to their roots. They meet in one
+  /// configuration.
+  struct Way {
+    std::vector<std::size_t> to_start, to_goal;
+
+    bool found() const { return !to_start.empty(); }
+    /// Of the goals, in the order in which they were added.
+    std::size_t goal() const { return to_goal.back(); }
+  };
+
+  /// Grows the trees until they meet; no way if they do not. No edge of the way is proved.
+  Way way() {
+    for (; !edges_.ended(); grows_ = 1 - grows_) {
+      if (edges_.count() >= restart_at_) restart();
+      const std::size_t a = grows_, b = 1 - a;
       const std::size_t grown = advance(trees_[a], space_.random(engine_)).first;
       if (grown == none) continue;
       const Configuration q = trees_[a].node(grown);
       const auto [met, reached] = advance(trees_[b], q);
-      if (reached) return joined(a, grown, met);
+      if (!reached) continue;
+      return {trees_[0].way_to_root(a == 0 ? grown : met),
+              trees_[1].way_to_root(a == 0 ? met : grown)};
     }
     return {};
+  }
+
+  std::vector<Configuration> waypoints(const Way& way) const {
+    std::vector<Configuration> waypoints;
+    for (std::size_t k = way.to_start.size(); k > 0; --k) {
+      waypoints.push_back(trees_[0].node(way.to_start[k - 1]));
+    }
+    for (std::size_t k = 1; k < way.to_goal.size(); ++k) {
+      waypoints.push_back(trees_[1].node(way.to_goal[k]));
+    }
+    return waypoints;
+  }
+
+  /// Removes the first edge of the way that is not proved, with all that is behind it. Returns
+  /// whether there is one.
+  bool cut(const Way& way) {
+    const auto cut_tree = [&](JointTree& tree, const std::vector<std::size_t>& nodes) {
+      for (std::size_t k = nodes.size() - 1; k > 0; --k) {
+        if (edges_.is_free(tree.node(nodes[k]), tree.node(nodes[k - 1]))) continue;
+        tree.remove(nodes[k - 1]);
+        return true;
+      }
+      return false;
+    };
+    const bool is_cut = cut_tree(trees_[0], way.to_start);
+    return cut_tree(trees_[1], way.to_goal) || is_cut;
   }
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  /// Grows a tree from its nearest node towards q as far as that is proved. Returns the last node,
-  /// none if it is stuck, and whether it is q.
+  void restart() {
+    trees_[0].keep_roots(1);
+    trees_[1].keep_roots(goals_);
+    restart_at_ += 2 * (restart_at_ - edges_before_);
+    edges_before_ = edges_.count();
+  }
+
+  /// Grows a tree from its nearest node towards q as far as no sample is blocked. Returns the last
+  /// node, none if it is stuck, and whether it is q.
   std::pair<std::size_t, bool> advance(JointTree& tree, const Configuration& q) {
     std::size_t last = tree.nearest(q);
     const Configuration from = tree.node(last);
     const Configuration change = q - from;
     const double length = change.norm();
     if (length == 0) return {last, true};
-    const double free = edges_.free_fraction(from, q);
+    const double free = edges_.sampled_fraction(from, q);
     const bool reached = free == 1;
     const double end = reached ? 1 : usable * free;
-    if (!reached && end * length < least_advance) return {none, false};
+    if (!reached && end * length < least_advance) {
+      tree.add_dead_end(last);
+      return {none, false};
+    }
     const auto parts =
         static_cast<int>(std::ceil(std::min(end * length / node_spacing, most_nodes)));
     for (int i = 1; i <= parts; ++i) {
@@ -109,26 +160,22 @@ class TreeSearch {
     return {last, reached};
   }
 
-  std::pair<std::vector<Configuration>, std::size_t> joined(std::size_t a, std::size_t grown,
-                                                            std::size_t met) const {
-    const std::size_t from_start = a == 0 ? grown : met, from_goal = a == 0 ? met : grown;
-    std::vector<Configuration> way = trees_[0].way_to_root(from_start);
-    std::reverse(way.begin(), way.end());
-    const std::vector<Configuration> rest = trees_[1].way_to_root(from_goal);
-    way.insert(way.end(), rest.begin() + 1, rest.end());
-    return {way, trees_[1].root_of(from_goal)};
-  }
-
   FreeEdges& edges_;
   JointSpace space_;
   std::mt19937_64 engine_;
   JointTree trees_[2];
+  std::size_t goals_ = 0;
+  std::size_t grows_ = 0;  ///< which tree
+  std::size_t edges_before_ = 0, restart_at_ = edges_until_restart;
 };
 
 /// Why a configuration cannot be an end of a path; no reason if it can.
 Reason refusal(const CollisionModel& model, const Configuration& q) {
   const std::vector<Reason> outside = limit_violations(model.arm(), q);
-  return outside.empty() ? blocked_by(model, q) : outside.front();
+  if (!outside.empty()) return outside.front();
+  // The proof that the arm may rest there takes less time than the deepest of all pairs.
+  if (FreeEdges(model, 1, unlimited()).is_free(q, q)) return {};
+  return blocked_by(model, q);
 }
 
 MotionStatus status_of_refusal(const Reason& reason) {
@@ -207,6 +254,7 @@ class PathSearch {
   void try_straight(const std::vector<std::size_t>& goals) {
     FreeEdges straight = edges(options_.max_edges);
     for (const std::size_t i : goals) {
+      if (!straight.seems_free(start_, goals_[i])) continue;
       if (!straight.is_free(start_, goals_[i])) continue;
       path_.waypoints = {start_, goals_[i]};
       path_.length = distance(i);
@@ -223,15 +271,41 @@ class PathSearch {
     TreeSearch trees(model_, options_, examined, JointSpace(model_.arm(), start_, goals_));
     trees.add_start(start_);
     for (const std::size_t i : goals) trees.add_goal(goals_[i]);
-    auto [way, goal] = trees.path();
-    if (!way.empty()) shorten(examined, options_.random_seed, options_.shortcuts, way);
+    const auto [waypoints, goal] = proved_path(trees, examined);
     path_.edges += examined.count();
-    if (way.empty()) return false;
-    const double found_length = chord_length(way).back();
+    if (waypoints.empty()) return false;
+    const double found_length = chord_length(waypoints).back();
     if (found_length >= length()) return false;
-    path_.waypoints = std::move(way);
+    path_.waypoints = waypoints;
     path_.length = found_length;
     path_.goal = goals[goal];
+    return true;
+  }
+
+  /// Returns a shortened path of the trees, of which each edge is proved, and the index of the root
+  /// where it ends; no path if there is none.
+  std::pair<std::vector<Configuration>, std::size_t> proved_path(TreeSearch& trees,
+                                                                 FreeEdges& edges) const {
+    while (true) {
+      const TreeSearch::Way way = trees.way();
+      if (!way.found()) return {};
+      std::vector<Configuration> waypoints = trees.waypoints(way);
+      // Most edges without a blocked sample are free: these are proved once, at the end.
+      shorten(edges, EdgeTest::samples, options_.random_seed, options_.shortcuts, waypoints);
+      if (!is_proved(edges, waypoints)) {
+        edges.sample_more_densely();
+        if (trees.cut(way)) continue;
+        waypoints = trees.waypoints(way);
+        shorten(edges, EdgeTest::proof, options_.random_seed, options_.shortcuts, waypoints);
+      }
+      return {waypoints, way.goal()};
+    }
+  }
+
+  static bool is_proved(FreeEdges& edges, const std::vector<Configuration>& waypoints) {
+    for (std::size_t k = 1; k < waypoints.size(); ++k) {
+      if (!edges.is_free(waypoints[k - 1], waypoints[k])) return false;
+    }
     return true;
   }
 

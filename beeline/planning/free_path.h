@@ -18,7 +18,7 @@ namespace beeline {
 struct FreePathOptions {
   std::uint64_t random_seed = 1;  ///< seed of the configurations that the search draws
   /// Max number of straight joint motions that the search examines, 1 or more.
-  int max_edges = 20'000;
+  int max_edges = 50'000;
   int shortcuts = 100;  ///< number of shortcuts that are tried on the path, 0 to a million
   Budget budget = {};   ///< a part of a straight joint motion that is examined is a unit of work
 };
@@ -44,8 +44,9 @@ std::ostream& operator<<(std::ostream& out, const FreePath& path);
 /// Searches a path in joint space, from a configuration to one of the goals, that keeps the
 /// clearance of the model: the straight joint motions to the goals first, then, unless the nearest
 /// goal is reached, two trees of random configurations that grow towards each other from both ends
-/// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. Each edge of the trees is
-/// proved before it is used. The path is shortened, and the shortest one that is found is returned.
+/// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. The trees use edges of which
+/// no sample is blocked; the path is shortened, and each of its motions is proved. An edge that is
+/// not proved is removed, and the search goes on. The shortest path that is found is returned.
 /// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
 /// paths add radians and metres.
 ///
@@ -61,7 +62,7 @@ FreePath find_free_path(const CollisionModel& model, const Configuration& start,
 
 struct FreeMotionOptions {
   std::uint64_t random_seed = 1;  ///< see FreePathOptions
-  int max_edges = 20'000;         ///< see FreePathOptions
+  int max_edges = 50'000;         ///< see FreePathOptions
   int shortcuts = 100;            ///< see FreePathOptions
   /// Largest distance from a waypoint, the norm of the difference, at which the motion leaves the
   /// straight line to pass it without a stop; 0: the arm stops at each waypoint.

@@ -222,6 +222,21 @@ TEST(MoveAround, PassesWaypointsWithoutAStop) {
 }
 
 /// Blends so small that the arm would nearly stop in them are stops.
+TEST(FreePath, GoesAroundAWallThatSamplesMiss) {
+  Maze maze;
+  maze.scene.obstacles.push_back(
+      {.name = "sheet",
+       .shapes = {{Box{Vector3(1e-3, 4, 1)}, make_pose({2, 1.7, 0}, Rotation::Identity())}}});
+  const CollisionModel model(maze.arm, {{"disc", 2, {{Sphere{2e-3}}}}}, maze.scene);
+  const Configuration start = vector({1.01, 0.5});
+  const std::vector<Configuration> goals{vector({3.03, 0.5})};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const FreePath path = find_free_path(model, start, goals, {.random_seed = seed});
+    expect_free(model, path, start, goals);
+    EXPECT_GT(path.length, 6.4);
+  }
+}
+
 TEST(MoveAround, HasNoTinyBlends) {
   Maze maze;
   maze.add_wall(1.3, -1, 3);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <beeline/collision/internal/convex_body.h>
+#include <beeline/collision/internal/furthest_vertex.h>
 
 namespace beeline::internal {
 namespace {
@@ -66,19 +67,6 @@ double core_size(const ConvexBody& body) {
 }
 
 double sign(double value) { return value < 0 ? -1 : 1; }
-
-const Vector3& furthest_vertex(std::span<const Vector3> vertices, const Vector3& direction) {
-  const Vector3* best = &vertices.front();
-  double most = direction.dot(*best);
-  for (const Vector3& vertex : vertices) {
-    const double along = direction.dot(vertex);
-    if (along > most) {
-      most = along;
-      best = &vertex;
-    }
-  }
-  return *best;
-}
 
 }  // namespace
 

@@ -232,7 +232,10 @@ struct FoundSimplex {
   Vector3 direction = Vector3::Zero();  ///< zero: none was tried
 };
 
-FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
+/// Ends early where `is_enough`, called with a lower and an upper bound of the distance, is true.
+template <class IsEnough>
+FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                    const IsEnough& is_enough) {
   constexpr int max_steps = 128;
   constexpr double relative = 1e-13, of_size = 1e-15;
   const double size = a.bound + b.bound + (a.centre - b.centre).norm();
@@ -249,6 +252,7 @@ FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& gue
     const DifferencePoint next = difference_support(a, b, direction);
     const double bound = -direction.dot(next.difference);
     if (bound > proved) proved = bound, best.direction = direction;
+    if (is_enough(proved, distance)) break;
     if (distance - bound <= relative * distance + of_size * size) break;
     if (simplex.has(next.difference)) break;
     simplex.add(next);
@@ -264,6 +268,10 @@ FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& gue
     best.simplex = simplex;
   }
   return best;
+}
+
+FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
+  return search(a, b, guess, [](double, double) { return false; });
 }
 
 /// The nearest points of two cores, and the direction between them if they are apart.
@@ -355,6 +363,21 @@ NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vec
     found.on_a = found.on_b = core.on_a + t * along;
   }
   return found;
+}
+
+bool are_closer(const ConvexBody& a, const ConvexBody& b, double distance, const Vector3& guess) {
+  const double of_cores = distance + a.radius + b.radius;
+  if (b.core == Core::half_space || (a.core == Core::point && has_projection(b.core)) ||
+      (b.core == Core::point && has_projection(a.core))) {
+    const NearestPoints found = nearest_points(a, b, guess);
+    return gap_along(a, b, found.direction) < distance;
+  }
+  const double size = guess.norm();
+  if (size > 0 && gap_along(a, b, guess / size) >= distance) return false;
+  const FoundSimplex found = search(a, b, guess, [&](double lower, double upper) {
+    return lower >= of_cores || upper < of_cores;
+  });
+  return found.simplex.nearest().norm() < of_cores;
 }
 
 HullPoint nearest_in_hull(const Vector3& point, const ConvexBody& hull) {

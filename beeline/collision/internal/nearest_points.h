@@ -23,6 +23,10 @@ struct NearestPoints {
 /// first body to the second. The second body may be a half-space, but not the first.
 NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess);
 
+/// Whether two bodies in one frame seem to be closer than `distance`, by the same search, which
+/// ends as soon as that is clear.
+bool are_closer(const ConvexBody& a, const ConvexBody& b, double distance, const Vector3& guess);
+
 /// A point of the hull of vertices: their weighted mean, with weights that are not negative.
 struct HullPoint {
   Vector3 mean = Vector3::Zero();        ///< to rounding

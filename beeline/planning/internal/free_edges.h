@@ -2,13 +2,14 @@
 
 #include <beeline/certificate/clearance.h>
 #include <beeline/collision/collision_model.h>
+#include <beeline/collision/internal/sampled_collisions.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
 
-/// Proofs of straight joint motions in the scene of a model, which outlives the object, at most
-/// `most` of them.
+/// Examines straight joint motions in the scene of a model, which outlives the object: at most
+/// `most` by samples, which a search of a path asks, and some of these by proofs.
 class FreeEdges {
  public:
   FreeEdges(const CollisionModel& model, int most, BudgetMeter& budget);
@@ -16,26 +17,45 @@ class FreeEdges {
   /// Whether no more motions are examined: so many were, or the budget has ended.
   bool ended() { return count_ >= most_ || budget_.ended(0); }
 
-  /// Returns the fraction of the straight motion from a to b, from 0 to 1, up to which it is proved
-  /// to keep the clearance: 1 for all of it, 0 if it was not examined.
-  double free_fraction(const Configuration& a, const Configuration& b);
-  bool is_free(const Configuration& a, const Configuration& b) { return free_fraction(a, b) == 1; }
+  /// Returns the fraction of the straight motion from a to b, from 0 to 1, up to which no sample is
+  /// blocked: 1 for all of it, 0 if it was not examined. a is taken as free.
+  double sampled_fraction(const Configuration& a, const Configuration& b);
+  /// Whether no sample of the straight motion from a to b is blocked. It is not if it was not
+  /// examined. a and b are taken as free.
+  bool seems_free(const Configuration& a, const Configuration& b);
 
-  /// Whether a motion of two samples or more, from time 0 and in the order of the arm's joints, is
-  /// proved.
-  bool is_free(const Trajectory& motion) { return free_time(motion) == motion.times.back(); }
+  /// Halves the distance of the samples: for a motion without a blocked one that is not proved.
+  void sample_more_densely();
 
-  std::size_t count() const { return count_; }  ///< of the motions that were examined
+  /// Whether the straight motion from a to b is proved to keep the clearance. Neither this counts,
+  /// nor does the budget end it: a path that was found is proved in any case.
+  bool is_free(const Configuration& a, const Configuration& b);
+  /// Whether a motion of two samples or more, in the order of the arm's joints, is proved within
+  /// the budget.
+  bool is_free(const Trajectory& motion) { return is_free(motion, budget_); }
+
+  /// Number of the motions that were sampled.
+  std::size_t count() const { return count_; }
 
  private:
-  /// Returns the time up to which a motion that begins at time 0 is proved: 0 if it was not
-  /// examined.
-  double free_time(const Trajectory& motion);
+  using Fractions = Eigen::Array<double, SampledCollisions::at_once, 1>;
+
+  int sample_count(double length) const;
+
+  /// Tests eight samples of the motion from a by `change`, at these fractions of it. Returns the
+  /// index of the first that is blocked; eight if none is.
+  int first_blocked(const Configuration& a, const Configuration& change,
+                    const Fractions& fractions);
+
+  bool is_free(const Trajectory& motion, BudgetMeter& budget) const;
 
   const CollisionModel& model_;
   const std::size_t most_;
   BudgetMeter& budget_;
+  SampledCollisions samples_;
+  std::vector<double> lanes_;  ///< eight configurations
   Trajectory edge_;
+  double spacing_ = 0.05;  ///< of samples along a motion, as the norm of the difference
   std::size_t count_ = 0;
 };
 

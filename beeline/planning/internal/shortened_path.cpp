@@ -31,12 +31,16 @@ PlaceOnPath place_at(const std::vector<Configuration>& waypoints, double distanc
   return {waypoints.size() - 2, from + std::min(1.0, distance / change.norm()) * change};
 }
 
-/// From each waypoint goes on to the farthest one to which the straight motion is proved.
-void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
+bool passes(FreeEdges& edges, EdgeTest test, const Configuration& a, const Configuration& b) {
+  return test == EdgeTest::samples ? edges.seems_free(a, b) : edges.is_free(a, b);
+}
+
+/// From each waypoint goes on to the farthest one to which the straight motion passes the test.
+void leave_out(FreeEdges& edges, EdgeTest test, std::vector<Configuration>& waypoints) {
   std::vector<Configuration> kept{waypoints.front()};
   for (std::size_t k = 0; k + 1 < waypoints.size();) {
     std::size_t next = waypoints.size() - 1;
-    while (next > k + 1 && !edges.is_free(waypoints[k], waypoints[next])) {
+    while (next > k + 1 && !passes(edges, test, waypoints[k], waypoints[next])) {
       next = k + (next - k) / 2;  // halving: a few motions for each waypoint
     }
     if ((waypoints[next] - kept.back()).norm() <= equal && kept.size() > 1) kept.pop_back();
@@ -48,9 +52,9 @@ void leave_out(FreeEdges& edges, std::vector<Configuration>& waypoints) {
 
 }  // namespace
 
-void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
+void shorten(FreeEdges& edges, EdgeTest test, std::uint64_t random_seed, int shortcuts,
              std::vector<Configuration>& waypoints) {
-  leave_out(edges, waypoints);
+  leave_out(edges, test, waypoints);
   std::mt19937_64 engine(random_seed);
   double length = chord_length(waypoints).back();
   for (int i = 0; i < shortcuts && waypoints.size() > 2 && !edges.ended(); ++i) {
@@ -59,7 +63,7 @@ void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
     const PlaceOnPath a = place_at(waypoints, first), b = place_at(waypoints, second);
     const double saved = second - first - (b.q - a.q).norm();
     if (a.segment == b.segment || saved < worthwhile * length) continue;
-    if (!edges.is_free(a.q, b.q)) continue;
+    if (!passes(edges, test, a.q, b.q)) continue;
     const auto at = [&](std::size_t k) {
       return waypoints.begin() + static_cast<std::ptrdiff_t>(k);
     };
@@ -67,7 +71,7 @@ void shorten(FreeEdges& edges, std::uint64_t random_seed, int shortcuts,
     waypoints.insert(after, {a.q, b.q});
     length -= saved;
   }
-  leave_out(edges, waypoints);
+  leave_out(edges, test, waypoints);
 }
 
 }  // namespace beeline::internal
