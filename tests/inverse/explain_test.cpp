@@ -1,3 +1,4 @@
+#include <array>
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -8,7 +9,9 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/pose/so3.h>
 
+#include <tests/inverse/families.h>
 #include <tests/random.h>
 
 // A status without the nearest configuration, and the search for it.
@@ -227,6 +230,63 @@ TEST(BallOfTool, ContainsTheToolAndTouchesItsReach) {
     EXPECT_LE(farthest, ball.radius) << about.name;
     EXPECT_GE(farthest, 0.98 * ball.radius) << about.name;
     EXPECT_LE(ball.radius, arm.reach().radius * (1 + 1e-9)) << about.name;
+  }
+}
+
+/// Returns a pose with a solution and one without, of the same position and closer than `apart`
+/// radians.
+std::array<Pose, 2> edge_of_orientations(const Arm& arm, testing::Random& random, double apart) {
+  const InverseOptions options{.ignore_limits = true};
+  Pose from, to;
+  do {
+    from = to = forward_kinematics(arm, random.configuration(arm));
+    to.linear() = random.pose().linear();
+  } while (inverse_kinematics(arm, to, options).status != InverseStatus::orientation_unreachable);
+  while (so3_log(from.linear().transpose() * to.linear()).norm() > apart) {
+    Pose middle = from;
+    const Vector3 way = so3_log(from.linear().transpose() * to.linear());
+    middle.linear() = from.linear() * so3_exp(way / 2);
+    (inverse_kinematics(arm, middle, options) ? from : to) = middle;
+  }
+  return {from, to};
+}
+
+// The searches alone give the status orientation_unreachable if all end far away, in any unit.
+TEST(Explain, NoStatusByTheSearchesNearASolution) {
+  testing::Random random;
+  const Arm metres = with_offset_wrist(built_in("iiwa7"));
+  for (const double factor : {1.0, 1e3, 1e-3}) {
+    const Arm arm = testing::scaled(metres, factor);
+    for (int i = 0; i < testing::cases(3); ++i) {
+      const Pose missed = edge_of_orientations(arm, random, 5e-4)[1];
+      const InverseResult result = inverse_kinematics(arm, missed, {.ignore_limits = true});
+      EXPECT_NE(result.status, InverseStatus::orientation_unreachable) << result.reason;
+      EXPECT_NE(result.status, InverseStatus::unreachable) << result.reason;
+    }
+    int quick = 0, none = 0;
+    for (int i = 0; i < testing::cases(30); ++i) {
+      const InverseResult result =
+          inverse_kinematics(arm, random_pose(arm, random), {.ignore_limits = true});
+      if (result.status != InverseStatus::orientation_unreachable) continue;
+      ++none;
+      quick += result.unexplained ? 1 : 0;
+    }
+    EXPECT_GE(2 * quick, none);
+  }
+}
+
+// Searches of few steps end anywhere.
+TEST(Explain, NoStatusBySearchesOfFewSteps) {
+  testing::Random random;
+  const Arm arm = with_offset_wrist(built_in("iiwa7"));
+  for (int i = 0; i < testing::cases(30); ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    for (const int iterations : {0, 1, 2}) {
+      const InverseResult result =
+          inverse_kinematics(arm, pose, {.ignore_limits = true, .max_iterations = iterations});
+      EXPECT_NE(result.status, InverseStatus::orientation_unreachable) << iterations;
+      EXPECT_NE(result.status, InverseStatus::unreachable) << iterations;
+    }
   }
 }
 

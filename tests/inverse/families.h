@@ -11,6 +11,19 @@
 
 namespace beeline::testing {
 
+/// The arm with all lengths multiplied.
+inline Arm scaled(const Arm& arm, double factor) {
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) {
+    joint.screw.head<3>() *= factor;
+    joint.offset.translation() *= factor;
+  }
+  Pose tool = arm.tool(), base = arm.base();
+  tool.translation() *= factor;
+  base.translation() *= factor;
+  return {arm.name(), joints, tool, base};
+}
+
 /// Where a joint's axis is while every coordinate is zero.
 struct Axis {
   Vector3 direction;

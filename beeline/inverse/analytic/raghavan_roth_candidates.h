@@ -14,6 +14,7 @@ struct EliminationCandidates {
   /// There are more candidates than zeros if some may be double.
   int expected = 0;
   alignas(64) double q[6][max_count];  ///< by joint; joint `last` is zero
+  bool uncertain[max_count] = {};      ///< at a zero that has candidates of a double zero too
   /// The error of the determinant relative to its largest Fourier coefficient, measured by the
   /// coefficients beyond its degree.
   double noise = 0;

@@ -222,6 +222,7 @@ void write_simple(const Elimination& e, const ReducedEquations& reduced, Trigono
     write(e, reduced, angle, c, s, x, k, candidates);
   }
   candidates.count = candidates.expected = zeros.count;
+  std::copy(zeros.uncertain, zeros.uncertain + zeros.count, candidates.uncertain);
 }
 
 /// Writes two candidates for each double zero, from the two vectors of its null space.

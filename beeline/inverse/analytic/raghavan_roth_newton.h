@@ -8,6 +8,10 @@ namespace beeline::internal {
 /// Eight configurations, by joint and lane.
 struct EightConfigurations {
   alignas(64) double q[6][8];
+  /// The larger of position and orientation error before the first step, in units and radians; 1 if
+  /// the orientation is more than a right angle away.
+  alignas(64) double error[8];
+  alignas(64) double determinant[8] = {};  ///< of the Jacobian before the last step, units^3
 };
 
 /// Sets joint `last` of each configuration to the value with the least orientation error, then

@@ -38,8 +38,8 @@ HWY_NOINLINE void forward(const RevoluteLinks& links, const Lanes* q, JointAxes&
 
 /// Solves J dq = e by Householder reflections, which need no pivoting and hence no branches. Writes
 /// dq to e. It is undamped, unlike the solver of the numerical method, because the candidates start
-/// close to the solutions, and convergence has to be quadratic. `J[column][row]`.
-HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {
+/// close to the solutions, and convergence has to be quadratic. `J[column][row]`. Returns det J.
+HWY_INLINE Lanes solve(Lanes (*J)[6], Lanes* e) {
   Lanes diagonal[6];
   for (int k = 0; k < 6; ++k) {
     Lanes square(0);
@@ -61,11 +61,13 @@ HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {
     for (int column = k + 1; column < 6; ++column) e[k] = fnma(J[column][k], e[column], e[k]);
     e[k] = e[k] / diagonal[k];
   }
+  // The six reflections have the determinant 1 together.
+  return diagonal[0] * diagonal[1] * diagonal[2] * diagonal[3] * diagonal[4] * diagonal[5];
 }
 
 /// Takes one Newton step from the given axes with the error e, at most max_step in each joint.
-/// Lanes that have converged do not move.
-HWY_INLINE void step_towards(const JointAxes& axes, Lanes* e, LaneMask converged, Lanes* q) {
+/// Lanes that have converged do not move. Returns the determinant of the Jacobian before the step.
+HWY_INLINE Lanes step_towards(const JointAxes& axes, Lanes* e, LaneMask converged, Lanes* q) {
   // Radians. A longer step leaves the neighbourhood in which the linear model holds.
   constexpr double max_step = 0.3;
   Lanes J[6][6];
@@ -75,11 +77,12 @@ HWY_INLINE void step_towards(const JointAxes& axes, Lanes* e, LaneMask converged
     const Lanes column[6] = {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
     for (int k = 0; k < 6; ++k) J[i][k] = column[k];
   }
-  solve(J, e);
+  const Lanes determinant = solve(J, e);
   Lanes longest(0);
   for (int i = 0; i < 6; ++i) longest = max(longest, abs(e[i]));
   const Lanes scale = choose(converged, Lanes(0), Lanes(max_step) / max(longest, max_step));
   for (int i = 0; i < 6; ++i) q[i] = fma(scale, e[i], q[i]);
+  return determinant;
 }
 
 /// Returns the sum of the cross products of the axes of two frames: 2 sin(angle) times the axis of
@@ -116,15 +119,17 @@ unsigned newton_kernel(const RevoluteLinks& links, const RigidMotion& goal_motio
     Lanes error(0);
     for (const Lanes& part : e) error = max(error, abs(part));
     // The skew part vanishes also for a rotation by pi, whose trace is -1.
-    const LaneMask same_side = trace(axes.last, goal) > Lanes(2);
+    const Lanes along = trace(axes.last, goal);
+    if (step == 0) choose(along > Lanes(1), error, Lanes(1)).store(eight.error);
+    const LaneMask same_side = along > Lanes(2);
     const LaneMask converged = (error < Lanes(tolerance)) & same_side;
     const LaneMask converging = (error < Lanes(near)) & !converged;
-    if (step == max_steps || bits(converged) == 0xff ||
-        (step >= usual_steps && bits(converging) == 0)) {
+    const bool done = step > 0 && bits(converged) == 0xff;  // a step computes the determinant
+    if (done || step == max_steps || (step >= usual_steps && bits(converging) == 0)) {
       for (int i = 0; i < 6; ++i) q[i].store(eight.q[i]);
       return bits(converged);
     }
-    step_towards(axes, e, converged, q);
+    step_towards(axes, e, converged, q).store(eight.determinant);
   }
 }
 

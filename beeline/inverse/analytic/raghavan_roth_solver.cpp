@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -40,11 +41,32 @@ void check(const Chain& chain) {
   }
 }
 
+/// Returns RevoluteLinks::determinant, from a sample.
+double mean_determinant(const Chain& chain, double unit) {
+  constexpr int count = 64;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> angle(-3.14159265358979, 3.14159265358979);
+  double sum = 0;
+  for (int k = 0; k < count; ++k) {
+    Eigen::Matrix<double, 6, 6> J;
+    Pose frame = Pose::Identity();
+    for (int i = 0; i < 6; ++i) {
+      frame = frame * link_transform(chain.links[i], angle(random));
+      const Vector3 axis = frame.linear().col(2);
+      J.col(i) << (frame.translation() / unit).cross(axis), axis;
+    }
+    const double determinant = J.determinant();
+    sum += determinant * determinant;
+  }
+  return std::sqrt(sum / count);
+}
+
 /// The links of a chain that fits.
 struct Links {
   explicit Links(const Chain& its_chain) : chain(its_chain) {
     check(chain);
     links = revolute_links(chain);
+    links.determinant = mean_determinant(chain, links.unit);
     last_T_first_at_zero = links_transform(chain, SixAngles::Zero()).inverse();
   }
 

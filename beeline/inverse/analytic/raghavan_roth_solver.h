@@ -47,8 +47,9 @@ class RaghavanRothSolver {
 
   struct Result {
     int count = 0;  ///< number of solutions
-    bool complete =
-        false;  ///< every zero of the determinant led to a solution: there are no others
+    /// Whether there are no others: every zero of the determinant led to a solution, or four
+    /// eliminations agree and at each of their other zeros there is clearly none.
+    bool complete = false;
   };
 
   /// Computes the solutions, one column each, in [-pi, pi]. Their errors by forward kinematics are

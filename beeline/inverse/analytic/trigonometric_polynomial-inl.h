@@ -30,6 +30,7 @@ struct TrigonometricZeros {
   static constexpr int max_count = 32;
   int count = 0;
   double angle[max_count + lane_count];
+  bool uncertain[max_count + lane_count] = {};  ///< of a zero that is at a double zero, if real
   int double_count = 0;  ///< number of zeros that are, or may be, double to rounding
   double double_angle[max_count / 2 + lane_count];
 };
@@ -148,9 +149,11 @@ inline void add_zeros_at_minimum(double angle, double value, double curvature, d
   const double uncertainty = std::sqrt(2 * std::max(noise, rounding) / steep);
   const bool crosses = value * curvature < 0;
   if (!crosses && gap > std::max(max_gap, 3 * uncertainty)) return;
-  if (!crosses || gap < separate) zeros.double_angle[zeros.double_count++] = angle;
+  const bool uncertain = !crosses || gap < separate;
+  if (uncertain) zeros.double_angle[zeros.double_count++] = angle;
   const double offset = crosses ? gap : std::max(std::min(uncertainty, max_offset), min_offset);
   for (const double sign : {-1.0, 1.0}) {
+    zeros.uncertain[zeros.count] = uncertain;
     zeros.angle[zeros.count++] = angle + sign * offset;
   }
 }

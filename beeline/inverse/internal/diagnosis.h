@@ -15,10 +15,10 @@ enum class FailureDetail {
 };
 
 /// Returns the status of a request without solutions within limits, if it is known without the
-/// nearest miss: from a proof, or because the closed form examined all solutions and the position
-/// is reached. Otherwise returns nothing, and diagnose() chooses the status.
+/// nearest miss: from a proof, or because the closed form examined all solutions, or all searches
+/// ended far from the pose. Otherwise returns nothing, and diagnose() chooses the status.
 std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
-                                                    const UnconstrainedResult& evidence);
+                                                    const StageResult& found);
 
 /// Sets this status and its reason, without a nearest miss. The residual is NaN unless a proof
 /// gives it.

@@ -112,12 +112,12 @@ void run_stages(SolverState& state, const Request& request, StageResult& found) 
   if (state.family && !found.unconstrained.violation) {
     run_family(*state.family, state, request, found);
   }
-  if (needs_search(state, request, found)) solve_numerical(state, request, found);
-  // A search that finds nothing proves nothing.
+  // It takes less time than all restarts, and a search that finds nothing proves nothing.
   if (found.solutions->empty() && state.fallback && needs_search(state, request, found) &&
       state.fallback->applies(state)) {
     run_family(*state.fallback, state, request, found);
   }
+  if (needs_search(state, request, found)) solve_numerical(state, request, found);
   if (request.options.all) add_seed(request, found);
   approach_seed(state, request, found);
 }
