@@ -23,11 +23,17 @@ ParameterRates following(const Segment& segment, double s, const Task& task,
 /// The difference between the tool's motion and the path's motion, in world axes. Its rows of a
 /// task are the first and second derivatives of the rows of the tool's error. Rows in tool axes
 /// rotate with the tool: they refer to the point of the tool at the path's origin, and motion in
-/// free rows has Coriolis terms.
+/// free rows has Coriolis terms. If one or two rotations are free, the error is a rotation vector
+/// of any length: its derivatives are not the angular velocity.
 struct ErrorRates {
   Twist first, second;
 };
 ErrorRates error_rates(const Task& task, const PoseMotion& tool, const PoseMotion& path);
+
+/// The derivative of the rows of the tool's error, in the axes of the task's frame, with respect to
+/// the tool's velocity in world axes.
+Eigen::Matrix<double, Eigen::Dynamic, 6> error_jacobian(const Task& task, const Pose& tool,
+                                                        const Pose& path);
 
 /// The motion of the segment's pose at s, with respect to the variable of these rates of s.
 PoseMotion motion_along(const Segment& segment, double s, const ParameterRates& rates);

@@ -187,14 +187,7 @@ void SectionJointPath::follow(std::size_t k, const SegmentPoint& place) {
   ParameterRates rates = following(segment, place.fraction, task_, tool);
   rates.first = std::max(rates.first, 0.0);  // not backwards
   const PoseMotion path = motion_along(segment, place.fraction, rates);
-  Vector3 offset = Vector3::Zero();
-  if (task_.frame == Frame::tool) offset = tool.pose.translation() - path.pose.translation();
-  Jacobian columns = jacobian(arm_, q);
-  Eigen::MatrixXd equations(task_.size(), arm_.dof());
-  for (int i = 0; i < arm_.dof(); ++i) {
-    columns.col(i).head<3>() += offset.cross(Vector3(columns.col(i).tail<3>()));
-    equations.col(i) = in_task_rows(task_, tool.pose.linear(), columns.col(i));
-  }
+  const Eigen::MatrixXd equations = error_jacobian(task_, tool.pose, path.pose) * jacobian(arm_, q);
   const Eigen::MatrixXd inverse = pseudo_inverse(equations);
   const auto correction = [&](const Twist& error) -> Configuration {
     return -inverse * in_task_rows(task_, tool.pose.linear(), error);

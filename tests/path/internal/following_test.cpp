@@ -35,9 +35,13 @@ struct MovingTool {
   PoseMotion motion() const { return {start, velocity, acceleration}; }
 };
 
-/// One at the orientation of `pose`, up to 20 cm away.
-MovingTool random_tool(Random& random, const Pose& pose) {
+/// One up to 20 cm away from `pose`, rotated by any angle up to 2 rad if the task leaves one or two
+/// rotations free, otherwise at its orientation.
+MovingTool random_tool(Random& random, const Task& task, const Pose& pose) {
   MovingTool tool{pose, {}, {}};
+  if (task.orientations() == 1 || task.orientations() == 2) {
+    tool.start.linear() = so3_exp(random.uniform(0, 2) * random.direction()) * pose.linear();
+  }
   tool.start.translation() += random.vector(0.2);
   tool.velocity << random.vector(), random.vector();
   tool.acceleration << random.vector(), random.vector();
@@ -100,7 +104,7 @@ TEST(ErrorRates, AreTheDerivativesOfTheToolsErrorInTheRowsOfTheTask) {
     const Segment segment = testing::random_segment(random);
     const Task task = random_task(random);
     const double s = random.uniform(0.1, 0.9);
-    const MovingTool tool = random_tool(random, pose_at(segment, s));
+    const MovingTool tool = random_tool(random, task, pose_at(segment, s));
     const ParameterRates rates{random.uniform(-1, 1), random.uniform(-1, 1)};
     const auto [first, second] = differences(
         [&](double t) { return row_errors(task, tool.at(t), segment, parameter_at(s, rates, t)); });
@@ -111,6 +115,22 @@ TEST(ErrorRates, AreTheDerivativesOfTheToolsErrorInTheRowsOfTheTask) {
         << kind_of(segment) << ", task " << task;
     ASSERT_LT((in_axes(task, axes, found.second) - second).norm(), 1e-4 * size)
         << kind_of(segment) << ", task " << task;
+  }
+}
+
+TEST(ErrorJacobian, IsTheDerivativeOfTheRatesByTheToolsVelocity) {
+  Random random;
+  for (int i = 0; i < testing::cases(1000); ++i) {
+    const Segment segment = testing::random_segment(random);
+    const Task task = random_task(random);
+    const MovingTool tool = random_tool(random, task, pose_at(segment, 0.5));
+    const PoseMotion path = motion_at(segment, 0.5);
+    const PoseMotion still{tool.start, Twist::Zero(), Twist::Zero()};
+    const Twist rates = error_rates(task, tool.motion(), path).first;
+    const Twist change = rates - error_rates(task, still, path).first;
+    const Eigen::VectorXd rows = task_rows(task, in_axes(task, tool.start.linear(), change));
+    const Eigen::VectorXd found = error_jacobian(task, tool.start, path.pose) * tool.velocity;
+    ASSERT_LT((found - rows).norm(), 1e-12 * testing::size_of(segment)) << "task " << task;
   }
 }
 
@@ -143,7 +163,7 @@ TEST(Following, IsTheLeastSquaresSolution) {
     if (std::holds_alternative<Line>(segment)) continue;  // by position or by rotation alone
     const Task task = random_task(random);
     const double s = random.uniform(0.1, 0.9);
-    const MovingTool tool = random_tool(random, pose_at(segment, s));
+    const MovingTool tool = random_tool(random, task, pose_at(segment, s));
     const ParameterRates rates = following(segment, s, task, tool.motion());
     const auto weighted = [&](Twist rows) {
       for (int row = 0; row < 6; ++row) rows[row] *= task.rows[row];
@@ -153,8 +173,9 @@ TEST(Following, IsTheLeastSquaresSolution) {
     const auto [first, second] = differences([&](double t) {
       return weighted(row_errors(task, tool.at(t), segment, parameter_at(s, rates, t)));
     });
-    const PoseMotion path = motion_at(segment, s);
-    const Twist along = weighted(in_axes(task, tool.start.linear(), path.velocity));
+    const Twist along = differences([&](double t) {
+                          return weighted(row_errors(task, tool.start, segment, s - t));
+                        }).first;
     if (along.norm() < 1e-3 || std::abs(rates.first) > 5 || std::abs(rates.second) > 20)
       continue;  // nearly at rest
     ++found;
@@ -173,7 +194,7 @@ TEST(Following, IsZeroWhereTheSegmentIsAtRestInTheRows) {
   to.linear() = so3_exp({0, 0, 1});
   const Line turn{Pose::Identity(), to};
   const ParameterRates rates =
-      following(turn, 0.5, Task::position(), random_tool(random, to).motion());
+      following(turn, 0.5, Task::position(), random_tool(random, Task::position(), to).motion());
   EXPECT_EQ(rates.first, 0);
   EXPECT_EQ(rates.second, 0);
 }
