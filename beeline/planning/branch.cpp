@@ -6,6 +6,7 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/layered_graph.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/internal/track_branch.h>
@@ -41,7 +42,25 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
   return branch;
 }
 
-/// Searches a graph for knots, finer ones for finer grids.
+/// Moves the tool at each knot to the path's pose in all rows of the task; removes the knots from
+/// the first at which this is not possible.
+void keep_rows(const Arm& arm, const ToolPath& path, const Task& task, bool given_start,
+               KnotSequence& found) {
+  const Bounds bounds = bounds_of(arm);
+  std::vector<Knot>& knots = found.knots;
+  for (std::size_t r = given_start ? 1 : 0; r < knots.size(); ++r) {
+    const auto exact = solved_near(arm, pose_at(path, knots[r].s), task, bounds, knots[r].q);
+    if (!exact) {
+      knots.resize(r);
+      found.complete = false;
+      return;
+    }
+    knots[r].q = *exact;
+  }
+}
+
+/// Searches a graph for knots with the tool at the path's poses in the rows of options.task, which
+/// are independent; finer ones for finer grids.
 KnotSequence search_graph(const Arm& arm, const std::optional<Configuration>& start,
                           const ToolPath& path, const BranchOptions& options, std::size_t grid) {
   if (has_self_motion_curves(arm, options.task)) {
@@ -78,9 +97,13 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
   constexpr double share = 0.8;  // of the graph in the progress
   BranchOptions graph = options;
   graph.budget = budget.part(0, share);
+  graph.task = independent_rows(arm, options.task);
   std::optional<Branch> best;
   for (std::size_t i = 0; i < std::size(grids); ++i) {
-    const KnotSequence found = search_graph(arm, start, path, graph, i);
+    KnotSequence found = search_graph(arm, start, path, graph, i);
+    if (graph.task != options.task) {
+      keep_rows(arm, path, options.task, start.has_value(), found);
+    }
     const std::vector<Knot>& knots = found.knots;
     if (!knots.empty()) {
       const KnotSpline spline(knots, path);
@@ -94,7 +117,7 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
       if (branch && branch.spare_clearance >= 0) break;
     }
     const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;
-    if (finest || budget.ended() || !refine(arm, options, i, found.complete)) break;
+    if (finest || budget.ended() || !refine(arm, graph, i, found.complete)) break;
   }
   return best;
 }
@@ -102,7 +125,12 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
 /// plan_path() with the budget's meter, which may end it.
 Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                    const BranchOptions& options, BudgetMeter& budget) {
-  const bool redundant = arm.dof() > options.task.size();
+  const Task rows = independent_rows(arm, options.task);
+  const bool redundant = arm.dof() > rows.size();
+  if (rows.size() == 0) {  // the tool is on the path at all configurations or at none
+    return start ? track_branch(arm, *start, path, options)
+                 : from_first_solution(arm, path, options);
+  }
   if (!redundant && start) return track_branch(arm, *start, path, options);
   if (!redundant) {
     const std::vector<Branch> branches = track_branches(arm, path, options);
@@ -155,16 +183,25 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const Branc
   BudgetMeter budget(given.budget);
   BranchOptions options = within(budget, given);
   options.reasons = BranchOptions::Reasons::all;
-  if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
+  if (!is_redundant(arm, options.task)) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
   options.max_grid = std::min(options.max_grid, grids[1]);
-  const InverseResult starts = inverse_kinematics(arm, pose_at(path, 0),
-                                                  {.task = options.task,
-                                                   .all = true,
-                                                   .grid = coarse,
-                                                   .max_restarts = 4 * coarse,
-                                                   .budget = options.budget});
+  const Task rows = independent_rows(arm, options.task);
+  if (rows.size() == 0) return {best_branch(arm, {}, path, options, budget)};
+  InverseResult starts = inverse_kinematics(arm, pose_at(path, 0),
+                                            {.task = rows,
+                                             .all = true,
+                                             .grid = coarse,
+                                             .max_restarts = 4 * coarse,
+                                             .budget = options.budget});
+  if (rows != options.task) {
+    std::erase_if(starts.solutions, [&](Configuration& q) {
+      const auto exact = solved_near(arm, pose_at(path, 0), options.task, bounds_of(arm), q);
+      if (exact) q = *exact;
+      return !exact;
+    });
+  }
   std::vector<Branch> branches;
   const auto count = static_cast<double>(starts.solutions.size());
   for (const Configuration& start : starts.solutions) {

@@ -10,6 +10,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/unblocked_motion.h>
@@ -147,7 +148,7 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   failure.path_parameter = motion.path_parameter;
   failure.blocked = std::move(motion.blocked);
   // A plan takes long with more redundancy.
-  const bool quick = arm.dof() <= request.task().size() + 1;
+  const bool quick = arm.dof() <= independent_rows(arm, request.task()).size() + 1;
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
   const bool may_be_nearby = timed || (!followed && off_path);

@@ -3,6 +3,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/move_along.h>
@@ -116,13 +117,11 @@ struct Trial {
   /// A quick test, on a coarse graph or with a coarse tolerance.
   bool may_work(const Vector3& step) const {
     if (!ends_are_reachable(step)) return false;
-    if (arm.dof() == exact.task.size() + 1) {
-      return internal::has_self_motion_path(arm, at(step),
-                                            {.task = exact.task,
-                                             .start = start,
-                                             .spacing = 0.12,
-                                             .step = 0.3,
-                                             .budget = exact.budget});
+    const Task rows = internal::independent_rows(arm, exact.task);
+    if (rows.size() > 0 && arm.dof() == rows.size() + 1) {
+      return internal::has_self_motion_path(
+          arm, at(step),
+          {.task = rows, .start = start, .spacing = 0.12, .step = 0.3, .budget = exact.budget});
     }
     return is_free(plan_path(arm, start, at(step), coarse));
   }

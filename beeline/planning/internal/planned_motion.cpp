@@ -5,6 +5,7 @@
 
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/internal/branch_timing.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/timing/internal/possible_rate.h>
@@ -269,9 +270,9 @@ PathMotion planned_motion(const MotionRequest& request, BudgetMeter& budget) {
     retry_inside_limits(request, budget, motion);
   }
   motion.path_parameter = branch.path_parameter;
-  const bool redundant = request.arm.dof() > request.task().size();
   const bool unproved = branch && motion.status == MotionStatus::not_proved;
-  if (!request.start && !redundant && unproved && request.timing.rate == 0 && budget.complete()) {
+  if (!request.start && unproved && request.timing.rate == 0 && budget.complete() &&
+      !is_redundant(request.arm, request.task())) {
     try_other_branches(request, budget, motion);
   }
   if (branch) mark_near_singular(branch, motion);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/internal/self_motion_starts.h>
 
@@ -23,7 +24,7 @@ double least_duration(const Arm& arm, const Configuration& from, const Configura
 
 std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
                                               const Configuration& from, const Budget& budget) {
-  const bool redundant = arm.dof() > task.size();
+  const bool redundant = is_redundant(arm, task);
   InverseOptions options{
       .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
   std::vector<Configuration> found;

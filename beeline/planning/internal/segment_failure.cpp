@@ -7,6 +7,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/internal/joint_reason.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/singular_joint.h>
@@ -131,7 +132,8 @@ Reason singular_reason(const TrackedEnd& end) {
     return {ReasonCode::singular_on_path};
   }
   Reason reason{ReasonCode::singular_at_start};
-  if (const std::optional<int> k = singular_joint(end.arm, end.task, end.q)) {
+  if (const std::optional<int> k =
+          singular_joint(end.arm, independent_rows(end.arm, end.task), end.q)) {
     set_joint(end.arm.joint_of(*k), reason).set(ReasonField::value, end.q[*k]);
   }
   return reason;
@@ -160,9 +162,10 @@ bool continues(const TrackedEnd& end) {
 
 /// The status and reason by inverse kinematics for the poses ahead, with or without solutions.
 SegmentFailure failure_ahead(const TrackedEnd& end) {
-  const double condition =
-      manipulability_measures(task_jacobian(end.arm, end.q, end.task)).condition;
-  const bool singular = !(condition < regular_condition);
+  const Task rows = independent_rows(end.arm, end.task);
+  const bool singular =
+      rows.size() > 0 &&
+      !(manipulability_measures(task_jacobian(end.arm, end.q, rows)).condition < regular_condition);
   const Probe ahead = solve_ahead(end, singular);
   switch (ahead.answer.status) {
     case InverseStatus::solved:

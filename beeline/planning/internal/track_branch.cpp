@@ -8,6 +8,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/math/revolution.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/singular_waypoints.h>
@@ -195,6 +196,7 @@ void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, 
   branch.limit_margin = 1;
   branch.inverse_condition = 1;
   branch.spare_clearance = Limits::none;
+  const Task rows = independent_rows(arm, options.task);
   for (const TrackedSegment& segment : branch.segments) {
     for (const Configuration& q : segment.samples) {
       if (budget.ended(options.spare_clearance ? spare_clearance_work : 1)) {
@@ -209,7 +211,8 @@ void measure(const Arm& arm, const BranchOptions& options, BudgetMeter& budget, 
       if (options.spare_clearance) {
         branch.spare_clearance = std::min(branch.spare_clearance, options.spare_clearance(q));
       }
-      const Eigen::MatrixXd j = task_jacobian(arm, q, options.task, unit_of_length(arm));
+      if (rows.size() == 0) continue;
+      const Eigen::MatrixXd j = task_jacobian(arm, q, rows, unit_of_length(arm));
       branch.inverse_condition =
           std::min(branch.inverse_condition, 1 / manipulability_measures(j).condition);
     }
@@ -253,8 +256,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
   Branch branch{.start = start};
   const BranchSearch search{arm, path, bounds_of(arm), options, budget};
   track_path(search, branch);
-  const bool redundant = arm.dof() > options.task.size();
-  if (!branch && !options.guide && !redundant) {
+  if (!branch && !options.guide && !is_redundant(arm, options.task)) {
     SingularWaypoints(search).complete(branch, 0, [](const Branch&) { return true; });
   }
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);

@@ -1,6 +1,7 @@
 #include <optional>
 #include <utility>
 
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 
@@ -71,7 +72,7 @@ PathMotion unblocked_motion(const MotionRequest& request, const BlockedMotions& 
   const Configuration first = best.trajectory.positions.front();
   refuse_blocked(blocked_by, budget, best);
   if (best || !budget.complete()) return best;
-  const bool redundant = request.arm.dof() > request.task().size();
+  const bool redundant = is_redundant(request.arm, request.task());
   const auto& spare = blocked_by.spare_clearance;
   if (redundant && spare && !(request.start && spare(*request.start) < 0)) {
     PathMotion aside = motion_aside(request, blocked_by, budget);
