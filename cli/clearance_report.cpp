@@ -204,6 +204,11 @@ MotionStatus ClearanceReport::refusal() const {
   return MotionStatus::not_decided;
 }
 
+void ClearanceReport::add_search_ending(const Reason& of_motion) {
+  const ReasonValue* ending = of_motion.find(ReasonField::search_ending);
+  if (ending != nullptr) proof.reason.set(ReasonField::search_ending, *ending);
+}
+
 std::string ClearanceReport::reason_text() const {
   const std::string text = sentence(proof.reason);
   if (proof.status != ClearanceStatus::collides) return text;

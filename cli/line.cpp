@@ -113,6 +113,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   // Where none is given, a motion that is kept is of a nearby path.
   const bool reached = report.status == MotionStatus::reached;
   if (proved) report.clearance = std::move(reached ? proved->kept : proved->refused);
+  if (!reached && report.clearance) report.clearance->add_search_ending(report.reason);
   if (reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
                    poses};

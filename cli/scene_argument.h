@@ -96,6 +96,8 @@ struct ClearanceReport {
   std::vector<SceneLine> conditions() const;
   /// Returns the status of a motion that is refused.
   MotionStatus refusal() const;
+  /// Adds how the search for another motion ended, if the motion's reason has that.
+  void add_search_ending(const Reason& of_motion);
   /// Returns the sentence of the reason, with the option that exempts the pairs.
   std::string reason_text() const;
   std::string text() const;

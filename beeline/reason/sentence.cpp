@@ -41,6 +41,18 @@ std::string place(const ReasonText& reason, bool of_time) {
   return text;
 }
 
+/// Whether the clearance refuses a motion, for which another one may exist.
+bool is_blocked(const ReasonText& reason) {
+  switch (reason.code()) {
+    case ReasonCode::bodies_collide:
+    case ReasonCode::bodies_too_close:
+    case ReasonCode::clearance_not_decided:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// The other attempts, after the sentence.
 std::string others(const ReasonText& reason) {
   using enum ReasonField;
@@ -51,7 +63,10 @@ std::string others(const ReasonText& reason) {
   }
   if (reason.has(proved_rate)) text += ", or a rate of " + reason.number(proved_rate);
   if (reason.has(proved_speed)) text += ", or " + reason.number(proved_speed) + " times the speed";
-  if (reason.has(search_ending)) text += "; " + reason.ended(search_ending) + " for paths near it";
+  if (reason.has(search_ending)) {
+    text += "; " + reason.ended(search_ending) +
+            (is_blocked(reason) ? " for another motion" : " for paths near it");
+  }
   if (reason.is(search_limited)) {
     text += "; the search for paths near it ended at its limit of work";
   }

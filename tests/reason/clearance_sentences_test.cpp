@@ -57,6 +57,12 @@ std::vector<Said> said_of_clearances() {
         with(bodies, {{depth, 0.012}, {normal, Eigen::Vector3d(0, 0, 1)}})},
        "at 0.5 s hand and table collide at (0.1, 0, 0.3) m: a translation of hand by 0.012 m "
        "along (0, 0, 1) would separate them"},
+      {{ReasonCode::bodies_too_close,
+        with(of_configuration, {{distance, 0.0004},
+                                {position, Eigen::Vector3d(0.1, 0, 0.3)},
+                                {search_ending, Ending::time_limit}})},
+       "hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of 0.001 m; the "
+       "time limit ended the search for another motion"},
       {{ReasonCode::bodies_too_close, with(bodies, {{distance, 0.0004}})},
        "at 0.5 s hand is 0.0004 m from table at (0.1, 0, 0.3) m, closer than the clearance of "
        "0.001 m"},
