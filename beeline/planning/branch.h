@@ -98,6 +98,10 @@ struct BranchOptions {
 /// self-motion of a redundant arm avoids blocked configurations and keeps away from joint limits
 /// and obstacles.
 ///
+/// Rows of the task that the arm does not move independently of the others, such as the height of a
+/// planar arm's tool, must be kept, but leave the arm as redundant as the others do, also in
+/// Branch::inverse_condition.
+///
 /// - An arm that is redundant for the task follows the best path through a graph of configurations
 ///   (Ferrentino & Chiacchio 2020), which is refined until a motion is complete. With one redundant
 ///   joint the graph has the curves of self-motion that a motion can reach, traced along the path,

@@ -84,7 +84,7 @@ TEST_P(CertifiedLines, EveryFeasibleLineIsSolvedAndEveryOtherRefusedWithItsReaso
     const Trajectory& made = motion.trajectory;
     EXPECT_FALSE(verify(arm, made, poses).reason);
   }
-  EXPECT_GT(solved, cases(40) / 8);
+  EXPECT_GE(solved, cases(40) / 8);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_P(FreeRotations, AreFollowedByFewSamples) {
     EXPECT_LT(motion.trajectory.size(), 300U) << task;
     EXPECT_LT(motion.trajectory.times.back(), 2) << task;
   }
-  EXPECT_GT(reached, testing::cases(60) / 4);
+  EXPECT_GE(reached, testing::cases(60) / 4);
 }
 
 }  // namespace
