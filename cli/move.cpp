@@ -293,9 +293,9 @@ Verb move_verb() {
           "must keep a clearance, see `beeline help check`; otherwise no motion is written, and "
           "the status is collides or not_decided.\n\n"
           "--method around searches a path around the obstacles: the straight joint motion first, "
-          "then two trees of random configurations that grow towards each other (RRT-Connect), in "
-          "which each edge is proved to keep the clearance. The path is shortened, its waypoints "
-          "are passed in blends, and the finished motion is proved. If none is found (not_found), "
+          "then two trees of random configurations that grow towards each other (RRT-Connect). The "
+          "path is shortened and proved to keep the clearance, its waypoints are passed in "
+          "blends, and the finished motion is proved. If none is found (not_found), "
           "one may exist.",
       .arguments = {arguments->arm.argument()},
       .options =

@@ -154,7 +154,9 @@ struct InverseResult {
   /// Solutions that must not be given, with options.blocked_by, in the order of `solutions`. For
   /// one solution: those that come before it.
   std::vector<BlockedSolution> blocked = {};
-  /// With `all`, whether `solutions` and `blocked` are all that exist, which are finitely many
+  /// With `all`, whether `solutions` and `blocked` are all that exist, which are finitely many. Of
+  /// six general joints this is evidence, not a proof: nearly singular poses may have others, close
+  /// to one of these.
   bool complete = false;
   /// Whether every branch is represented, with `all`. It is true if `complete` is. It is also true
   /// at singular poses if the closed form was evaluated over the whole range of its free joints:

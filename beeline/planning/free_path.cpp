@@ -28,7 +28,7 @@ constexpr int near_goal_edges = 1000;
 // Trees that do not meet within so many edges begin again, with twice as many: few searches take
 // long, and others with other random configurations then end soon.
 constexpr std::size_t edges_until_restart = 4000;
-constexpr double least_advance = 0.01;  // of a tree; less is a tree that is stuck
+constexpr double least_advance = 0.01;  // of a tree; less is a dead end
 // A tree stops before the place where an edge is blocked, because every motion from there is as
 // near to a body.
 constexpr double usable = 0.9;
@@ -75,9 +75,9 @@ class TreeSearch {
   void add_start(const Configuration& q) { trees_[0].add(q); }
   void add_goal(const Configuration& q) { goals_ = trees_[1].add(q) + 1; }
 
-  /// The indices of the nodes from the place where the trees meet to their roots. They meet in one
-  /// configuration.
-  struct Way {
+  /// The indices of the nodes from the place where the trees meet, in one configuration, to their
+  /// roots.
+  struct TreePath {
     std::vector<std::size_t> to_start, to_goal;
 
     bool found() const { return !to_start.empty(); }
@@ -85,8 +85,8 @@ class TreeSearch {
     std::size_t goal() const { return to_goal.back(); }
   };
 
-  /// Grows the trees until they meet; no way if they do not. No edge of the way is proved.
-  Way way() {
+  /// Grows the trees until they meet; returns no path if they do not. None of its edges is proved.
+  TreePath connect() {
     for (; !edges_.ended(); grows_ = 1 - grows_) {
       if (edges_.count() >= restart_at_) restart();
       const std::size_t a = grows_, b = 1 - a;
@@ -95,36 +95,36 @@ class TreeSearch {
       const Configuration q = trees_[a].node(grown);
       const auto [met, reached] = advance(trees_[b], q);
       if (!reached) continue;
-      return {trees_[0].way_to_root(a == 0 ? grown : met),
-              trees_[1].way_to_root(a == 0 ? met : grown)};
+      return {trees_[0].path_to_root(a == 0 ? grown : met),
+              trees_[1].path_to_root(a == 0 ? met : grown)};
     }
     return {};
   }
 
-  std::vector<Configuration> waypoints(const Way& way) const {
+  std::vector<Configuration> waypoints(const TreePath& path) const {
     std::vector<Configuration> waypoints;
-    for (std::size_t k = way.to_start.size(); k > 0; --k) {
-      waypoints.push_back(trees_[0].node(way.to_start[k - 1]));
+    for (std::size_t k = path.to_start.size(); k > 0; --k) {
+      waypoints.push_back(trees_[0].node(path.to_start[k - 1]));
     }
-    for (std::size_t k = 1; k < way.to_goal.size(); ++k) {
-      waypoints.push_back(trees_[1].node(way.to_goal[k]));
+    for (std::size_t k = 1; k < path.to_goal.size(); ++k) {
+      waypoints.push_back(trees_[1].node(path.to_goal[k]));
     }
     return waypoints;
   }
 
-  /// Removes the first edge of the way that is not proved, with all that is behind it. Returns
-  /// whether there is one.
-  bool cut(const Way& way) {
+  /// Removes from each tree the first edge of a path that is not proved, with all nodes behind it.
+  /// Returns whether there is one.
+  bool cut(const TreePath& path) {
     const auto cut_tree = [&](JointTree& tree, const std::vector<std::size_t>& nodes) {
       for (std::size_t k = nodes.size() - 1; k > 0; --k) {
-        if (edges_.is_free(tree.node(nodes[k]), tree.node(nodes[k - 1]))) continue;
+        if (edges_.are_free({tree.node(nodes[k]), tree.node(nodes[k - 1])})) continue;
         tree.remove(nodes[k - 1]);
         return true;
       }
       return false;
     };
-    const bool is_cut = cut_tree(trees_[0], way.to_start);
-    return cut_tree(trees_[1], way.to_goal) || is_cut;
+    const bool is_cut = cut_tree(trees_[0], path.to_start);
+    return cut_tree(trees_[1], path.to_goal) || is_cut;
   }
 
  private:
@@ -285,28 +285,27 @@ class PathSearch {
   /// Returns a shortened path of the trees, of which each edge is proved, and the index of the root
   /// where it ends; no path if there is none.
   std::pair<std::vector<Configuration>, std::size_t> proved_path(TreeSearch& trees,
-                                                                 FreeEdges& edges) const {
+                                                                 FreeEdges& edges) {
     while (true) {
-      const TreeSearch::Way way = trees.way();
-      if (!way.found()) return {};
-      std::vector<Configuration> waypoints = trees.waypoints(way);
-      // Most edges without a blocked sample are free: these are proved once, at the end.
-      shorten(edges, EdgeTest::samples, options_.random_seed, options_.shortcuts, waypoints);
-      if (!is_proved(edges, waypoints)) {
-        edges.sample_more_densely();
-        if (trees.cut(way)) continue;
-        waypoints = trees.waypoints(way);
-        shorten(edges, EdgeTest::proof, options_.random_seed, options_.shortcuts, waypoints);
-      }
-      return {waypoints, way.goal()};
+      const TreeSearch::TreePath path = trees.connect();
+      if (!path.found()) return {};
+      // Most edges without a blocked sample are free: those that remain are proved, at the end.
+      std::vector<Configuration> waypoints = shortened(trees.waypoints(path), EdgeTest::samples);
+      if (edges.are_free(waypoints)) return {waypoints, path.goal()};
+      edges.sample_more_densely();
+      if (trees.cut(path)) continue;
+      waypoints = shortened(trees.waypoints(path), EdgeTest::proof);
+      if (!edges.are_free(waypoints)) waypoints = trees.waypoints(path);  // proved by cut()
+      return {waypoints, path.goal()};
     }
   }
 
-  static bool is_proved(FreeEdges& edges, const std::vector<Configuration>& waypoints) {
-    for (std::size_t k = 1; k < waypoints.size(); ++k) {
-      if (!edges.is_free(waypoints[k - 1], waypoints[k])) return false;
-    }
-    return true;
+  /// Shortens a path by edges that the search does not count.
+  std::vector<Configuration> shortened(std::vector<Configuration> waypoints, EdgeTest test) {
+    FreeEdges shortcuts(model_, std::numeric_limits<int>::max(), budget_);
+    shorten(shortcuts, test, options_.random_seed, options_.shortcuts, waypoints);
+    path_.edges += shortcuts.count();
+    return waypoints;
   }
 
   const CollisionModel& model_;

@@ -17,10 +17,13 @@ namespace beeline {
 
 struct FreePathOptions {
   std::uint64_t random_seed = 1;  ///< seed of the configurations that the search draws
-  /// Max number of straight joint motions that the search examines, 1 or more.
+  /// Max number of straight joint motions that the search examines, shortcuts aside, 1 or more.
   int max_edges = 50'000;
   int shortcuts = 100;  ///< number of shortcuts that are tried on the path, 0 to a million
-  Budget budget = {};   ///< a part of a straight joint motion that is examined is a unit of work
+  /// Eight samples of a straight joint motion, and a part of it that is proved, are a unit of work.
+  /// A path that was found before the budget ended is returned if some further 10,000 units prove
+  /// it.
+  Budget budget = {};
 };
 
 /// A path of straight joint motions.
@@ -32,7 +35,7 @@ struct FreePath {
   std::vector<Configuration> waypoints = {};
   std::size_t goal = 0;   ///< index of the goal that is reached
   double length = 0;      ///< sum of the distances between waypoints, the norm of their difference
-  std::size_t edges = 0;  ///< number of straight joint motions that were examined
+  std::size_t edges = 0;  ///< number of straight joint motions that were sampled
 
   /// Returns whether a goal is reached.
   explicit operator bool() const { return status == MotionStatus::reached; }

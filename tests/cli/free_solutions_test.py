@@ -188,24 +188,21 @@ def test_a_line_moves_aside_or_suggests_another(beeline, written):
     assert "would work    with every waypoint moved by" in printed and "kept at all times" not in printed
 
 
-# Between the limit at which no motion is planned yet and the one with which the search ends.
+# Between the work with which no motion is planned yet and the work with which the search ends.
 def test_a_search_aside_that_ends_early_says_so(beeline, written):
     wall = written("wall.json", json.dumps({"obstacles": [
         {"name": "wall", "shapes": [{"box": {"size": [0.3, 0.05, 0.3]}, "pose": {"xyz": [0.4, 0.4, 0.55]}}]}]}))
     poses = written("poses.csv", "x,y,z,roll,pitch,yaw\n0.394,0.4,0.555,180,0,-45\n")
     line = ("line", "panda", "--from=0,-30,0,-130,0,100,45", "--degrees", "--through", poses, "--scene", wall)
-    found = 0
-    limit = 0.002
-    while limit < 20 and not found:
-        answer = beeline(*line, "--json", f"--time-limit={limit}")
-        report = answer.json
-        if report["status"] == "collides" and report["fields"].get("search_ending") == "time_limit":
-            found += 1
-            assert "the time limit ended the search for another motion" in report["reason"]
-            assert report["reason"] in answer.err
-            assert report["clearance"]["fields"]["search_ending"] == "time_limit"
-        limit *= 1.3
-    assert found
+    work = 100
+    while work < 1e7:
+        report = (answer := beeline(*line, "--json", f"--max-work={work}")).json
+        if report["status"] == "collides" and report["fields"].get("search_ending") == "work_limit":
+            break
+        work = work * 5 // 4
+    assert "the work limit ended the search for another motion" in report["reason"]
+    assert report["reason"] in answer.err
+    assert report["clearance"]["fields"]["search_ending"] == "work_limit"
 
 
 @pytest.mark.parametrize("options, says", [

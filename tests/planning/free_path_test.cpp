@@ -204,6 +204,36 @@ void expect_motion(const CollisionModel& model, const FreeMotion& motion,
   }
 }
 
+TEST(FreePath, IsNotLostByItsShortcuts) {
+  Maze maze;
+  maze.add_wall(1.3, -1, 3);
+  const CollisionModel model = maze.model();
+  const Configuration start = vector({0.5, 0.5});
+  const std::vector<Configuration> goals{vector({3.5, 0.5})};
+  const FreePath path = find_free_path(model, start, goals, {.shortcuts = 0});
+  ASSERT_TRUE(path);
+  const auto edges = static_cast<int>(path.edges);  // as many as the trees need, or more
+  const FreePath shortened =
+      find_free_path(model, start, goals, {.max_edges = edges, .shortcuts = 10'000});
+  expect_free(model, shortened, start, goals);
+  EXPECT_LE(shortened.length, path.length);
+}
+
+TEST(FreePath, GoesAroundAWallThatSamplesMiss) {
+  Maze maze;
+  maze.scene.obstacles.push_back(
+      {.name = "sheet",
+       .shapes = {{Box{Vector3(1e-3, 4, 1)}, make_pose({2, 1.7, 0}, Rotation::Identity())}}});
+  const CollisionModel model(maze.arm, {{"disc", 2, {{Sphere{2e-3}}}}}, maze.scene);
+  const Configuration start = vector({1.01, 0.5});
+  const std::vector<Configuration> goals{vector({3.03, 0.5})};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const FreePath path = find_free_path(model, start, goals, {.random_seed = seed});
+    expect_free(model, path, start, goals);
+    EXPECT_GT(path.length, 6.4);
+  }
+}
+
 TEST(MoveAround, PassesWaypointsWithoutAStop) {
   Maze maze;
   maze.add_wall(1.3, -1, 3);
@@ -222,21 +252,6 @@ TEST(MoveAround, PassesWaypointsWithoutAStop) {
 }
 
 /// Blends so small that the arm would nearly stop in them are stops.
-TEST(FreePath, GoesAroundAWallThatSamplesMiss) {
-  Maze maze;
-  maze.scene.obstacles.push_back(
-      {.name = "sheet",
-       .shapes = {{Box{Vector3(1e-3, 4, 1)}, make_pose({2, 1.7, 0}, Rotation::Identity())}}});
-  const CollisionModel model(maze.arm, {{"disc", 2, {{Sphere{2e-3}}}}}, maze.scene);
-  const Configuration start = vector({1.01, 0.5});
-  const std::vector<Configuration> goals{vector({3.03, 0.5})};
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const FreePath path = find_free_path(model, start, goals, {.random_seed = seed});
-    expect_free(model, path, start, goals);
-    EXPECT_GT(path.length, 6.4);
-  }
-}
-
 TEST(MoveAround, HasNoTinyBlends) {
   Maze maze;
   maze.add_wall(1.3, -1, 3);

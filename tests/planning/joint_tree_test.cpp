@@ -12,7 +12,7 @@ TEST(JointTree, FindsTheNearestNodeThatIsNotRemoved) {
   const std::size_t root = tree.add(at(0)), near = tree.add(at(1), root),
                     behind = tree.add(at(2), near), other = tree.add(at(-1), root);
   EXPECT_EQ(tree.nearest(at(5)), behind);
-  EXPECT_EQ(tree.way_to_root(behind), (std::vector{behind, near, root}));
+  EXPECT_EQ(tree.path_to_root(behind), (std::vector{behind, near, root}));
   tree.remove(near);
   EXPECT_EQ(tree.nearest(at(5)), root) << "what is behind a removed node is removed, too";
   EXPECT_EQ(tree.nearest(at(-5)), other);
@@ -27,7 +27,7 @@ TEST(JointTree, LeavesOutDeadEnds) {
   EXPECT_EQ(tree.nearest(at(5)), root);
   for (int i = 0; i < 20; ++i) tree.add_dead_end(root);
   EXPECT_EQ(tree.nearest(at(5)), root) << "roots stay";
-  EXPECT_EQ(tree.node(end), at(1)) << "the node is still on ways";
+  EXPECT_EQ(tree.node(end), at(1)) << "the node is still on paths";
 }
 
 TEST(JointTree, BeginsAgainFromItsRoots) {

@@ -118,7 +118,8 @@ double magnitude(const ConvexBody& body) {
 }
 
 double support_rounding(const ConvexBody& body) {
-  // At most twelve products are added.
+  // At most twelve products are added, and of the vertices of a hull one is chosen by two sums of
+  // three, rounded otherwise.
   return 32 * std::numeric_limits<double>::epsilon() * magnitude(body);
 }
 

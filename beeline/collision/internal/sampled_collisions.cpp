@@ -40,7 +40,7 @@ struct LaneCapsule {
   }
 };
 
-/// The core of an obstacle, at rest, in its own axes. The core of a hull is the box around it.
+/// The core of an obstacle, at rest, in its own axes. A hull is replaced by the sphere around it.
 struct LaneCore {
   ConvexBody::Core kind = ConvexBody::Core::point;
   Vector half;
@@ -95,7 +95,8 @@ HWY_INLINE DistanceBounds bounds(const LaneCapsule& capsule, const Body& body, c
           upper};
 }
 
-/// The search of the pairs that the lanes do not decide.
+/// Tests all pairs at eight configurations, and leaves open those that their capsules do not
+/// decide.
 class LaneTest {
  public:
   LaneTest(const CollisionBodies& bodies, SampledCollisions::Found& found)

@@ -8,8 +8,8 @@ namespace beeline::internal {
 /// `unit`, in frame 0 of the chain; the last frame is the one before Chain::tool.
 struct RevoluteLinks {
   double cos_alpha[6], sin_alpha[6], translation[6][3], theta_offset[6];
-  double unit = 1;         ///< sum of the link lengths, metres
-  double determinant = 0;  ///< root mean square of the Jacobian's over all angles, units^3
+  double unit = 1;               ///< sum of the link lengths, metres
+  double determinant_scale = 0;  ///< root mean square of the Jacobian's over all angles, units^3
 };
 RevoluteLinks revolute_links(const Chain& chain);
 

@@ -9,7 +9,7 @@ namespace beeline::internal {
 struct EightConfigurations {
   alignas(64) double q[6][8];
   /// The larger of position and orientation error before the first step, in units and radians; 1 if
-  /// the orientation is more than a right angle away.
+  /// the orientation is more than a right angle away, not a number if the candidate is none.
   alignas(64) double error[8];
   alignas(64) double determinant[8] = {};  ///< of the Jacobian before the last step, units^3
 };

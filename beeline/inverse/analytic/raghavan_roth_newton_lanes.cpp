@@ -120,7 +120,7 @@ unsigned newton_kernel(const RevoluteLinks& links, const RigidMotion& goal_motio
     for (const Lanes& part : e) error = max(error, abs(part));
     // The skew part vanishes also for a rotation by pi, whose trace is -1.
     const Lanes along = trace(axes.last, goal);
-    if (step == 0) choose(along > Lanes(1), error, Lanes(1)).store(eight.error);
+    if (step == 0) choose(along <= Lanes(1), Lanes(1), error).store(eight.error);
     const LaneMask same_side = along > Lanes(2);
     const LaneMask converged = (error < Lanes(tolerance)) & same_side;
     const LaneMask converging = (error < Lanes(near)) & !converged;

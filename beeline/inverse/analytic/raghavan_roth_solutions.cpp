@@ -10,9 +10,7 @@ namespace beeline::internal {
 namespace {
 
 // Jacobian's determinant, relative to its mean. With a smaller one, another solution may be within
-// about 1e-3 rad, and rounding may hide one of the two. Of 12,000 poses of a crx10ia, most of them
-// singular or 1e-3 to 1e-9 rad beside that, 5 results are called complete without the configuration
-// of the pose; 37 are if all determinants count as regular. Few random poses have a smaller one.
+// about 1e-3 rad, and rounding may hide one of the two. Few random poses have a smaller one.
 constexpr double regular_determinant = 1e-3;
 
 /// Adds q unless it is known; a known solution keeps the smaller correction.
@@ -37,7 +35,7 @@ void conclude(const Elimination& elimination, const EliminationCandidates& candi
   solutions.consistent = agrees && found.count == candidates.expected;
   const bool accurate = std::all_of(found.correction, found.correction + found.count,
                                     [](double correction) { return correction < max_correction; });
-  if (!agrees || !(solutions.consistent || decided)) return;
+  if (!agrees || !accurate || !(solutions.consistent || decided)) return;
   const bool simple = solutions.consistent && !elimination.double_zeros && !solutions.double_zeros;
   // At singular poses, as with joints at multiples of 45 degrees, two or three eliminations that
   // are not consistent may agree on solutions that are not all.
@@ -45,11 +43,9 @@ void conclude(const Elimination& elimination, const EliminationCandidates& candi
   if (solutions.confirmed_count != found.count) {
     solutions.confirmed_count = found.count;
     solutions.confirmations = 0;
-    solutions.accurate = false;
   }
   solutions.confirmations += solutions.consistent ? of_consistent : 1;
-  solutions.accurate |= accurate;
-  solutions.complete = solutions.accurate && (simple || solutions.confirmations >= enough);
+  solutions.complete = simple || solutions.confirmations >= enough;
 }
 
 }  // namespace
@@ -98,7 +94,7 @@ void add_solutions(const RevoluteLinks& links, const Elimination& elimination,
       }
       const double determinant = eight.determinant[lane];
       decided &= none || correction < max_correction;
-      decided &= std::abs(determinant) > regular_determinant * links.determinant;
+      decided &= std::abs(determinant) > regular_determinant * links.determinant_scale;
       add_solution(q, correction, determinant, found);
       add_solution(q, correction, determinant, solutions);
     }

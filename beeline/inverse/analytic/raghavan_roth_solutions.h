@@ -29,11 +29,10 @@ struct RaghavanRothSolutions {
   /// Whether the last elimination is consistent: each zero of its determinant led to a solution,
   /// these are all solutions found so far, and their balance is zero.
   bool consistent = false;
-  /// Number of solutions of the last elimination that found all of them and was consistent, or had
-  /// clearly no solution at each of its other zeros.
+  /// Number of solutions of the last elimination that found all of them within max_correction of
+  /// its zeros, and was consistent or had clearly no solution at each of its other zeros.
   int confirmed_count = 0;
   int confirmations = 0;      ///< by eliminations with this number; consistent ones count twice
-  bool accurate = false;      ///< whether one of these eliminations was accurate
   bool double_zeros = false;  ///< whether the last elimination had zeros that may be double
   /// Whether one elimination without double zeros is consistent, or two agree, or four of others.
   bool complete = false;

@@ -41,7 +41,7 @@ void check(const Chain& chain) {
   }
 }
 
-/// Returns RevoluteLinks::determinant, from a sample.
+/// Returns RevoluteLinks::determinant_scale, from a sample.
 double mean_determinant(const Chain& chain, double unit) {
   constexpr int count = 64;
   std::mt19937_64 random(1);
@@ -66,7 +66,7 @@ struct Links {
   explicit Links(const Chain& its_chain) : chain(its_chain) {
     check(chain);
     links = revolute_links(chain);
-    links.determinant = mean_determinant(chain, links.unit);
+    links.determinant_scale = mean_determinant(chain, links.unit);
     last_T_first_at_zero = links_transform(chain, SixAngles::Zero()).inverse();
   }
 

@@ -7,7 +7,7 @@
 namespace beeline::internal {
 namespace {
 
-// A pair that is nearer than twice its clearance need not be decided: another way is as good.
+// A pair that is nearer than twice its clearance need not be decided: another path is as good.
 const ClearanceOptions coarse{.resolution = 1};
 
 constexpr int at_once = SampledCollisions::at_once;
@@ -33,7 +33,7 @@ int FreeEdges::sample_count(double length) const {
 
 int FreeEdges::first_blocked(const Configuration& a, const Configuration& change,
                              const Fractions& fractions) {
-  budget_.ended();
+  if (budget_.ended()) return 0;
   lanes_.resize(static_cast<std::size_t>(at_once * a.size()));
   double* row = lanes_.data();
   for (Eigen::Index i = 0; i < a.size(); ++i, row += at_once) {
@@ -63,7 +63,7 @@ bool FreeEdges::seems_free(const Configuration& a, const Configuration& b) {
   if (ended()) return false;
   ++count_;
   const Configuration change = b - a;
-  const int batches = std::max(1, sample_count(change.norm()) / at_once);
+  const int batches = (sample_count(change.norm()) + at_once - 1) / at_once;
   for (int batch = 0; batch < batches; ++batch) {
     const Fractions spread = batch + 1 + batches * Fractions::LinSpaced(0, at_once - 1);
     if (first_blocked(a, change, spread / (at_once * batches + 1)) < at_once) return false;
@@ -73,7 +73,17 @@ bool FreeEdges::seems_free(const Configuration& a, const Configuration& b) {
 
 bool FreeEdges::is_free(const Configuration& a, const Configuration& b) {
   edge_.positions = {a, b};
-  return is_free(edge_, unlimited());
+  return is_free(edge_, budget_);
+}
+
+bool FreeEdges::are_free(const std::vector<Configuration>& waypoints) {
+  BudgetMeter rest({.max_work = 10'000});  // about 50 ms
+  for (std::size_t k = 1; k < waypoints.size(); ++k) {
+    edge_.positions = {waypoints[k - 1], waypoints[k]};
+    if (is_free(edge_, budget_)) continue;
+    if (budget_.complete() || !is_free(edge_, rest)) return false;
+  }
+  return true;
 }
 
 bool FreeEdges::is_free(const Trajectory& motion, BudgetMeter& budget) const {

@@ -27,12 +27,14 @@ class FreeEdges {
   /// Halves the distance of the samples: for a motion without a blocked one that is not proved.
   void sample_more_densely();
 
-  /// Whether the straight motion from a to b is proved to keep the clearance. Neither this counts,
-  /// nor does the budget end it: a path that was found is proved in any case.
+  /// Whether a motion is proved to keep the clearance; not if the budget ends the proof. The motion
+  /// is straight, or of two samples or more in the order of the arm's joints.
   bool is_free(const Configuration& a, const Configuration& b);
-  /// Whether a motion of two samples or more, in the order of the arm's joints, is proved within
-  /// the budget.
   bool is_free(const Trajectory& motion) { return is_free(motion, budget_); }
+
+  /// Whether the straight motions from each waypoint to the next are proved. Where the budget has
+  /// ended, a bounded amount of work is added: a path that was found before is kept.
+  bool are_free(const std::vector<Configuration>& waypoints);
 
   /// Number of the motions that were sampled.
   std::size_t count() const { return count_; }
@@ -43,7 +45,7 @@ class FreeEdges {
   int sample_count(double length) const;
 
   /// Tests eight samples of the motion from a by `change`, at these fractions of it. Returns the
-  /// index of the first that is blocked; eight if none is.
+  /// index of the first that is blocked; eight if none is, 0 if the budget has ended.
   int first_blocked(const Configuration& a, const Configuration& change,
                     const Fractions& fractions);
 

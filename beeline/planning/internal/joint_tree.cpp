@@ -29,10 +29,10 @@ std::size_t JointTree::nearest(const Configuration& q) const {
 
 void JointTree::add_dead_end(std::size_t i) {
   constexpr int most = 10;
-  if (++dead_ends_[i] == most && parents_[i] != i) leave_out(i);
+  if (++dead_ends_[i] == most && parents_[i] != i) exclude(i);
 }
 
-void JointTree::leave_out(std::size_t i) {
+void JointTree::exclude(std::size_t i) {
   searched_.col(static_cast<Eigen::Index>(i)).setConstant(std::numeric_limits<double>::infinity());
 }
 
@@ -47,14 +47,14 @@ void JointTree::remove(std::size_t i) {
   for (std::size_t k = i; k < size(); ++k) {  // a parent is before its children
     if (removed[parents_[k]]) removed[k] = true;
     if (!removed[k]) continue;
-    leave_out(k);
+    exclude(k);
   }
 }
 
-std::vector<std::size_t> JointTree::way_to_root(std::size_t i) const {
-  std::vector<std::size_t> way{i};
-  for (; parents_[i] != i; i = parents_[i]) way.push_back(parents_[i]);
-  return way;
+std::vector<std::size_t> JointTree::path_to_root(std::size_t i) const {
+  std::vector<std::size_t> path{i};
+  for (; parents_[i] != i; i = parents_[i]) path.push_back(parents_[i]);
+  return path;
 }
 
 }  // namespace beeline::internal

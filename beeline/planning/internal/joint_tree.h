@@ -34,10 +34,10 @@ class JointTree {
   std::size_t nearest(const Configuration& q) const;
 
   /// Returns the indices of the nodes from node i to its root.
-  std::vector<std::size_t> way_to_root(std::size_t i) const;
+  std::vector<std::size_t> path_to_root(std::size_t i) const;
 
  private:
-  void leave_out(std::size_t i);
+  void exclude(std::size_t i);
 
   Eigen::MatrixXd nodes_;  ///< a column for each node, and more
   /// The same for nearest(): infinite for nodes that it leaves out.
