@@ -302,7 +302,8 @@ TEST(FreePath, OfJointsWithoutLimitsEnds) {
   const FreePath path =
       find_free_path(model, vector({0}), std::vector{vector({1e12})}, {.max_edges = 100});
   EXPECT_EQ(path.status, MotionStatus::not_found);
-  EXPECT_EQ(path.edges, 100U);
+  EXPECT_GE(path.edges, 100U);
+  EXPECT_LT(path.edges, 300U) << "and shortcuts of paths that are not proved";
 }
 
 TEST(MoveAround, RestsWhereTheGoalIsTheStart) {
