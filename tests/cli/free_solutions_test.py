@@ -200,7 +200,7 @@ def test_a_search_aside_that_ends_early_says_so(beeline, written):
         if report["status"] == "collides" and report["fields"].get("search_ending") == "work_limit":
             break
         work = work * 5 // 4
-    assert "the work limit ended the search for another motion" in report["reason"]
+    assert "the limit of work ended the search for another motion" in report["reason"]
     assert report["reason"] in answer.err
     assert report["clearance"]["fields"]["search_ending"] == "work_limit"
 
