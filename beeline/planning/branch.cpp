@@ -183,11 +183,11 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const Branc
   BudgetMeter budget(given.budget);
   BranchOptions options = within(budget, given);
   options.reasons = BranchOptions::Reasons::all;
-  if (!is_redundant(arm, options.task)) return track_branches(arm, path, options);
+  const Task rows = independent_rows(arm, options.task);
+  if (arm.dof() <= rows.size()) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
   options.max_grid = std::min(options.max_grid, grids[1]);
-  const Task rows = independent_rows(arm, options.task);
   if (rows.size() == 0) return {best_branch(arm, {}, path, options, budget)};
   InverseResult starts = inverse_kinematics(arm, pose_at(path, 0),
                                             {.task = rows,

@@ -246,7 +246,7 @@ class PathSearch {
   }
 
   FreeEdges edges(int most) const {
-    const int left = options_.max_edges - static_cast<int>(path_.edges);
+    const int left = options_.max_edges - static_cast<int>(path_.edges - shortcuts_);
     return FreeEdges(model_, std::min(most, left), budget_);
   }
 
@@ -304,6 +304,7 @@ class PathSearch {
   std::vector<Configuration> shortened(std::vector<Configuration> waypoints, EdgeTest test) {
     FreeEdges shortcuts(model_, std::numeric_limits<int>::max(), budget_);
     shorten(shortcuts, test, options_.random_seed, options_.shortcuts, waypoints);
+    shortcuts_ += shortcuts.count();
     path_.edges += shortcuts.count();
     return waypoints;
   }
@@ -314,6 +315,7 @@ class PathSearch {
   const FreePathOptions& options_;
   BudgetMeter& budget_;
   FreePath path_;
+  std::size_t shortcuts_ = 0;  ///< of path_.edges, which max_edges does not bound
 };
 
 }  // namespace
