@@ -266,8 +266,7 @@ bool searched_in_vain(SolverState& state, const Request& request) {
 }  // namespace
 
 std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
-                                                    const StageResult& found) {
-  const UnconstrainedResult& evidence = found.unconstrained;
+                                                    const UnconstrainedResult& evidence) {
   if (out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance)) {
     return InverseStatus::unreachable;
   }

@@ -18,7 +18,7 @@ enum class FailureDetail {
 /// nearest miss: from a proof, or because the closed form examined all solutions, or all searches
 /// ended far from the pose. Otherwise returns nothing, and diagnose() chooses the status.
 std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
-                                                    const StageResult& found);
+                                                    const UnconstrainedResult& evidence);
 
 /// Sets this status and its reason, without a nearest miss. The residual is NaN unless a proof
 /// gives it.

@@ -77,7 +77,7 @@ void set_failure(SolverState& state, const Request& request, FailureDetail detai
   if (detail == FailureDetail::none && !nearly) return;
   std::optional<InverseStatus> status;
   if (detail == FailureDetail::status && !nearly)
-    status = status_without_nearest(state, request, found);
+    status = status_without_nearest(state, request, found.unconstrained);
   if (status) {
     set_unexplained(request, *status, found);
   } else {
@@ -161,7 +161,7 @@ std::optional<InverseResult> solve_quickly(SolverState& state, const Pose& world
   if (!run_quick_stages(state, request, found)) return {};
   if (found.solutions->empty()) {
     if (detail != FailureDetail::status || request.options.all) return {};
-    const auto status = status_without_nearest(state, request, found);
+    const auto status = status_without_nearest(state, request, found.unconstrained);
     if (!status) return {};
     set_unexplained(request, *status, found);
   } else {
