@@ -6,8 +6,8 @@
 
 #include <beeline/batch/batch.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/model/catalog.h>
 
 namespace {
 
@@ -35,10 +35,11 @@ volatile double sink;
 
 }  // namespace
 
-/// The time of `what` for all configurations (dof x count) and poses (16 x count), seconds.
-extern "C" double time_calls(const char* name, const char* what, const double* q_data,
+/// The time of `what` for all configurations (dof x count) and poses (16 x count), seconds. `json`
+/// describes the arm.
+extern "C" double time_calls(const char* json, const char* what, const double* q_data,
                              const double* pose_data, long count) {
-  const beeline::Arm arm = beeline::built_in(name);
+  const beeline::Arm arm = beeline::arm_from_json(json, "arm");
   const Map q(q_data, arm.dof(), count);
   std::vector<Pose> poses(static_cast<std::size_t>(count));
   for (long i = 0; i < count; ++i) {
@@ -66,7 +67,7 @@ extern "C" double time_calls(const char* name, const char* what, const double* q
   if (call == "first") {  // of a fresh arm each
     double all = 0;
     for (long i = 0; i < count; ++i) {
-      const beeline::Arm fresh = beeline::built_in(name);
+      const beeline::Arm fresh = beeline::arm_from_json(json, "arm");
       const double begin = seconds(CLOCK_THREAD_CPUTIME_ID);
       sink = inverse_kinematics(fresh, poses[i]).residual;
       all += seconds(CLOCK_THREAD_CPUTIME_ID) - begin;
@@ -74,16 +75,16 @@ extern "C" double time_calls(const char* name, const char* what, const double* q
     return all;
   }
   beeline::InverseOptions options;
-  options.all = call == "all";
+  options.all = options.ignore_limits = call == "all";
   return time_of(count,
                  [&](long i) { sink = inverse_kinematics(arm, poses[i], options).residual; });
 }
 
 /// The time of a batch, seconds: CPU time with one thread, else wall time. Without `results` the
 /// memory for them is allocated within that time.
-extern "C" double time_batch(const char* name, const char* what, const double* q_data,
+extern "C" double time_batch(const char* json, const char* what, const double* q_data,
                              double* results, long count, int threads) {
-  const beeline::Arm arm = beeline::built_in(name);
+  const beeline::Arm arm = beeline::arm_from_json(json, "arm");
   const bool poses = std::strcmp(what, "forward") == 0;
   const Eigen::Index rows = poses ? 16 : 6 * arm.dof();
   const Map q(q_data, arm.dof(), count);

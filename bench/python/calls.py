@@ -1,4 +1,5 @@
-"""Microseconds a call from Python: Beeline, its C++ time, and other packages, interleaved in one run.
+"""Microseconds a call from Python: Beeline, its C++ time, and other packages, interleaved in one run, every second round
+in reverse order.
 
 Usage: calls.py FOLDER, the folder of libbench_calls.so. Prints tables in Markdown. CPU time of the thread, the
 median of rounds, so that a busy machine can be used."""
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import beeline
 import numpy as np
-from peers import PEERS, urdf_of
+from peers import PEERS, arm_of, urdf_of
 
 ROUNDS, ROWS, BATCH, SEED = 9, 300, 1_000_000, 20240229
 BEELINE = {
@@ -20,10 +21,10 @@ BEELINE = {
     "forward_list": "forward(arm, q)",
     "forward_name": "forward(name, q)",
     "jacobian": "jacobian(arm, q)",
-    "inverse": "inverse(arm, T)",
+    "inverse": "inverse(arm, T).q",
     "inverse_into": "inverse(arm, T, seed=middle, out=out)",
-    "all": "inverse(arm, T, all=True)",
-    "no": "inverse(arm, T)",
+    "all": "inverse(arm, T, all=True, ignore_limits=True).solutions",
+    "no": "bool(inverse(arm, T))",
 }
 TITLES = {
     "forward": "forward kinematics",
@@ -32,12 +33,12 @@ TITLES = {
     "jacobian": "Jacobian",
     "inverse": "`inverse_kinematics`",
     "inverse_into": "`inverse_kinematics`, `out=`",
-    "all": "`inverse_kinematics`, `all`",
+    "all": "`inverse_kinematics`, `all`, limits ignored",
     "no": "`inverse_kinematics` of a pose without a solution",
     "first": "`inverse_kinematics`, first of a new arm",
 }
 CPP = {"forward_list": "forward", "forward_name": "forward", "no": "inverse"}  # the same call in C++
-ARMS = ("ur5", "panda", "crx10ia", "gen3")
+ARMS = ("ur5", "panda", "crx10ia", "gen3", "rizon4")
 
 
 class Case:
@@ -71,7 +72,8 @@ class FirstCalls:
         self.arm, self.poses, self.times = arm, poses[:20], []
 
     def measure(self):
-        arms = [beeline.Arm.load(self.arm.name) for _ in self.poses]
+        text = self.arm.to_json()
+        arms = [beeline.Arm.from_json(text) for _ in self.poses]
         begin = time.thread_time()
         for arm, pose in zip(arms, self.poses):
             beeline.inverse_kinematics(arm, pose)
@@ -85,7 +87,7 @@ class CppCase:
     def __init__(self, library, arm, what, q, poses):
         columns = np.ascontiguousarray(poses.swapaxes(1, 2))
         pointer = ctypes.POINTER(ctypes.c_double)
-        self.arguments = (arm.name.encode(), what.encode(), q.ctypes.data_as(pointer),
+        self.arguments = (arm.to_json().encode(), what.encode(), q.ctypes.data_as(pointer),
                           columns.ctypes.data_as(pointer), ctypes.c_long(len(q)))
         self.kept, self.function, self.times = (q, columns), library.time_calls, []
 
@@ -141,16 +143,18 @@ def cases_of(library, arm, q, left_out):
     def goals(what):
         return unreached if what == "no" else poses
 
-    cases = {(what, "Beeline"): Case(call, own, q.tolist() if what == "forward_list" else q, goals(what))
-             for what, call in BEELINE.items()}
-    cases |= {(what, "C++"): CppCase(library, arm, CPP.get(what, what), q, goals(what)) for what in BEELINE}
+    built_in = arm.name in {each.name for each in beeline.built_in_arms()}
+    asked = [what for what in BEELINE if what != "forward_name" or built_in]
+    cases = {(what, "Beeline"): Case(BEELINE[what], own, q.tolist() if what == "forward_list" else q, goals(what))
+             for what in asked}
+    cases |= {(what, "C++"): CppCase(library, arm, CPP.get(what, what), q, goals(what)) for what in asked}
     cases |= {("first", "Beeline"): FirstCalls(arm, poses), ("first", "C++"): CppCase(library, arm, "first", q[:20], poses[:20])}
     urdf, shares = urdf_of(arm), {}
     for name, peer in PEERS.items():
         try:
             names, calls = peer(arm, urdf)
             prepare = calls.pop("prepare", None)
-            forward = eval("lambda q: " + calls["forward"], dict(names))
+            forward = eval("lambda q: " + calls["forward"], dict(names)) if "forward" in calls else arm.forward_kinematics
             own_poses = np.array([forward(row) for row in q])
             for what, call in calls.items():
                 cases[what, name] = Case(call, names, q, own_poses, prepare)
@@ -164,20 +168,23 @@ def cases_of(library, arm, q, left_out):
 
 
 def print_calls(library):
-    print("| arm | call |", " | ".join(["C++", "Beeline", "difference", *PEERS]), "|")
-    print("|---" * (5 + len(PEERS)) + "|")
+    print("| arm | call |", " | ".join(["C++", "Beeline", "difference", "Beeline / best peer", *PEERS]), "|")
+    print("|---" * (6 + len(PEERS)) + "|")
     left_out = []
     for name in ARMS:
-        arm = beeline.Arm.load(name)
+        arm = arm_of(name)
         lower, upper = arm.lower.clip(-3.1, 3.1), arm.upper.clip(-3.1, 3.1)
         q = np.random.default_rng(SEED).uniform(lower, upper, (ROWS, arm.dof))
         cases, shares = cases_of(library, arm, q, left_out)
-        for _ in range(ROUNDS):
-            for case in cases.values():
+        for i in range(ROUNDS):
+            for case in list(cases.values())[:: 1 if i % 2 else -1]:
                 case.measure()
         for what, title in TITLES.items():
+            if (what, "Beeline") not in cases:
+                continue
             own, cpp = (cases[what, who].microseconds() for who in ("Beeline", "C++"))
-            row = [f"{cpp:.3f}", f"{own:.3f}", f"{own - cpp:.3f}"]
+            others = [cases[what, peer].microseconds() for peer in PEERS if (what, peer) in cases]
+            row = [f"{cpp:.3f}", f"{own:.3f}", f"{own - cpp:.3f}", f"{own / min(others):.3f}" if others else ""]
             for peer in PEERS:
                 case = cases.get((what, peer))
                 share = f" ({100 * shares[peer]:.0f} %)" if case and what == "inverse" else ""
@@ -195,7 +202,7 @@ def batch_times(library, function, name, arm, q, threads):
     cpp, cpp_new, into, new = [], [], [], []
     for _ in range(ROUNDS):
         for times, results in ((cpp, memory.ctypes.data_as(pointer)), (cpp_new, None)):
-            times.append(library.time_batch(arm.name.encode(), name.encode(), q.ctypes.data_as(pointer),
+            times.append(library.time_batch(arm.to_json().encode(), name.encode(), q.ctypes.data_as(pointer),
                                             results, ctypes.c_long(len(q)), threads))
         begin = clock()
         function(arm, q, out=fresh, threads=threads)

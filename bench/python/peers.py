@@ -1,12 +1,33 @@
 """Other packages' calls for one arm: name of the package -> {what: (expression in q, T; names in it)}.
 
-q is a configuration, T the tool's pose, both of the peer's own arm: `forward` gives T."""
+q is a configuration, T the tool's pose: of the peer's own arm if it brings one along, then `forward` gives T."""
 
 import importlib
+import sys
 import tempfile
+from pathlib import Path
 
 import beeline
 import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1] / "inverse"))
+from description import meeting_point  # noqa: E402  (found by the line above)
+
+SSIK = {"ur5": "ur5_ik", "panda": "franka_panda_ik", "crx10ia": "fanuc.crx10ia_ik", "gen3": "kinova.gen3_ik",
+        "rizon4": "flexiv.rizon4_ik"}
+
+
+def arm_of(name):
+    """The built-in arm, or that which ssik has by this name."""
+    if name in {arm.name for arm in beeline.built_in_arms()}:
+        return beeline.Arm.load(name)
+    joints, after = [], np.eye(4)
+    for joint in importlib.import_module("ssik.prebuilt." + SSIK[name])._KB.joints:
+        lower, upper = joint.limits
+        joints.append(beeline.Joint(name=joint.name, offset=after @ joint.T_left,
+                                    screw=[0, 0, 0, *joint.axis], limits=beeline.Limits(lower=lower, upper=upper)))
+        after = joint.T_right
+    return beeline.Arm(name, joints, tool=after)
 
 
 def urdf_of(arm):
@@ -83,27 +104,46 @@ def pytracik(arm, urdf):
                    "prepare": "goal(T)"}
 
 
+def axes_of(arm):
+    """The axes of the joints, a point on each, and the pose of the tool, in the world at q = 0."""
+    link, axes, points = arm.base, [], []
+    for joint in arm.joints:
+        link = link @ joint.offset
+        axes.append(link[:3, :3] @ joint.screw[3:])
+        points.append(link[:3, 3] + link[:3, :3] @ np.cross(joint.screw[3:], joint.screw[:3]))
+    return np.array(axes), np.array(points), link @ arm.tool
+
+
 def eaik(arm, urdf):
     """All solutions, limits ignored."""
     from eaik.pybindings import EAIK
 
-    links, axes, points = [arm.base], [], []
-    for joint in arm.joints:
-        links.append(links[-1] @ joint.offset)
-        axes.append(links[-1][:3, :3] @ joint.screw[3:])
-        points.append(links[-1][:3, 3] + links[-1][:3, :3] @ np.cross(joint.screw[3:], joint.screw[:3]))
-    home = links[-1] @ arm.tool
-    offsets = np.diff(np.vstack([np.zeros(3), points, home[:3, 3]]), axis=0)
-    robot = EAIK.Robot(np.array(axes).T, offsets.T, home[:3, :3], [], True)
     if arm.dof != 6:
         raise ValueError("EAIK has six joints")
+    axes, points, home = axes_of(arm)
+    offsets = np.diff(np.vstack([np.zeros(3), points, home[:3, 3]]), axis=0)
+    robot = EAIK.Robot(axes.T, offsets.T, home[:3, :3], [], True)
     return {"robot": robot}, {"forward": "robot.fwdkin(q)", "all": "robot.calculate_IK(T).Q"}
+
+
+def ik_geo(arm, urdf):
+    """All solutions, limits ignored, of the family that its user names."""
+    from ik_geo import Robot
+
+    if arm.name != "ur5":
+        raise ValueError("its user must know the family; its search for general arms takes seconds a pose")
+    axes, points, home = axes_of(arm)
+    points[[4, 5]] = meeting_point(axes[[4, 5]], points[[4, 5]])
+    offsets = np.diff(np.vstack([np.zeros(3), points, home[:3, 3]]), axis=0)
+    offsets[np.abs(offsets) < 1e-15] = 0
+    robot = Robot.three_parallel_two_intersecting(axes.tolist(), offsets.tolist())
+    names = {"robot": robot, "goal": lambda T: ((T[:3, :3] @ home[:3, :3].T).T.tolist(), T[:3, 3].tolist())}
+    return names, {"all": "robot.get_ik(*G)", "prepare": "goal(T)"}
 
 
 def ssik(arm, urdf):
     """Its own arms of these names: one solution within limits; of six joints all solutions too."""
-    name = {"ur5": "ur5_ik", "panda": "franka_panda_ik", "crx10ia": "fanuc.crx10ia_ik", "gen3": "kinova.gen3_ik"}[arm.name]
-    names = {"arm": importlib.import_module("ssik.prebuilt." + name)}
+    names = {"arm": importlib.import_module("ssik.prebuilt." + SSIK[arm.name])}
     calls = {"forward": "arm.fk(q)", "inverse": "arm.solve(T, max_solutions=1)[0].q"}
     return names, calls | ({"all": "arm.solve(T)"} if arm.dof == 6 else {})
 
@@ -119,4 +159,4 @@ def frankik(arm, urdf):
 
 
 PEERS = {"pin": pin, "roboticstoolbox": roboticstoolbox, "ikpy": ikpy, "pytracik": pytracik,
-         "eaik": eaik, "ssik": ssik, "frankik": frankik}
+         "eaik": eaik, "ik_geo": ik_geo, "ssik": ssik, "frankik": frankik}
