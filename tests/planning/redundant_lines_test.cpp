@@ -60,6 +60,24 @@ TEST_P(RedundantLines, KeepAMarginThatIsPossible) {
   }
 }
 
+// Poses given twice, also the first one, change neither the layers of the graph nor the outcome.
+TEST_P(RedundantLines, StandStillAtRepeatedPoses) {
+  const Arm arm = built_in(GetParam());
+  Random random;
+  for (int i = 0; i < cases(40); ++i) {
+    const Configuration q = random.configuration(arm);
+    const std::vector<Pose> poses = random_poses(random, forward_kinematics(arm, q));
+    std::vector<Pose> repeated;
+    for (const Pose& pose : poses) repeated.insert(repeated.end(), {pose, pose});
+    const BranchOptions options{.task = Task::spatial()};
+    const Branch once = plan_path(arm, q, lines_through(poses), options);
+    const Branch twice = plan_path(arm, q, lines_through(repeated), options);
+    ASSERT_EQ(twice.status, once.status) << once.reason << twice.reason;
+    if (!once) continue;
+    EXPECT_NEAR(twice.limit_margin, once.limit_margin, 1e-6);
+  }
+}
+
 // What is suggested works, with the same options and to the same proof.
 TEST_P(RedundantLines, SuggestionsWork) {
   const Arm arm = built_in(GetParam());

@@ -24,6 +24,15 @@ Bounds without(const std::vector<bool>& cyclic, Bounds bounds) {
   return bounds;
 }
 
+/// Returns the path parameter from which the tool moves after `s`: behind the segments at rest that
+/// begin there.
+double begin_of_motion(const ToolPath& path, const Task& task, double s) {
+  auto i = static_cast<std::size_t>(s);
+  if (s != static_cast<double>(i)) return s;
+  while (i + 1 < path.segments.size() && stands_still(path.segments[i], task)) ++i;
+  return static_cast<double>(i);
+}
+
 }  // namespace
 
 SelfMotionLayer::SelfMotionLayer(double at, std::vector<SelfMotionCurve> of,
@@ -60,13 +69,14 @@ bool SelfMotionSweep::run() {
   const std::vector<double> wanted = layer_parameters(path_, options_.task, options_.spacing);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     // Continues all layers of a segment at once. If a step is halved, the layers behind it move.
-    const double regular = wanted[k] - layers_.back().s;
+    const double begin = begin_of_motion(path_, options_.task, layers_.back().s);
+    const double regular = wanted[k] - begin;
     const auto follows = [&](double s) {
       return segment_at(path_, s) == segment_at(path_, wanted[k]) &&
              std::abs(s - wanted[k] - regular) < 1e-9;
     };
     while (k + 1 < wanted.size() && follows(wanted[k + 1])) ++k;
-    if (!add_up_to(wanted[k], regular)) return false;
+    if (!add_layers(begin, wanted[k], regular)) return false;
     budget_.report(static_cast<double>(k + 1) / static_cast<double>(wanted.size()));
   }
   return true;
@@ -86,10 +96,10 @@ void SelfMotionSweep::add_first() {
   if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_, options_, budget_);
 }
 
-/// Adds layers up to path parameter `end`, at this distance or, where that is too far, at less;
-/// returns whether they reach it.
-bool SelfMotionSweep::add_up_to(double end, double regular) {
-  double s = layers_.back().s, step = regular;
+/// Adds layers from path parameter `s`, where the tool is at the pose of the last layer, up to
+/// `end`, at this distance or, where that is too far, at less; returns whether they reach it.
+bool SelfMotionSweep::add_layers(double s, double end, double regular) {
+  double step = regular;
   while (s < end) {
     if (budget_.ended()) return false;
     const double left = end - s;

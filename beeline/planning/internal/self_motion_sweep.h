@@ -38,9 +38,9 @@ struct SelfMotionLayer {
 /// - Newton's method continues the nodes of a layer to the next path parameter; the next layer has
 ///   the curves through the continuations within limits.
 /// - Where none is within limits, the margin is maximised along the curve. Where no curve
-/// continues,
-///   or Newton's method loses one, the step is halved. So the last layer is where the last curve
-///   shrinks to a point between limits, or where all are singular.
+///   continues, or Newton's method loses one, the step is halved. So the last layer is where the
+///   last curve shrinks to a point between limits, or where all are singular.
+/// - Segments at rest in the task's rows have no layers.
 class SelfMotionSweep {
  public:
   /// Coordinates in `cyclic` are taken for angles without limits. The first layer has the start, if
@@ -62,7 +62,7 @@ class SelfMotionSweep {
   };
 
   void add_first();
-  bool add_up_to(double end, double regular);
+  bool add_layers(double s, double end, double regular);
   Continued continued_to(const Pose& pose);
   void continue_curve(const Pose& pose, std::size_t c, Continued& continued);
   void add(double s, const Pose& pose, const Continued& continued);
