@@ -5,6 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/layered_graph.h>
@@ -122,6 +123,64 @@ std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configura
   return best;
 }
 
+/// The options of a part of a search.
+BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
+  BranchOptions options = given;
+  options.budget = budget.part(0, 1);
+  return options;
+}
+
+/// The samples of a branch as knots.
+std::vector<Knot> knots_of(const Branch& branch) {
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < branch.segments.size(); ++i) {
+    const TrackedSegment& segment = branch.segments[i];
+    for (std::size_t k = 0; k < segment.samples.size(); ++k) {
+      knots.push_back({static_cast<double>(i) + segment.fractions[k], segment.samples[k]});
+    }
+  }
+  return knots;
+}
+
+Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
+                   const BranchOptions& options, BudgetMeter& budget);
+
+/// Whether the arm has a task with more rows than this one that includes all of its rows: its
+/// default_task().
+bool has_stricter_task(const Arm& arm, const Task& task) {
+  const Task all = default_task(arm);
+  bool included = true;
+  for (std::size_t i = 0; i < task.rows.size(); ++i) included &= all.rows[i] || !task.rows[i];
+  return included && all.size() > task.size();
+}
+
+/// Tracks the path near the best motion in which the tool keeps all rows: it has a constant pose
+/// relative to the path, the one at `start` or the identity. Nothing if there is none. With one
+/// redundant joint a graph is dense enough for gaps between obstacles that a layered graph of more
+/// joints misses.
+std::optional<Branch> track_all_rows(const Arm& arm, const std::optional<Configuration>& start,
+                                     const ToolPath& path, const BranchOptions& options,
+                                     BudgetMeter& budget) {
+  constexpr Deviation rounding{1e-9, 1e-9};
+  const Pose first = pose_at(path, 0);
+  const Pose world_T_tool = start ? forward_kinematics(arm, *start) : first;
+  const bool on_path = within(task_deviation(Task::spatial(), first, world_T_tool), rounding);
+  BranchOptions strict = within(budget, options);
+  strict.task = default_task(arm);
+  strict.reasons = BranchOptions::Reasons::none;
+  const Arm kept_arm = on_path ? arm : with_tcp(arm, world_T_tool.inverse() * first);
+  Branch kept = best_branch(kept_arm, start, path, strict, budget);
+  if (!kept) return std::nullopt;
+  if (on_path) {
+    measure(arm, options, budget, kept);
+    return kept;
+  }
+  const KnotSpline spline(knots_of(kept), path);
+  BranchOptions guided = within(budget, options);
+  guided.guide = [&spline](double s) { return spline.at(s); };
+  return track_branch(arm, kept.start, path, guided);
+}
+
 /// plan_path() with the budget's meter, which may end it.
 Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                    const BranchOptions& options, BudgetMeter& budget) {
@@ -137,6 +196,18 @@ Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, co
     return branches.empty() ? from_first_solution(arm, path, options) : branches.front();
   }
   std::optional<Branch> planned = track_graphs(arm, start, path, options, budget);
+  // Between its samples a motion with less may be blocked, m.
+  constexpr double narrow = 5e-3;
+  const bool is_free = planned && *planned && planned->spare_clearance >= narrow;
+  const bool may_be_stricter = arm.dof() > rows.size() + 1 && has_stricter_task(arm, options.task);
+  if (!is_free && may_be_stricter && !budget.ended()) {
+    const std::optional<Branch> strict = track_all_rows(arm, start, path, options, budget);
+    const auto prefer = [&](const Branch& other) {
+      const bool wider = *strict && strict->spare_clearance > other.spare_clearance;
+      return wider || better(*strict, other);
+    };
+    if (strict && (!planned || prefer(*planned))) planned = strict;
+  }
   if (planned && (*planned || budget.ended())) return *planned;
   if (!planned && !start) return from_first_solution(arm, path, options);
   // If solutions are too rare for a layered graph, redundancy is resolved step by step.
@@ -158,13 +229,6 @@ void check_branch_search(const Arm& arm, const ToolPath& path, const BranchOptio
   if (tolerance.position > 0 && tolerance.orientation > 0) return;
   throw Error("the tolerances of a path must be above zero, not " + number(tolerance.position) +
               " m and " + number(tolerance.orientation) + " rad");
-}
-
-/// The options of a part of a search.
-BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
-  BranchOptions options = given;
-  options.budget = budget.part(0, 1);
-  return options;
 }
 
 }  // namespace

@@ -167,6 +167,29 @@ TEST(BlockedBranches, OfAnArmWithTwoRedundantJointsGiveWay) {
   EXPECT_GT(aside, 0);
 }
 
+// A motion that keeps all rows of the pose also keeps the rows of a looser task.
+TEST(BlockedBranches, GiveWayToAMotionOfAStricterTask) {
+  Random random;
+  const Arm arm = built_in("panda");
+  int followed = 0, missed = 0;  // a motion may be blocked between its samples
+  for (int i = 0; i < testing::cases(100); ++i) {
+    PathMotionOptions loose{.task = Task::position()};
+    const std::optional<LineBesideBall> beside = line_beside_ball(random, arm, loose);
+    if (!beside) continue;
+    const auto& [waypoints, start, model] = *beside;
+    loose.blocked_by = blocked_motions(model);
+    const PathMotion strict =
+        move_in_lines(arm, start, waypoints, {.blocked_by = loose.blocked_by});
+    if (!strict) continue;
+    ++followed;
+    const PathMotion motion = move_in_lines(arm, start, waypoints, loose);
+    missed += motion ? 0 : 1;
+    EXPECT_TRUE(!motion || prove_clearance(model, motion.trajectory));
+  }
+  EXPECT_GT(followed, 0);
+  EXPECT_LE(4 * missed, followed);
+}
+
 TEST(BlockedBranches, AreNotOfSuggestedPaths) {
   Random random;
   int suggested = 0;
