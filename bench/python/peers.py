@@ -40,6 +40,8 @@ def urdf_of(arm):
         point[:3, 3] = np.cross(angular, linear)
         kind, axis = ("revolute", angular) if angular.any() else ("prismatic", linear)
         limit = f'<limit lower="{float(arm.lower[i])!r}" upper="{float(arm.upper[i])!r}" effort="1" velocity="1"/>'
+        if np.isinf(arm.lower[i]):
+            kind, limit = "continuous", ""
         parts.append(element(names, i, kind, before @ joint.offset @ point, axis, limit))
         before = np.linalg.inv(point)
     parts.append(element(names, len(arm.joints), "fixed", before @ arm.tool, np.zeros(3), ""))
@@ -144,7 +146,7 @@ def ik_geo(arm, urdf):
 def ssik(arm, urdf):
     """Its own arms of these names: one solution within limits; of six joints all solutions too."""
     names = {"arm": importlib.import_module("ssik.prebuilt." + SSIK[arm.name])}
-    calls = {"forward": "arm.fk(q)", "inverse": "arm.solve(T, max_solutions=1)[0].q"}
+    calls = {"forward": "arm.fk(q)", "inverse": "next((found.q for found in arm.solve(T, max_solutions=1)), None)"}
     return names, calls | ({"all": "arm.solve(T)"} if arm.dof == 6 else {})
 
 
