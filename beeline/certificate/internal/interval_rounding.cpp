@@ -16,12 +16,12 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // A joint multiplies the pose by offset * exp(screw q) (link_poses()):
 //   - I + sin q [w] + 2 sin^2(q / 2) [w]^2, screw_motion(): the terms are wrong by 3 u and 8 u, and
-//     their norms are sqrt(2) |sin q| and sqrt(2) (1 - cos q), which makes 24 u at most; the sums
-//     add u (2 sqrt(2) + sqrt(3)) < 5 u;
+//     their norms are sqrt(2) |sin q| and sqrt(2) (1 - cos q), which makes 23.4 u at most; the sums
+//     add u (2 sqrt(2) + sqrt(3)) < 4.6 u;
 //   - two products of rotations, each wrong by 3 u |A| |B|, whose norm is at most 9 u.
-// These are 47 u < 24 e. Positions are wrong by this rotation of the lengths behind the joint, and
-// by sums: (2 n + 1) u of all lengths L, 11 u for the elements of R t, 21 u for screw_motion(). So
-// a position is wrong by less than 24 e (n + 2) L.
+// These are 46 u < 24 e. Positions are wrong by this rotation of the lengths behind the joint, and
+// by sums: (2 n + 1) u of all lengths L, 11 u for the elements of R t, 22 u for screw_motion(). So
+// a position is wrong by (48 n + 34) u L < 24 e (n + 2) L.
 constexpr double of_rotation = 24 * epsilon;
 
 // A coordinate sum_k c_k x^k. With v = sum |c_k|, v' = sum k |c_k|, v'' = sum k (k - 1) |c_k| its
