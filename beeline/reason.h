@@ -73,31 +73,39 @@ enum class ReasonCode {
   too_many_samples_given,    ///< the recording has more than `max_samples`
   duration_too_short,        ///< less than the shortest within the limits
   // Trajectories.
-  outside_limits,         ///< a joint is outside its position limits at a sample
-  moves_outside_limits,   ///< a joint leaves its limits between two samples
-  rotates_too_far,        ///< a joint rotates more than half a revolution between two samples
-  derivative_needed,      ///< needed over the next samples, above its limit
-  derivative_reached,     ///< reached before the next sample, above its limit
-  starts_moving,          ///< a trajectory that should start from rest
-  ends_moving,            ///< a trajectory that should come to rest
-  off_path,               ///< the tool is off the path at a sample
-  moves_backwards,        ///< the tool is behind an earlier sample
-  deviation_unproved,     ///< the deviation up to the next sample is not proved
-  leaves_path,            ///< the tool leaves the path before the next sample
-  may_move_backwards,     ///< the tool may move backwards before the next sample
-  leaves_last_waypoint,   ///< the motion goes on after the last waypoint
-  waypoint_not_reached,   ///< the motion ends before it
-  passes_without_rest,    ///< a program stops there, the motion does not
-  dwell_too_short,        ///< the motion rests less than the program asks for
-  tool_too_fast,          ///< above the limit of the tool speed
+  outside_limits,        ///< a joint is outside its position limits at a sample
+  moves_outside_limits,  ///< a joint leaves its limits between two samples
+  rotates_too_far,       ///< a joint rotates more than half a revolution between two samples
+  derivative_needed,     ///< needed over the next samples, above its limit
+  derivative_reached,    ///< reached before the next sample, above its limit
+  starts_moving,         ///< a trajectory that should start from rest
+  ends_moving,           ///< a trajectory that should come to rest
+  off_path,              ///< the tool is off the path at a sample
+  moves_backwards,       ///< the tool is behind an earlier sample
+  deviation_unproved,    ///< the deviation up to the next sample is not proved
+  leaves_path,           ///< the tool leaves the path before the next sample
+  may_move_backwards,    ///< the tool may move backwards before the next sample
+  leaves_last_waypoint,  ///< the motion goes on after the last waypoint
+  waypoint_not_reached,  ///< the motion ends before it
+  passes_without_rest,   ///< a program stops there, the motion does not
+  dwell_too_short,       ///< the motion rests less than the program asks for
+  tool_too_fast,         ///< above the limit of the tool speed
+  // Clearance.
   bodies_collide,         ///< two bodies overlap or touch
   bodies_too_close,       ///< two bodies are closer than their clearance
   clearance_not_decided,  ///< two bodies are as close as their clearance, to the resolution
-  start_not_free,         ///< the start of a free path; `details` has why
-  goal_not_free,          ///< none of its `count` goals; `details` has why the first is not
-  no_free_path,           ///< none was found with `count` straight joint motions; one may exist
+  // Motions around obstacles.
+  start_not_free,  ///< the start of a free path; `details` has why
+  goal_not_free,   ///< none of its `count` goals; `details` has why the first is not
+  no_free_path,    ///< none was found with `count` straight joint motions; one may exist
+  // A configuration. Codes of joints outside their limits differ in the configuration: solutions of
+  // a pose (`solutions_outside_limits`, `all_solutions_outside_limits`), the next one on a path
+  // (`would_pass_limits`, `pose_outside_limits`), a trajectory at and between its samples
+  // (`outside_limits`, `moves_outside_limits`), a motion that is being timed
+  // (`spline_outside_limits`), a controller (under Control). The code here is for a configuration
+  // that was given, such as a start.
+  joint_outside_limits,  ///< a joint is outside its position limits
   // Control.
-  joint_outside_limits,              ///< a joint is outside its position limits
   goal_outside_limits,               ///< the goal of a controller is outside the limits
   start_outside_limits,              ///< the start of a controller is outside the limits
   step_outside_limits,               ///< a step of a controller leaves the limits

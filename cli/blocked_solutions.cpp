@@ -14,19 +14,21 @@ const T& field(const Reason& reason, ReasonField field) {
   return std::get<T>(*reason.find(field));
 }
 
-/// "hand and table: 0.0004 m apart, 0.001 m are required".
+/// "hand and table: 0.0004 m apart, 0.001 m are required"; for a reason that is not of two bodies,
+/// its sentence.
 std::string pair_text(const Reason& reason) {
+  const bool collide = reason.code == ReasonCode::bodies_collide;
+  const bool too_close = reason.code == ReasonCode::bodies_too_close;
+  const bool not_decided = reason.code == ReasonCode::clearance_not_decided;
+  if (!collide && !too_close && !not_decided) return sentence(reason);
   const auto metres = [&](ReasonField length) { return shown(field<double>(reason, length)); };
   BodyDistance bodies{.names = {field<std::string>(reason, ReasonField::body),
                                 field<std::string>(reason, ReasonField::other_body)}};
   if (reason.has(ReasonField::point)) bodies.point = field<std::size_t>(reason, ReasonField::point);
   const std::string pair = names_text(bodies);
-  if (reason.code == ReasonCode::bodies_collide) {
-    return fmt::format("{}: {} m deep", pair, metres(ReasonField::depth));
-  }
-  const bool decided = reason.code == ReasonCode::bodies_too_close;
+  if (collide) return fmt::format("{}: {} m deep", pair, metres(ReasonField::depth));
   return fmt::format("{}: {} m apart, {} m are required{}", pair, metres(ReasonField::distance),
-                     metres(ReasonField::clearance), decided ? "" : ": not decided");
+                     metres(ReasonField::clearance), not_decided ? ": not decided" : "");
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ std::vector<Option> BudgetArgument::options() {
   return {time_limit_option(),
           Option("--max-work N",
                  "End a computation after N iterations, configurations and samples, with the "
-                 "status work_limit; the answer is the same on every machine. `line --branches` is "
-                 "two computations, each with N. Default: no limit.",
+                 "status work_limit; the answer is the same on every machine. A verb with several "
+                 "computations, such as `check --scene` or `line --branches`, gives N to each. "
+                 "Default: no limit.",
                  &max_work_)};
 }
 

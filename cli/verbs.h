@@ -30,7 +30,7 @@ Verb doctor_verb();
 Verb reach_verb();
 Verb view_verb();
 
-/// The parts of reach.
+/// The parts of reach, except merge, which is in reach.cpp.
 Verb reach_map_verb();
 Verb reach_query_verb();
 Verb reach_slice_verb();

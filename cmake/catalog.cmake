@@ -1,5 +1,5 @@
 # Writes the C++ source of the built-in arms, one function for each file of beeline/model/arms/. The core reads no JSON:
-# the numbers are compiled in. tests/io/text/catalog_test.cpp compares each arm with what read_arm_json() makes of its file.
+# the numbers are compiled in. tests/io/text/catalog_test.py compares each arm with its file.
 # As a script: cmake -D FOLDER=beeline/model/arms -D OUTPUT=catalog_entries.cpp -P catalog.cmake
 cmake_minimum_required(VERSION 3.25)
 

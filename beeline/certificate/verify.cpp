@@ -195,7 +195,7 @@ struct Verifier {
   }
 
   /// Locates and checks all samples, from stop to stop.
-  void check_route() {
+  void prove_route() {
     const std::size_t segments = route.path.segments.size();
     result.deviation.interval_bounds.resize(trajectory.size() - 1);
     result.path = route.path;
@@ -315,7 +315,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
     if (budget.ended()) break;
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }
-  if (budget.complete()) verifier.check_route();
+  if (budget.complete()) verifier.prove_route();
   if (budget.complete()) verifier.check_joints();
   if (!budget.complete()) set_ended(budget.ending(), verifier.result);
   if (!verifier.result) verifier.result.deviation.bound = no_bound;

@@ -20,7 +20,16 @@ std::vector<std::string> profile_names() { return profiles.all(); }
 Profile profile_named(const std::string& name) { return profiles.named(name); }
 
 bool keeps_jerk(Profile profile) {
-  return profile != Profile::fastest && profile != Profile::trapezoidal;
+  switch (profile) {
+    case Profile::fastest:
+    case Profile::trapezoidal:
+      return false;
+    case Profile::jerk:
+    case Profile::quintic:
+    case Profile::s_curve:
+      return true;
+  }
+  throw Error("unknown profile");
 }
 
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,

@@ -71,10 +71,10 @@ int main(int argc, char** argv) {
     };
     add("plan", [panda](benchmark::State& state) { plan(state, panda); });
     add("check", [panda](benchmark::State& state) { check(state, panda); });
-    for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal,
-                                  Profile::quintic, Profile::s_curve}) {
+    for (const std::string& name : profile_names()) {
+      const Profile profile = profile_named(name);
       if (profile == Profile::jerk && !panda) continue;  // it has no limits of jerk
-      add("whole, profile " + name(profile),
+      add("whole, profile " + name,
           [panda, profile](benchmark::State& state) { whole(state, panda, profile); });
     }
   }

@@ -5,6 +5,8 @@ import subprocess
 
 import pytest
 
+from profiles import PROFILES
+
 SHELLS = {"bash": ["bash", "-n"], "zsh": ["zsh", "-n"], "fish": ["fish", "--no-execute"]}
 
 
@@ -54,6 +56,7 @@ def test_bash_completes(completed, written):
     assert completed("fk", "panda", "--deg") == {"--degrees"}
     assert completed("retime", "panda", "--profile", "s") == {"s-curve"}
     assert completed("retime", "panda", "--profile", "=", "qu") == {"quintic"}
+    assert completed("retime", "panda", "--profile", "") == set(PROFILES)
     assert completed("batch", "j") == {"jacobian"}
     assert completed("batch", "ik", "ur5", "--redundancy", "") == {"any", "nearest", "centred"}
     assert completed("help", "dr") == {"draw"}

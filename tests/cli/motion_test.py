@@ -4,6 +4,8 @@ import csv
 
 import pytest
 
+from profiles import PROFILES
+
 READY = "0,-0.785,0,-2.356,0,1.571,0.785"
 POSES = ("x,y,z,roll,pitch,yaw\n0.45,-0.2,0.5,3.14159,0,0\n0.5,0.1,0.4,3.14159,0,0.3\n"
          "0.4,0.2,0.5,3.14159,0.1,0.6\n")
@@ -22,7 +24,7 @@ def test_the_branches_are_listed_best_first(beeline, written):
     assert "branches      8" in text
 
 
-@pytest.mark.parametrize("profile", ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"])
+@pytest.mark.parametrize("profile", PROFILES)
 def test_every_profile_follows_the_line(beeline, written, profile):
     through = written("poses.csv", POSES)
     made = beeline("line", "panda", "--through", through, "--profile", profile, "--rate", "250", "--out",

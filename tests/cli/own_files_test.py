@@ -6,11 +6,11 @@ import random
 
 import pytest
 
+from profiles import PROFILES
 from random_cases import cases as number_of_cases
 
 STARTS = {"panda": [0, 0.3, 0, -1.6, 0, 1.2, 0.785], "ur5": [0.2, -1.2, 1.5, -0.5, 1.2, 0],
           "puma560": [0.2, -0.6, 0.3, 0.4, 0.7, 0], "rrr": [1.0, -0.9, 0.4], "scara": [0.3, 0.5, 0.1, 0.1]}
-PROFILES = ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"]
 PATHS = [[], ["--path", "spline", "--tolerance", "1e-3"], ["--blend", "0.02"], ["--path", "screw"]]
 RATES = [[], ["--rate", "50"], ["--rate", "250"]]
 INTERPOLATIONS = ["linear", "cubic", "quintic"]

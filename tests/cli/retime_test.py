@@ -6,6 +6,8 @@ import subprocess
 
 import pytest
 
+from profiles import PROFILES
+
 WAYPOINTS = (
     "joint1,joint2,joint3,joint4,joint5,joint6,joint7\n"
     "0,-0.785,0,-2.356,0,1.571,0.785\n"
@@ -13,7 +15,6 @@ WAYPOINTS = (
     "-0.4,0.3,-0.2,-1.5,-0.6,2.2,1.0\n"
     "0.9,0.1,0.5,-2.2,0.4,1.2,-0.3\n"
 )
-PROFILES = ("fastest", "jerk", "trapezoidal", "quintic", "s-curve")
 
 
 def rows_of(path):

@@ -1,14 +1,16 @@
 """Motions from point to point, time scalings and retiming: limits, laws, endings, refusals."""
 
+import ast
 import copy
 import pickle
+import re
 
 import beeline
 import numpy as np
 import pytest
 
 PANDA = beeline.arms.panda()
-PROFILES = ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"]
+PROFILES = ast.literal_eval(re.search(r"\nprofile : typing\.Literal(\[.*?\])", beeline.retime.__doc__)[1])
 
 
 def waypoints(rng, count=5, size=0.4):

@@ -14,7 +14,6 @@
 namespace beeline {
 namespace {
 
-using testing::profiles;
 using testing::random_waypoints;
 
 /// Distance of q from the line between a and b.
@@ -29,7 +28,7 @@ TEST(MoveThrough, PassesConfigurationsInBlends) {
   for (int i = 0; i < 10; ++i) {
     const std::vector<Configuration> waypoints =
         random_waypoints(random, arm, random.integer(3, 12)).positions;
-    const Profile profile = profiles[i % std::size(profiles)];
+    const Profile profile = testing::profile_of_case(i);
     const Retimed stopping = move_through(arm, waypoints, {.profile = profile, .joint_blend = 0});
     ASSERT_FALSE(stopping.reason) << stopping.reason;
     ASSERT_EQ(stopping.sections, waypoints.size() - 1);

@@ -6,12 +6,12 @@
 
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>
+#include <tests/timing/every_profile.h>
 
 namespace beeline {
 namespace {
 
-constexpr Profile every_profile[] = {Profile::fastest, Profile::jerk, Profile::trapezoidal,
-                                     Profile::quintic, Profile::s_curve};
+using testing::profiles;
 
 struct LimitedPath {
   JointPath path;
@@ -36,7 +36,7 @@ TEST(TimeScalingWithFractions, OfTheSameOneEverywhereIsThatOfLowerLimits) {
     lower.acceleration *= fraction;
     lower.jerk *= fraction;
     limits.fraction.assign(path.size(), fraction);
-    for (const Profile profile : every_profile) {
+    for (const Profile profile : profiles) {
       const TimeScaling scaling = time_scaling(path, limits, profile);
       const TimeScaling expected = time_scaling(path, lower, profile);
       ASSERT_TRUE(scaling) << name(profile) << scaling.reason;
@@ -102,7 +102,7 @@ TEST(TimeScalingWithFractions, KeepsThemAndIsNoSlowerThanWithTheLeastEverywhere)
       const double u = path.s[k] / path.s.back();
       if (u < begin || u > begin + 0.2) limits.fraction[k] = 1;
     }
-    for (const Profile profile : every_profile) {
+    for (const Profile profile : profiles) {
       const TimeScaling scaling = time_scaling(path, limits, profile);
       ASSERT_TRUE(scaling) << name(profile);
       const auto [acceleration, jerk] = used(path, limits, scaling);
@@ -122,7 +122,7 @@ TEST(TimeScalingWithSpeeds, HasTheShapeThatTheSpeedLimitNeeds) {
     const double fastest = time_scaling(path, limits, Profile::fastest).duration();
     const double speed = 0.01 * path.s.back() / fastest;
     limits.speed.assign(path.size(), speed);
-    for (const Profile profile : every_profile) {
+    for (const Profile profile : profiles) {
       if (profile == Profile::quintic) continue;  // has one shape
       EXPECT_LE(time_scaling(path, limits, profile).duration(), 1.1 * path.s.back() / speed)
           << name(profile);
@@ -139,7 +139,7 @@ TEST(TimeScalingWithBudget, IsNoneOrKeepsTheLimitsWhereverItIsCancelled) {
     made.limits.fraction.assign(made.path.size(), 1);  // for used()
     const JointPath& path = made.path;
     const PathLimits& limits = made.limits;
-    for (const Profile profile : every_profile) {
+    for (const Profile profile : profiles) {
       const TimeScaling whole = time_scaling(path, limits, profile);
       int asked = 0;
       const TimeScaling same =

@@ -6,13 +6,12 @@
 
 #include <tests/path/random_joint_path.h>
 #include <tests/random_arm.h>
+#include <tests/timing/every_profile.h>
 #include <tests/trajectory/motion_by_columns.h>
 
 /// Random paths of random arms with their time scalings, and what their samples must keep.
 namespace beeline::testing {
 
-constexpr Profile profiles[] = {Profile::fastest, Profile::jerk, Profile::trapezoidal,
-                                Profile::quintic, Profile::s_curve};
 constexpr double rates[] = {0, 50, 250, 1000};
 
 /// An arm of 1 to 7 joints with limits of velocity; each has a known limit of acceleration in two

@@ -1,7 +1,11 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { exercises } from "../src/lessons/exercises.js";
 import { checkConstantJacobian, checkFormulas, checkReach } from "../src/lessons/checks.js";
 import { readFormula } from "../src/lessons/formula.js";
 import { lessons } from "../src/lessons/lessons.js";
+import { lessonFigures } from "../src/page/lesson_figures.js";
 import { axe, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
@@ -41,6 +45,18 @@ test("formulas of the RP arm: right ones are accepted however they are written, 
     expect(checkFormulas({ ...right, ...wrong }, arm, next).solved).toBe(false);
   }
   arm.release();
+});
+
+test("the lessons name every exercise and every figure of the page, and no others", () => {
+  const folder = fileURLToPath(new URL("../src/lessons/text/", import.meta.url));
+  const files = readdirSync(folder).map((name) => readFileSync(folder + name, "utf8"));
+  expect(files.length).toBe(lessons.length);
+  const named = (kind: string): string[] =>
+    files.flatMap((text) =>
+      [...text.matchAll(new RegExp(`^\`\`\`${kind} (\\S+)$`, "gm"))].map(([, name]) => name ?? ""),
+    );
+  expect(named("check").sort()).toEqual(Object.keys(exercises).sort());
+  expect(named("figure").sort()).toEqual(Object.keys(lessonFigures).sort());
 });
 
 /** Ways to write a product, a joint's value and a function, as textbooks and people do. */

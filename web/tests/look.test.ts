@@ -75,7 +75,7 @@ test("on a wide screen the panel is wider: the buttons of both controllers stand
 test("every section is accessible in dark colours; other tests look at light ones", async () => {
   const page = await opened("#arm=ur5");
   await page.emulateMedia({ colorScheme: "dark" });
-  for (const section of ["Pose", "Control", "Line", "Workspace", "Lessons"]) {
+  for (const section of ["Pose", "Control", "Line", "Obstacles", "Workspace", "Lessons"]) {
     await page.getByRole("link", { name: section, exact: true }).click();
     await frames(page);
     expect([section, await axe(page)]).toEqual([section, []]);

@@ -29,7 +29,7 @@ class ClearanceSearch {
   struct Part {
     BernsteinCoefficients coefficients, second_half;
     double from = 0, to = 0;
-    Eigen::VectorXd rounding = {};  ///< of the coefficients: coefficient_rounding()
+    Eigen::VectorXd rounding = {};  ///< of the coefficients: set_coefficient_rounding()
 
     double middle() const { return from + (to - from) / 2; }
     bool is_divisible() const { return middle() > from && middle() < to; }

@@ -19,23 +19,23 @@ constexpr int max_depth = 10;  // max number of bisections
 // Fraction of the bound; with a smaller remainder the bound is not refined.
 constexpr double small_remainder = 0.2;
 constexpr double finest = 1e-13;     // metres and radians; smaller bounds are not refined
-constexpr double small_error = 0.1;  // error of a projection, as a fraction of the wanted bound
+constexpr double small_error = 0.1;  // error of a projection, as a fraction of the goal
 
 /// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
 constexpr double remainder_factor = 1.0 / 64;
 
 class IntervalProof {
  public:
-  IntervalProof(const Arm& arm, const Segment& segment, const Task& task, const Deviation& known,
-                const Deviation& wanted)
+  IntervalProof(const Arm& arm, const Segment& segment, const Task& task,
+                const Deviation& already_reported, const Deviation& goal)
       : arm_(arm),
         segment_(segment),
         task_(task),
         error_(arm, segment, task),
-        rounding_of_(arm, segment, task),
-        known_(known),
-        wanted_(wanted),
-        along_wanted_(small_error * error_.along_tolerance(wanted)) {}
+        interval_rounding_(arm, segment, task),
+        already_reported_(already_reported),
+        goal_(goal),
+        along_goal_(small_error * error_.along_tolerance(goal)) {}
 
   IntervalDeviation run(const Interval& interval) {
     const End begin = end(interval, 0), last = end(interval, 1);
@@ -84,7 +84,7 @@ class IntervalProof {
         .row_length = std::max(a.row_length, b.row_length) - segment.position.c[1] * rotation};
     const Deviation remainder =
         error_.remainder(distance, tool.orientation, orientation, remainder_factor);
-    if (depth == 0) rounding_ = rounding_of_.on(interval, segment);
+    if (depth == 0) rounding_ = interval_rounding_.error_bounds(interval, segment);
     Deviation bound = error_.bound(
         a.error, b.error,
         {remainder.position + rounding_.position, remainder.orientation + rounding_.orientation},
@@ -97,7 +97,7 @@ class IntervalProof {
     if (depth == max_depth ||
         (settled(&Deviation::position, bound, remainder) &&
          settled(&Deviation::orientation, bound, remainder) &&
-         (along_error <= along_wanted_ || remainder.position < rounding_.position))) {
+         (along_error <= along_goal_ || remainder.position < rounding_.position))) {
       grow(result_.bound, bound);
       if (error_.projects()) {
         result_.projections.push_back(error_.projection(interval.s, a.error, b.error, along_error));
@@ -111,10 +111,10 @@ class IntervalProof {
 
   bool settled(double Deviation::*part, const Deviation& bound, const Deviation& remainder) const {
     const double largest = result_.measured.*part;
-    if (bound.*part <= std::max({finest, known_.*part, largest})) return true;
+    if (bound.*part <= std::max({finest, already_reported_.*part, largest})) return true;
     // A part's bound is at least the measured deviation and the rounding.
-    const bool possible = largest + rounding_.*part <= wanted_.*part;
-    if (bound.*part > wanted_.*part && possible) return false;
+    const bool possible = largest + rounding_.*part <= goal_.*part;
+    if (bound.*part > goal_.*part && possible) return false;
     return remainder.*part <= small_remainder * (bound.*part);
   }
 
@@ -127,10 +127,10 @@ class IntervalProof {
   const Segment& segment_;
   const Task& task_;
   ToolErrorRows error_;
-  IntervalRounding rounding_of_;
+  IntervalRounding interval_rounding_;
   Deviation rounding_;  ///< of the whole interval, which holds for its parts
-  Deviation known_, wanted_;
-  double along_wanted_;  ///< the largest wanted error of a projection, metres
+  Deviation already_reported_, goal_;
+  double along_goal_;  ///< the largest error of a projection that is not refined, metres
   IntervalDeviation result_;
 };
 
@@ -143,9 +143,9 @@ Interval part(const Interval& interval, double from, double to) {
 }
 
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
-                                     const Interval& interval, const Deviation& known,
-                                     const Deviation& wanted) {
-  return IntervalProof(arm, segment, task, known, wanted).run(interval);
+                                     const Interval& interval, const Deviation& already_reported,
+                                     const Deviation& goal) {
+  return IntervalProof(arm, segment, task, already_reported, goal).run(interval);
 }
 
 }  // namespace beeline::internal

@@ -49,12 +49,14 @@ struct IntervalDeviation {
 /// measured from the nearest point. The component along the line turns the projection of s(u) into
 /// the projection of the tool. An s(u) outside [0, 1] counts as the segment's end.
 ///
-/// An interval is halved while its bound is above `known` and
+/// An interval is halved while its bound is above `already_reported`, a deviation that the caller
+/// reports in any case, and
 ///   - the remainder dominates the bound, or
-///   - the bound is above `wanted` and no measured deviation is, or
-///   - the error of a projection is above a fraction of `wanted`.
+///   - the bound is above `goal`, the tolerance, and no measured deviation is, or
+///   - the error of a projection is above a fraction of `goal`.
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
-                                     const Interval& interval, const Deviation& known = {},
-                                     const Deviation& wanted = {Limits::none, Limits::none});
+                                     const Interval& interval,
+                                     const Deviation& already_reported = {},
+                                     const Deviation& goal = {Limits::none, Limits::none});
 
 }  // namespace beeline::internal

@@ -9,8 +9,12 @@
 
 namespace beeline::internal {
 
-/// Throws Error unless step_bound() holds for the task. Along a line any task is valid; along other
-/// segments the tasks that check_matched() accepts.
+/// Throws Error unless step_bound() holds for the task. Along a line any task is valid, because
+/// line_step_bound() bounds the deviation from the nearest point in any rows. Along other segments
+/// the deviation is measured from the pose at s, and matched_step_bound() bounds the distance of
+/// two positions and the angle between two orientations. These bound any position rows in base
+/// axes and all orientation rows together (for a planar arm the row about z), and check_matched()
+/// accepts tasks of these rows. interval_deviation() holds for every task.
 void check_task(const Arm& arm, const Segment& segment, const Task& task);
 
 /// Does the same for every segment. Throws Error for a path without segments.

@@ -147,22 +147,21 @@ double ToolErrorRows::orientation_bound(double chord, double angle) const {
 }
 
 /// Adds the difference between the pose at s(u) and at the parameter of the nearest point to the
-/// bound of the deviation from the pose at s(u). `beside` bounds the error along a line by
+/// bound of the deviation from the pose at s(u). `along` bounds the error along a line by
 /// position.
-Deviation ToolErrorRows::at_nearest(const Deviation& at_s, double beside,
-                                    const Range& range) const {
+Deviation ToolErrorRows::at_nearest(const Deviation& at_s, double along, const Range& range) const {
   Deviation result = at_s;
   const bool whole = orientation_ == Orientation::whole;
   if (line_->by_position()) {
-    // The nearest parameter is s(u) + beside / length if that is in [0, 1].
-    double shift = beside;
+    // The nearest parameter is s(u) + along / length if that is in [0, 1].
+    double shift = along;
     if (rotating_rows_) {
       shift = 2 * at_s.position < range.row_length
                   ? 2 * at_s.position / range.row_length * line_->length
                   : line_->length;
     } else {
       const double room = std::min(range.s_min, 1 - range.s_max) * line_->length;
-      result.position = std::hypot(at_s.position, std::max(0.0, beside - room));
+      result.position = std::hypot(at_s.position, std::max(0.0, along - room));
     }
     const double fraction = std::min(1.0, shift / line_->length);
     result.orientation += (whole ? 1 : std::numbers::pi / 2) * line_->angle * fraction;
@@ -175,11 +174,11 @@ Deviation ToolErrorRows::at_nearest(const Deviation& at_s, double beside,
 
 Deviation ToolErrorRows::bound(const ToolError& a, const ToolError& b, const Deviation& remainder,
                                const Range& range) const {
-  double across = 0, beside = 0;
+  double across = 0, along = 0;
   for (const Vector3& v : bernstein(a.position, b.position)) {
-    const double along = v.dot(direction_);
-    across = std::max(across, (v - along * direction_).norm());
-    beside = std::max(beside, std::abs(along));
+    const double component = v.dot(direction_);
+    across = std::max(across, (v - component * direction_).norm());
+    along = std::max(along, std::abs(component));
   }
   double chord = 0;
   for (const Matrix3d& m : bernstein(a.orientation, b.orientation)) {
@@ -188,7 +187,7 @@ Deviation ToolErrorRows::bound(const ToolError& a, const ToolError& b, const Dev
   }
   Deviation at_s{across + remainder.position,
                  orientation_bound(chord + remainder.orientation, range.angle)};
-  if (line_) at_s = at_nearest(at_s, beside + remainder.position, range);
+  if (line_) at_s = at_nearest(at_s, along + remainder.position, range);
   if (orientation_ == Orientation::none) at_s.orientation = 0;
   return {at_s.position, std::min(at_s.orientation, std::numbers::pi)};
 }

@@ -80,7 +80,7 @@ class ToolErrorRows {
   };
 
   double orientation_bound(double chord, double angle) const;
-  Deviation at_nearest(const Deviation& at_s, double beside, const Range& range) const;
+  Deviation at_nearest(const Deviation& at_s, double along, const Range& range) const;
 
   Task task_;
   bool rotating_rows_ = false;  ///< some position rows are free, in tool axes

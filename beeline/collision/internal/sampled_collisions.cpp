@@ -1,4 +1,5 @@
 #include <bit>
+#include <limits>
 
 #include <beeline/collision/internal/sampled_collisions.h>
 #include <beeline/model/internal/chain.h>
@@ -48,23 +49,42 @@ struct LaneCore {
   HWY_INLINE Vector nearest(const Vector& p) const {
     using Core = ConvexBody::Core;
     const Lanes zero(0);
-    if (kind == Core::point) return {zero, zero, zero};
-    if (kind == Core::segment) return {zero, zero, clamped(p.z, half.z)};
-    if (kind != Core::cylinder) {
-      return {clamped(p.x, half.x), clamped(p.y, half.y), clamped(p.z, half.z)};
+    switch (kind) {
+      case Core::point:
+        break;
+      case Core::segment:
+        return {zero, zero, clamped(p.z, half.z)};
+      case Core::box:
+        return {clamped(p.x, half.x), clamped(p.y, half.y), clamped(p.z, half.z)};
+      case Core::cylinder: {
+        const Lanes away = sqrt(fma(p.x, p.x, p.y * p.y));
+        const Lanes scale = choose(away > half.x, half.x / away, Lanes(1));
+        return {scale * p.x, scale * p.y, clamped(p.z, half.z)};
+      }
+      case Core::half_space:
+      case Core::hull:
+        break;  // bounds_of() does not make a LaneCore of these
     }
-    const Lanes away = sqrt(fma(p.x, p.x, p.y * p.y));
-    const Lanes scale = choose(away > half.x, half.x / away, Lanes(1));
-    return {scale * p.x, scale * p.y, clamped(p.z, half.z)};
+    return {zero, zero, zero};
   }
   /// The maximum of n . x over the core.
   HWY_INLINE Lanes highest(const Vector& n) const {
     using Core = ConvexBody::Core;
-    if (kind == Core::point) return 0;
     const Lanes along = abs(n.z) * half.z;
-    if (kind == Core::segment) return along;
-    if (kind == Core::cylinder) return fma(half.x, sqrt(fma(n.x, n.x, n.y * n.y)), along);
-    return fma(abs(n.x), half.x, fma(abs(n.y), half.y, along));
+    switch (kind) {
+      case Core::point:
+        return 0;
+      case Core::segment:
+        return along;
+      case Core::box:
+        return fma(abs(n.x), half.x, fma(abs(n.y), half.y, along));
+      case Core::cylinder:
+        return fma(half.x, sqrt(fma(n.x, n.x, n.y * n.y)), along);
+      case Core::half_space:
+      case Core::hull:
+        break;
+    }
+    return std::numeric_limits<double>::infinity();
   }
 };
 
@@ -198,7 +218,7 @@ class LaneTest {
                              std::uint32_t index, unsigned lanes) {
     const CollisionBodies::ObstacleBody& obstacle = bodies_.obstacle_bodies[index];
     if (bodies_.allowed(bodies_.link_bodies[group.begin], obstacle.obstacle)) return;
-    const bool is_exact = obstacle.body.core != ConvexBody::Core::hull;
+    const bool is_exact = is_itself_in_lanes(obstacle.body.core);
     if (!group.is_single()) {
       const DistanceBounds gap = bounds_of(capsule, obstacle.body);
       lanes &= bits(gap.lower < Lanes(obstacle.clearance));
@@ -212,6 +232,21 @@ class LaneTest {
     }
   }
 
+  /// Whether bounds_of() is of the body itself; if not, of a larger one.
+  static bool is_itself_in_lanes(ConvexBody::Core core) {
+    switch (core) {
+      case ConvexBody::Core::point:
+      case ConvexBody::Core::segment:
+      case ConvexBody::Core::box:
+      case ConvexBody::Core::cylinder:
+      case ConvexBody::Core::half_space:
+        return true;
+      case ConvexBody::Core::hull:
+        break;
+    }
+    return false;
+  }
+
   HWY_INLINE DistanceBounds bounds_of(LaneCapsule capsule, const ConvexBody& body) const {
     using Core = ConvexBody::Core;
     if (body.core == Core::half_space) {
@@ -220,7 +255,7 @@ class LaneTest {
                            Lanes(body.axes.col(2).dot(body.origin) + body.radius + capsule.radius);
       return {height, height};
     }
-    if (body.core == Core::hull) {  // the sphere around it
+    if (!is_itself_in_lanes(body.core)) {  // the sphere around it
       capsule.centre = capsule.centre - same(body.centre);
       const Vector centre = same(Vector3::Zero());
       return bounds(capsule, LaneCore{Core::point, centre}, centre, body.bound, true);

@@ -6,8 +6,11 @@
 #include <beeline/internal/letter_case.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/arm_format.h>
+#include <beeline/io/text/internal/arm_to_json.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/read_fault.h>
+#include <beeline/io/text/internal/urdf_shapes.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
@@ -15,29 +18,40 @@
 namespace beeline {
 namespace {
 
+using internal::ArmFormat;
 using internal::in_quotes;
-
-/// A format of arm files.
-struct ArmFormat {
-  std::string_view ending;
-  bool tree;  ///< files describe a tree of links, of which ChainEnds selects a chain
-  Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends,
-               std::vector<ReadWarning>* warnings);
-};
 
 Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/,
                std::vector<ReadWarning>* /*warnings*/) {
   return arm_from_json(text, path);
 }
 
-/// Every format of arm files. A new reader is one row here.
+/// Every format of arm files. A new reader is one row here: read_arm(), read_arm_shapes(), the
+/// completion of the command and the errors follow.
 constexpr ArmFormat arm_formats[] = {
-    {"urdf", true, arm_from_urdf},
-    {"xml", true, arm_from_urdf},
-    {"json", false, parse_json},
+    {"urdf", true, arm_from_urdf, internal::shapes_from_urdf},
+    {"xml", true, arm_from_urdf, internal::shapes_from_urdf},
+    {"json", false, parse_json, internal::shapes_from_arm_json},
 };
 
-const ArmFormat* format_of(std::string_view path) {
+/// The endings with dots, of all formats or of those that describe trees of links.
+std::string known_endings(bool trees_only = false) {
+  std::vector<std::string> endings;
+  for (const ArmFormat& format : arm_formats) {
+    if (format.tree || !trees_only) endings.push_back("." + std::string(format.ending));
+  }
+  return listed(endings);
+}
+
+void refuse_ends(const std::string& text, const ChainEnds& ends) {
+  if (ends.base.empty() && ends.tip.empty()) return;
+  throw Error("base and tip select a chain of a file that describes a tree of links (" +
+              known_endings(true) + "); " + in_quotes(text) + " is not one");
+}
+
+}  // namespace
+
+const ArmFormat* internal::arm_format_of(std::string_view path) {
   const std::string ending = extension(path);
   const auto* const format =
       std::find_if(std::begin(arm_formats), std::end(arm_formats),
@@ -45,19 +59,7 @@ const ArmFormat* format_of(std::string_view path) {
   return format == std::end(arm_formats) ? nullptr : format;
 }
 
-void refuse_ends(const std::string& text, const ChainEnds& ends) {
-  if (ends.base.empty() && ends.tip.empty()) return;
-  throw Error("base and tip select a chain of a URDF file; " + in_quotes(text) + " is not one");
-}
-
-std::string known_endings() {
-  std::vector<std::string> endings;
-  for (const std::string& ending : arm_file_endings()) endings.push_back("." + ending);
-  return listed(endings);
-}
-
-/// The format of a file that describes an arm, by its ending.
-const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) {
+const ArmFormat& internal::arm_format_of_file(const std::string& path, const ChainEnds& ends) {
   const std::string ending = extension(path);
   if (ending == "xacro") {
     throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
@@ -65,13 +67,15 @@ const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) 
   if (ending == "srdf") {
     throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
   }
-  const ArmFormat* const format = format_of(path);
+  const ArmFormat* const format = arm_format_of(path);
   if (format == nullptr) {
     throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
   }
   if (!format->tree) refuse_ends(path, ends);
   return *format;
 }
+
+namespace {
 
 /// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
 /// string such as RRR is not a name, although an arm is called rrr.
@@ -100,7 +104,7 @@ void refuse_unknown_letters(const std::string& text) {
 }  // namespace
 
 bool is_urdf_path(std::string_view path) {
-  const ArmFormat* const format = format_of(path);
+  const ArmFormat* const format = internal::arm_format_of(path);
   return format != nullptr && format->parse == arm_from_urdf;
 }
 
@@ -178,7 +182,7 @@ std::vector<std::string> arm_file_endings() {
 }
 
 bool has_link_tree_ending(const std::string& path) {
-  const ArmFormat* const format = format_of(path);
+  const ArmFormat* const format = internal::arm_format_of(path);
   return format != nullptr && format->tree;
 }
 
@@ -189,17 +193,18 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWar
     return name.empty() ? arm_from_joint_string(text) : built_in(name);
   }
   if (text.find_first_of("./") != std::string::npos) {
-    const ArmFormat& format = format_of_file(text, ends);
+    const ArmFormat& format = internal::arm_format_of_file(text, ends);
     return format.parse(read_file(text), text, ends, warnings);
   }
   refuse_unknown_letters(text);
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
-              "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
+              "; or give a joint string such as RRR:3.5,3.5,2, or a file (" + known_endings() +
+              ")");
 }
 
 Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends,
                   std::vector<ReadWarning>* warnings) {
-  return format_of_file(path, ends).parse(text, path, ends, warnings);
+  return internal::arm_format_of_file(path, ends).parse(text, path, ends, warnings);
 }
 
 }  // namespace beeline

@@ -3,15 +3,14 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/arm_format.h>
 #include <beeline/io/text/internal/arm_to_json.h>
 #include <beeline/io/text/internal/built_in_shapes.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/shape_json.h>
-#include <beeline/io/text/internal/urdf_shapes.h>
 #include <beeline/io/text/scene.h>
-#include <beeline/io/text/urdf.h>
 
 namespace beeline {
 namespace {
@@ -72,7 +71,12 @@ void refuse_hold(const ShapeOptions& options) {
   throw Error::of("hold", "only a URDF file has joints beside the chain that can be held");
 }
 
-ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
+}  // namespace
+
+ArmShapes internal::shapes_from_arm_json(std::string_view text, const std::string& path,
+                                         const ChainEnds& /*ends*/, const ShapeOptions& options,
+                                         const std::vector<Srdf::State>& /*states*/) {
+  refuse_hold(options);
   const Arm arm = arm_from_json(text, path);
   const JsonDocument document(text, path);
   ArmShapes read;
@@ -89,8 +93,6 @@ ArmShapes shapes_from_arm_json(std::string_view text, const std::string& path) {
   return read;
 }
 
-}  // namespace
-
 bool internal::is_attached_in_file(const Arm& arm, const LinkShapes& body) {
   const bool at_proximal = body.link == 0 || body.at_proximal_joint;
   const bool at_distal = body.link == arm.joints().size() || body.at_distal_joint;
@@ -101,21 +103,17 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends, const ShapeOptions& options) {
   Srdf srdf;
   if (!options.srdf.empty()) srdf = read_srdf(options.srdf);
-  ArmShapes read;
-  if (is_urdf_path(path)) {
-    read = internal::shapes_from_urdf(text, path, ends, options, srdf.states);
-  } else {
-    refuse_hold(options);
-    read = shapes_from_arm_json(text, path);
-  }
+  const internal::ArmFormat& format = internal::arm_format_of_file(path, ends);
+  ArmShapes read = format.shapes(text, path, ends, options, srdf.states);
   read.allowed_pairs = exempted_pairs(srdf, read.links);
   return read;
 }
 
 ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
                           const ShapeOptions& options) {
-  const bool is_file = is_urdf_path(text) || extension(text) == "json";
-  if (is_file) return arm_shapes_from_text(read_file(text), text, ends, options);
+  if (internal::arm_format_of(text) != nullptr) {
+    return arm_shapes_from_text(read_file(text), text, ends, options);
+  }
   const std::string name = read_arm(text, ends).name();  // refuses what is no arm
   const std::string_view built_in = internal::built_in_shapes(name);
   if (!built_in.empty()) return arm_shapes_from_text(built_in, name + ".json", ends, options);

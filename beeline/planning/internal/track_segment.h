@@ -21,12 +21,12 @@ struct TrackOptions {
 };
 
 /// Tracks the segment from `start`, whose tool is at options.begin, and returns the samples. Each
-/// sample is solved to rounding within the bounds; step_bound() proves that the deviation between
-/// two samples is within the tolerance, so no change of branch can occur between them. Steps are as
-/// long as this bound allows. At a singular start, the first joint that can move to either side
-/// determines the direction. Returns early if no configuration continues the motion, at
-/// max_samples, and if the budget ends. Throws Error for a start whose tool is not at
-/// options.begin, and for a task that the segment does not allow.
+/// sample is solved to rounding within the bounds. step_bound() bounds the deviation between two
+/// samples by the tolerance, so no change of branch can occur between them; verify() proves the
+/// motion that is made of them. Steps are as long as this bound allows. At a singular start, the
+/// first joint that can move to either side determines the direction. Returns early if no
+/// configuration continues the motion, at max_samples, and if the budget ends. Throws Error for a
+/// start whose tool is not at options.begin, and for a task that the segment does not allow.
 TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task& task,
                              const internal::Bounds& bounds, const Configuration& start,
                              const TrackOptions& options);

@@ -226,13 +226,28 @@ SampledSection unslowed(const Arm& arm, const TimedSection& section,
              : refined_samples(arm, section, options, ramp_width(section, options));
 }
 
+/// Whether the profile is a minimum of the duration, so that lower limits at one place slow only
+/// the motion there down. The other profiles have one form, which becomes slower as a whole.
+bool is_optimised(Profile profile) {
+  switch (profile) {
+    case Profile::fastest:
+    case Profile::jerk:
+      return true;
+    case Profile::trapezoidal:
+    case Profile::quintic:
+    case Profile::s_curve:
+      return false;
+  }
+  throw Error("unknown profile");
+}
+
 /// Samples whose places that exceed limits get lower ones, where the slowdown of the whole is
 /// large.
 SampledSection locally_slowed(const Arm& arm, TimedSection section, const SectionOptions& options) {
   SampledSection best = slowed(arm, section, options);
   if (!best) return best;
-  const bool optimised = section.profile == Profile::fastest || section.profile == Profile::jerk;
-  if (!optimised || options.timing.interpolation == Interpolation::linear) return best;
+  if (!is_optimised(section.profile) || options.timing.interpolation == Interpolation::linear)
+    return best;
   constexpr std::size_t large_grid = 2000;  // grid points, for which a round takes seconds
   const int max_rounds = section.path.size() > large_grid ? 2 : 6;
   constexpr double small = 1.006, periods = 2;

@@ -111,8 +111,8 @@ TEST(IntervalDeviation, IsRoundingForAnExactMotion) {
   Interval interval{{}, line_between(0, 1)};
   for (int k = 0; k < 3; ++k) interval.coordinates.push_back(line_between(from[k], to[k]));
   const Deviation bound = interval_deviation(arm, arc, Task::planar(), interval).bound;
-  EXPECT_LT(bound.position, 5e-12);
-  EXPECT_LT(bound.orientation, 5e-12);
+  EXPECT_LT(bound.position, 1e-11);
+  EXPECT_LT(bound.orientation, 1e-11);
 }
 
 }  // namespace

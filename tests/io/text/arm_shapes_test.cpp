@@ -221,6 +221,16 @@ TEST(ArmShapes, AreRefusedWhereTheyCannotBePlaced) {
   EXPECT_NO_THROW(robot_shapes(shaped_chain + shaped_link("f") + follower, to_b));
 }
 
+TEST(ArmShapes, AreReadInTheFormatOfTheEnding) {
+  EXPECT_REFUSED(arm_shapes_from_text("{}", "arm.txt"),
+                 "arm.txt: is not a known kind of arm file; known are .urdf, .xml, .json");
+  const std::string json = arm_to_json(built_in("rrr"));
+  EXPECT_TRUE(arm_shapes_from_text(json, "arm.JSON").links.empty());
+  EXPECT_REFUSED(arm_shapes_from_text(json, "arm.xml"), "arm.xml:");
+  EXPECT_REFUSED(arm_shapes_from_text(json, "arm.json", {.base = "", .tip = "hand"}),
+                 "\"arm.json\" is not one");
+}
+
 TEST(ArmShapes, AreASectionOfArmFiles) {
   const auto read = [](const std::string& shapes) {
     return arm_shapes_from_text(

@@ -36,7 +36,7 @@ TEST(ReadArm, BuiltInNamesAreFoundInAnyCase) {
 TEST(ReadArm, UnknownNamesGetTheNearestOne) {
   EXPECT_REFUSED(read_arm("pnda"), "unknown arm \"pnda\"; did you mean \"panda\"? (known: cr5, ");
   EXPECT_REFUSED(read_arm("pnda"),
-                 "or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
+                 "or give a joint string such as RRR:3.5,3.5,2, or a file (.urdf, .xml, .json)");
   EXPECT_REFUSED(read_arm(""), "unknown arm \"\"");
   EXPECT_REFUSED(read_arm("rrr:1,2,3"), "unknown arm \"rrr:1,2,3\"");
   EXPECT_REFUSED(read_arm("RRR:1"), "3 letters but 1 items");
@@ -59,7 +59,8 @@ TEST(ReadArm, EndsGoWithUrdfOnly) {
   const std::string json = folder.write("a.json", arm_to_json(built_in("rrr")));
   for (const std::string& text : {std::string("panda"), std::string("RRR"), json}) {
     EXPECT_REFUSED(read_arm(text, {.base = "", .tip = "x"}),
-                   "base and tip select a chain of a URDF file; \"");
+                   "base and tip select a chain of a file that describes a tree of links (.urdf, "
+                   ".xml); \"");
     EXPECT_REFUSED(read_arm(text, {.base = "x", .tip = ""}), "is not one");
   }
 }

@@ -188,7 +188,7 @@ TEST(SampleSection, HasEveryRequiredSample) {
   Random random;
   for (int i = 0; i < testing::cases(30); ++i) {
     const auto interpolation = testing::interpolations[i % 3];
-    RandomSection made = random_section(random, testing::profiles[i % 5], interpolation, 0, 1);
+    RandomSection made = random_section(random, testing::profile_of_case(i), interpolation, 0, 1);
     const double length = made.timed.path.s.back();
     made.options.required.clear();
     for (int k = 1; k < 9; ++k) made.options.required.push_back(length * k / 9);

@@ -41,7 +41,7 @@ TEST(UniformSection, ShortestIsThatOfTheTimeScalingRoundedUpAndAPeriod) {
     const auto interpolation = testing::interpolations[i % 3];
     const double rate = random.uniform(20, 1000);
     const RandomSection made =
-        testing::random_section(random, testing::profiles[i % 5], interpolation, rate, 1);
+        testing::random_section(random, testing::profile_of_case(i), interpolation, rate, 1);
     const double duration = made.timed.scaling.duration();
     const Trajectory shortest =
         shortest_uniform_section(made.arm, made.timed, made.options).trajectory;
@@ -55,7 +55,7 @@ TEST(UniformSection, ShortestIsThatOfTheTimeScalingRoundedUpAndAPeriod) {
 TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
   Random random;
   for (int i = 0; i < testing::cases(60); ++i) {
-    RandomSection made = testing::random_section(random, testing::profiles[i % 5],
+    RandomSection made = testing::random_section(random, testing::profile_of_case(i),
                                                  testing::interpolations[i % 3], 100, 1);
     made.options.timing.rate = random.uniform(1.01, 4) / made.timed.scaling.duration();
     const SampledSection sampled = uniform_section(made.arm, made.timed, made.options);
