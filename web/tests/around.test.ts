@@ -152,6 +152,24 @@ test("a way around to the goal is what the command plans; it is played, and prov
   await expect.poll(() => page.url()).toMatch(/goal=1\.39999|goal=1\.4/);
 });
 
+test("the goal is dragged in the picture, and a way there is planned when it is dropped", async () => {
+  const page = await opened(await hashOf(`section=obstacles&goal=${behind.join(",")}`));
+  await page.locator(".nearest p").nth(1).waitFor();
+  await toolAt(page); // the picture is at rest
+  const box = await page.locator(".overlay .waypoint-text", { hasText: "goal" }).boundingBox();
+  const at = { x: (box?.x ?? NaN) + (box?.width ?? NaN) / 2, y: (box?.y ?? NaN) + (box?.height ?? NaN) / 2 };
+  await drag(page, at, { x: at.x - 15, y: at.y - 15 });
+  const report = page.getByRole("region", { name: "A way around" });
+  await report.getByText("reached").waitFor();
+  const goal = (): string | null => new URL(page.url().replace("#", "?")).searchParams.get("goal");
+  await expect.poll(goal).not.toBe(behind.join(","));
+  const away = async (): Promise<number> => {
+    const wanted = (goal() ?? "").split(",").map(Number);
+    return Math.max(...(await jointValues(page)).map((value, k) => Math.abs(value - (wanted[k] ?? NaN))));
+  };
+  await expect.poll(away).toBeLessThan(1e-3);
+});
+
 test("a goal in an obstacle is refused in the page's words", async () => {
   const inWall = start.with(0, 0.75);
   const page = await opened(await hashOf(`section=obstacles&goal=${inWall.join(",")}`));

@@ -22,6 +22,8 @@ const maxRounds = 60; // of one wish
 /** Leads the arm that is dragged among obstacles as far as the clearance allows. The worker computes one step at a time,
  * towards the newest joint values that are wanted; a ghost shows them where the arm is held back. */
 export class Guard {
+  /** Called when the arm is not held back any more, as it moves otherwise. */
+  freed: () => void = () => undefined;
   private wanted: { to: number[]; slides: boolean; answered: Answered } | null = null;
   private running: Promise<void> | null = null;
   private held: HeldBack | null = null;
@@ -55,6 +57,7 @@ export class Guard {
   stop(): void {
     ++this.turn;
     this.wanted = null;
+    if (this.held) this.freed();
     this.hold(null);
   }
 

@@ -22,7 +22,9 @@ export class Holding implements Hand {
     private readonly services: Services,
     private readonly guard: Guard,
     private readonly section: () => PageSection | undefined,
-  ) {}
+  ) {
+    guard.freed = () => this.say("");
+  }
 
   take(shown: Shown): void {
     this.shown = shown;
@@ -94,6 +96,7 @@ export class Holding implements Hand {
 
   pressed(): void {
     this.isPressed = true;
+    this.guard.stop(); // what a slider was held back from is no goal of this hand
     this.section()?.interrupt?.();
   }
 
