@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include <beeline/collision/collision_model.h>
@@ -11,6 +12,7 @@
 #include <beeline/io/text/scene.h>
 
 #include "fault.h"
+#include "guarded_motion.h"
 #include "handles.h"
 
 using namespace beeline;
@@ -27,6 +29,7 @@ struct ArmInScene {
   std::map<std::string, int> numbers = {};  ///< of the bodies, by name
   std::vector<NamedPair> allowed = {};      ///< pairs of links of the scene that may touch
   std::optional<CollisionModel> of_links = {}, of_obstacles = {};
+  std::unique_ptr<web::GuardedMotion> guard = nullptr;  ///< once it is asked for
 };
 
 web::Handles<ArmInScene>& scenes() {
@@ -60,6 +63,7 @@ void set_obstacles(ArmInScene& known, const Scene& scene) {
     known.allowed = allowed;
   }
   known.of_obstacles.emplace(std::move(obstacles));
+  known.guard.reset();
   known.numbers.clear();
   int number = 0;
   for (const LinkShapes& body : known.shapes.links) known.numbers[body.name] = number++;
@@ -129,6 +133,26 @@ int beeline_scene_nearest(int scene, int of_links, const double* q, double* numb
       numbers = std::copy_n(point.data(), 3, numbers);
     }
     return 1;
+  });
+}
+
+int beeline_scene_guard(int scene, int slides, const double* from, const double* to,
+                        double* numbers) {
+  return guarded([&] {
+    ArmInScene& known = scenes().at(scene);
+    if (!known.guard) {
+      known.guard = std::make_unique<web::GuardedMotion>(
+          known.arm, known.shapes.links, known.of_obstacles->scene(), known.options);
+    }
+    using Values = Eigen::Map<const Configuration>;
+    const web::GuardedStep step = known.guard->towards(Values(from, known.arm.dof()),
+                                                       Values(to, known.arm.dof()), slides != 0);
+    numbers = std::copy_n(step.q.data(), step.q.size(), numbers);
+    for (const std::size_t i : {0, 1}) {
+      *numbers++ = step.held_by ? known.numbers.at((*step.held_by)[i]) : -1;
+    }
+    *numbers = step.is_goal_free ? 1 : 0;
+    return step.is_on_its_way ? 1 : 0;
   });
 }
 

@@ -27,5 +27,13 @@ int beeline_scene_obstacles(int scene, const char* text);
 /// clearance that it must keep, and the nearest points of both bodies in the world: 11 numbers.
 /// Returns 0 if no such pair counts, else 1.
 int beeline_scene_nearest(int scene, int of_links, const double* q, double* numbers);
+/// Leads the arm among its obstacles from one configuration towards another, as far as the
+/// clearance allows (guarded_motion.h); `slides`: 1 where the hand drags the tool, which slides
+/// along the bodies, 0 where it drags a joint, which stops. Writes the configuration that is
+/// reached, the numbers of the two bodies that hold the arm back, as above, -1 where none do, and 1
+/// if the arm could stand at the goal, else 0: dof + 3 numbers. Returns 1 if the time ended while
+/// the arm was on its way, else 0.
+int beeline_scene_guard(int scene, int slides, const double* from, const double* to,
+                        double* numbers);
 int beeline_scene_release(int scene);
 }

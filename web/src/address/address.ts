@@ -72,6 +72,7 @@ export async function addressOf(state: PageState): Promise<string> {
   if (state.waypoints.length > 0) words.set("waypoints", state.waypoints.map(list).join(";"));
   if (state.scene !== "") words.set("scene", await compressed(new TextEncoder().encode(state.scene)));
   if (state.clearance !== initialState.clearance) words.set("clearance", String(state.clearance));
+  if (state.passes) words.set("passes", "1");
   if (!state.showShapes) words.set("shapes", "0");
   writeReach(words, state);
   if (state.lesson !== "") words.set("lesson", state.lesson);
@@ -106,6 +107,7 @@ export async function stateOf(hash: string, longest = longestAddress): Promise<P
     waypoints: poses(words.get("waypoints")),
     scene: await sceneIn(words),
     clearance: Math.max(0, Number(words.get("clearance")) || initialState.clearance),
+    passes: words.get("passes") === "1",
     showShapes: words.get("shapes") !== "0",
     ...reachOf(words),
     lesson: words.get("lesson") ?? "",
@@ -132,6 +134,7 @@ const named: [string, keyof PageState][] = [
   ["waypoints", "waypoints"],
   ["scene", "scene"],
   ["clearance", "clearance"],
+  ["passes", "passes"],
   ["shapes", "showShapes"],
   ...reachWords,
   ["lesson", "lesson"],

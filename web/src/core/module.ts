@@ -35,6 +35,7 @@ export interface CommandModule extends Module {
   _beeline_scene_read(scene: number, path: number): number;
   _beeline_scene_obstacles(scene: number, text: number): number;
   _beeline_scene_nearest(scene: number, ofLinks: number, q: number, numbers: number): number;
+  _beeline_scene_guard(scene: number, slides: number, from: number, to: number, numbers: number): number;
   _beeline_scene_release(scene: number): number;
 }
 

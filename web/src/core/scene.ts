@@ -70,6 +70,17 @@ export interface NearestPair {
   onSecond: number[];
 }
 
+/** Where a motion that a hand asks for has led. */
+export interface GuardedStep {
+  q: number[];
+  /** The indices of the bodies that hold the arm back, as of a NearestPair; null: none do. */
+  heldBy: [number, number] | null;
+  /** Ask again from there: the arm is still on its way. */
+  isOnItsWay: boolean;
+  /** Whether the arm could stand at the goal. */
+  isGoalFree: boolean;
+}
+
 /** A question about the arm among obstacles, and what it is answered by. The arm is asked for first; `clearance` 0 is the
  * default. `scene` is the text of a scene, `content` the one of a file of obstacles. */
 export interface SceneAnswers {
@@ -77,11 +88,15 @@ export interface SceneAnswers {
   read: string;
   /** Of the pairs with obstacles, and of the pairs of links: the nearer one to its clearance first. */
   nearest: NearestPair[];
+  /** The way that the clearance allows from one configuration towards another. `slides`: the tool slides along bodies;
+   * else the arm stops. */
+  guard: GuardedStep;
 }
 export type SceneTask =
   | { ask: "arm"; arm: ArmWithShapes; clearance: number }
   | { ask: "read"; name: string; content: string }
-  | { ask: "nearest"; scene: string; q: number[] };
+  | { ask: "nearest"; scene: string; q: number[] }
+  | { ask: "guard"; scene: string; from: number[]; to: number[]; slides: boolean };
 
 export const noObstacles: SceneDocument = { obstacles: [] };
 

@@ -1,5 +1,13 @@
 import { checked, readText, writeText, type CommandModule } from "./module.js";
-import type { ArmBodies, ArmWithShapes, NearestPair, SceneAnswers, SceneDocument, SceneTask } from "./scene.js";
+import type {
+  ArmBodies,
+  ArmWithShapes,
+  GuardedStep,
+  NearestPair,
+  SceneAnswers,
+  SceneDocument,
+  SceneTask,
+} from "./scene.js";
 
 const folder = "/scene";
 const numbersOfPair = 11;
@@ -17,7 +25,9 @@ export class SceneModule {
 
   answer(task: SceneTask): SceneAnswers[keyof SceneAnswers] {
     if (task.ask === "arm") return this.take(task.arm, task.clearance);
-    return task.ask === "read" ? this.read(task.name, task.content) : this.nearest(task.scene, task.q);
+    if (task.ask === "read") return this.read(task.name, task.content);
+    this.use(task.scene);
+    return task.ask === "nearest" ? this.nearest(task.q) : this.guard(task.from, task.to, task.slides);
   }
 
   private take({ argument, tip, files }: ArmWithShapes, clearance: number): ArmBodies {
@@ -46,26 +56,36 @@ export class SceneModule {
     }
   }
 
-  private nearest(scene: string, q: number[]): NearestPair[] {
+  /** Puts the arm among these obstacles. */
+  private use(scene: string): void {
     const { module } = this;
-    if (scene !== this.obstacles) {
-      const text = scene === "" ? '{"obstacles": []}' : scene;
-      this.withTexts([text], ([at = 0]) => checked(module, module._beeline_scene_obstacles(this.arm, at)));
-      this.obstacles = scene;
-    }
-    const buffer = module._beeline_allocate(q.length + numbersOfPair);
-    if (buffer === 0) throw new Error("the core has no more memory");
-    try {
-      module.HEAPF64.set(q, buffer / 8);
-      const into = buffer + 8 * q.length;
+    if (scene === this.obstacles) return;
+    const text = scene === "" ? '{"obstacles": []}' : scene;
+    this.withTexts([text], ([at = 0]) => checked(module, module._beeline_scene_obstacles(this.arm, at)));
+    this.obstacles = scene;
+  }
+
+  private nearest(q: number[]): NearestPair[] {
+    const { module } = this;
+    return this.withNumbers([q], numbersOfPair, ([at = 0], into, answer) => {
       const pairs = [0, 1].flatMap((ofLinks) => {
-        const count = checked(module, module._beeline_scene_nearest(this.arm, ofLinks, buffer, into));
-        return count === 0 ? [] : [pairOf(Array.from(module.HEAPF64.subarray(into / 8, into / 8 + numbersOfPair)))];
+        const count = checked(module, module._beeline_scene_nearest(this.arm, ofLinks, at, into));
+        return count === 0 ? [] : [pairOf(answer())];
       });
       return pairs.sort((a, b) => a.lower - a.clearance - (b.lower - b.clearance));
-    } finally {
-      module._beeline_release(buffer);
-    }
+    });
+  }
+
+  private guard(from: number[], to: number[], slides: boolean): GuardedStep {
+    const { module } = this;
+    const dof = from.length;
+    return this.withNumbers([from, to], dof + 3, ([start = 0, goal = 0], into, answer) => {
+      const going = checked(module, module._beeline_scene_guard(this.arm, slides ? 1 : 0, start, goal, into));
+      const numbers = answer();
+      const [first = -1, second = -1, free = 0] = numbers.slice(dof);
+      const heldBy: [number, number] | null = first < 0 ? null : [first, second];
+      return { q: numbers.slice(0, dof), heldBy, isOnItsWay: going === 1, isGoalFree: free === 1 };
+    });
   }
 
   private get arm(): number {
@@ -82,6 +102,27 @@ export class SceneModule {
   private text(pointer: number): string {
     checked(this.module, pointer === 0 ? -1 : 0);
     return readText(this.module, pointer);
+  }
+
+  /** Calls `work` with lists of numbers in the module's memory, where an answer of `count` numbers is written, and with what
+   * reads the answer. */
+  private withNumbers<T>(
+    lists: number[][],
+    count: number,
+    work: (pointers: number[], into: number, answer: () => number[]) => T,
+  ): T {
+    const { module } = this;
+    const all = lists.flat();
+    const buffer = module._beeline_allocate(all.length + count);
+    if (buffer === 0) throw new Error("the core has no more memory");
+    try {
+      module.HEAPF64.set(all, buffer / 8);
+      const begins = lists.map((_, i) => buffer + 8 * lists.slice(0, i).flat().length);
+      const begin = buffer / 8 + all.length;
+      return work(begins, 8 * begin, () => Array.from(module.HEAPF64.subarray(begin, begin + count)));
+    } finally {
+      module._beeline_release(buffer);
+    }
   }
 
   private withTexts<T>(texts: string[], work: (pointers: number[]) => T): T {

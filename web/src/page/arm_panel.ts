@@ -43,7 +43,8 @@ export class ArmPanel {
     overlays: Overlays,
   ) {
     const { store } = services;
-    this.joints = new JointsPanel((q) => {
+    this.joints = new JointsPanel((q, isDragged) => {
+      if (isDragged) return holding.slid(q);
       holding.forget();
       store.set({ q });
     });
@@ -191,7 +192,6 @@ export class ArmPanel {
     this.selfDirection = direction;
     const moved = q.map((value, k) => value + distance * (direction[k] ?? 0));
     const [reached] = arm.inverse(toolPose(arm, q), moved);
-    this.holding.forget();
-    if (reached) this.services.store.set({ q: Array.from(reached) });
+    if (reached) this.holding.slid(Array.from(reached));
   }
 }

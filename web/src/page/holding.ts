@@ -6,11 +6,12 @@ import { unitOf } from "../elements/units.js";
 import { reasonInWords, type Wording } from "../panels/reasons/reasons.js";
 import type { InverseAnswer } from "../panels/solutions.js";
 import type { Hand } from "../scene/picture.js";
+import type { Guard, HeldBack } from "./guard.js";
 import { Rest } from "./rest.js";
 import type { PageSection, Services, Shown } from "./section.js";
 
 /** What the hand does in the picture: the tool is dragged, and slides along the border where it cannot go; links turn
- * their joints within the limits. Beside the tool stands the reason. */
+ * their joints within the limits. Among obstacles the guard leads the arm. Beside the tool stands the reason. */
 export class Holding implements Hand {
   private shown: Shown | null = null;
   private isPressed = false;
@@ -19,8 +20,11 @@ export class Holding implements Hand {
 
   constructor(
     private readonly services: Services,
+    private readonly guard: Guard,
     private readonly section: () => PageSection | undefined,
-  ) {}
+  ) {
+    guard.freed = () => this.say("");
+  }
 
   take(shown: Shown): void {
     this.shown = shown;
@@ -33,17 +37,14 @@ export class Holding implements Hand {
     const { arm, description, picture } = this.shown;
     if (!this.isPressed) this.section()?.interrupt?.(); // by keys
     const [found] = arm.inverse(pose, q);
-    if (found) {
-      this.forget();
-      this.services.store.set({ q: Array.from(found) });
-      return;
-    }
+    if (found) return this.lead(Array.from(found), true, () => this.say(""));
     const near = nearestTo(arm, description.joints, pose, q, picture.size);
-    this.services.store.set({ q: near });
-    const off = poseError(toolPose(arm, near), pose);
-    const isThere = Math.hypot(...off.slice(0, 3)) < 1e-3 * picture.size;
-    if (!hasFullTask(arm) && isThere) return this.forget();
-    void this.explain(pose, q, Math.hypot(...off.slice(0, 3)));
+    const off = Math.hypot(...poseError(toolPose(arm, near), pose).slice(0, 3));
+    const isThere = off < 1e-3 * picture.size;
+    this.lead(near, true, () => {
+      if (!hasFullTask(arm) && isThere) this.say("");
+      else void this.explain(pose, q, off);
+    });
   }
 
   joint(k: number, value: number): void {
@@ -52,11 +53,16 @@ export class Holding implements Hand {
     if (!joint || !q) return;
     const moved = clamped(q.with(k, value), this.shown?.description.joints ?? []);
     const at = moved[k] ?? 0;
-    this.services.store.set({ q: q.with(k, at) });
     const unit = unitOf(joint.type, degrees);
     const limit = `${text(at * unit.factor, unit.name === "°" ? 1 : 3)}${unit.name === "°" ? "" : "\u00a0"}${unit.name}`;
-    if (at === value) this.forget();
-    else this.shown?.picture.say(`${joint.name} is at its limit, ${limit}.`);
+    this.lead(q.with(k, at), false, () => {
+      this.say(at === value ? "" : `${joint.name} is at its limit, ${limit}.`);
+    });
+  }
+
+  /** A slider was dragged to joint values. */
+  slid(q: number[]): void {
+    this.lead(q, false, () => this.say(""));
   }
 
   /** The tool is asked to go to a pose that was typed. Where it is not reached, the arm stays; `refused` gets the
@@ -90,12 +96,16 @@ export class Holding implements Hand {
 
   pressed(): void {
     this.isPressed = true;
+    this.guard.stop(); // what a slider was held back from is no goal of this hand
     this.section()?.interrupt?.();
   }
 
   released(): void {
     this.isPressed = false;
-    this.forget();
+    this.say("");
+    void this.guard.released().then((held) => {
+      if (held?.isGoalFree) this.section()?.dropped?.(held.to);
+    });
   }
 
   get holds(): boolean {
@@ -104,9 +114,37 @@ export class Holding implements Hand {
 
   /** The arm has moved on: an old reason does not stand beside it. */
   forget(): void {
+    this.guard.stop();
+    this.say("");
+  }
+
+  /** Says something else beside the tool, or nothing. */
+  private say(sentence: string): void {
     ++this.asked;
     this.rest.cancel();
-    this.shown?.picture.say("");
+    this.shown?.picture.say(sentence);
+  }
+
+  /** Moves the arm to joint values, or among obstacles as far as the clearance allows; `there` says what is to be said
+   * where nothing holds it back. */
+  private lead(to: number[], slides: boolean, there: () => void): void {
+    if (!this.guard.isOn) {
+      this.services.store.set({ q: to });
+      return there();
+    }
+    const isByHand = this.isPressed;
+    this.guard.lead(to, slides, (held) => {
+      if (isByHand && !this.isPressed) return; // it has let go
+      if (!held) return there();
+      this.say(this.whyHeld(held));
+    });
+  }
+
+  private whyHeld({ names: [first, second], areClose, isGoalFree }: HeldBack): string {
+    const why = areClose
+      ? `${first} is too close to ${second}: it can only move away.`
+      : `${first} stops in front of ${second}.`;
+    return isGoalFree && this.isPressed && this.section()?.dropped ? `${why} Let go to plan a way around.` : why;
   }
 
   /** Asks the command why a pose is not reached, once the hand rests. `away`: how far from it the tool stands, m, while a

@@ -23,10 +23,10 @@ export class MotionPlayer {
   private motion: Trajectory | null = null;
   private isPlacing = false;
 
-  /** `retime` is called when the motion is to get new times. */
+  /** `retime` is called when the motion is to get new times; null: it has the shortest ones. */
   constructor(
     private readonly services: Services,
-    private readonly retime: () => void,
+    private readonly retime: (() => void) | null,
   ) {
     this.player = new Player((q, time) => {
       this.isPlacing = true;
@@ -51,7 +51,7 @@ export class MotionPlayer {
     this.files.replaceChildren(
       fileSaver("motion.csv", () => motion.text("motion.csv"), "text/csv"),
       fileSaver("motion.json", () => motion.text("motion.json"), "application/json"),
-      element("button", { type: "button", onclick: this.retime }, "Retime within the limits"),
+      ...(this.retime ? [element("button", { type: "button", onclick: this.retime }, "Retime within the limits")] : []),
     );
     this.bar.replaceChildren(this.player.root);
     this.root.replaceChildren(this.files, this.curves.root);

@@ -17,6 +17,7 @@ import { ObstacleForm, type Changed } from "../panels/obstacle_form.js";
 import { ObstacleList } from "../panels/obstacle_list.js";
 import { saveFile } from "../share/save_file.js";
 import type { PageState } from "../state/page_state.js";
+import { AroundMove } from "./around.js";
 import { sceneFile, type NamedPair, type SceneModel } from "./scene_model.js";
 import type { PageSection, Services, Shown } from "./section.js";
 
@@ -43,6 +44,8 @@ export class Obstacles implements PageSection {
   private readonly form: ObstacleForm;
   private readonly clearance = element("input", { type: "number", id: "clearance", step: 0.001, min: 0 });
   private readonly shapes = element("input", { type: "checkbox", id: "link-shapes" });
+  private readonly passes = element("input", { type: "checkbox", id: "passes" });
+  private readonly around: AroundMove;
   private readonly save: HTMLButtonElement;
   private readonly clear: HTMLButtonElement;
   private shown: Shown | null = null;
@@ -67,6 +70,8 @@ export class Obstacles implements PageSection {
       (change) => this.change(change),
     );
     this.clearance.addEventListener("change", () => this.setClearance());
+    this.around = new AroundMove(services);
+    this.passes.addEventListener("change", () => store.set({ passes: this.passes.checked }));
     this.shapes.addEventListener("change", () => store.set({ showShapes: this.shapes.checked }));
     this.save = element("button", { type: "button", onclick: () => this.saveScene() }, `Save ${sceneFile}`);
     this.clear = element("button", { type: "button", onclick: () => this.removeAll() }, "Remove all");
@@ -93,6 +98,8 @@ export class Obstacles implements PageSection {
     this.body.append(
       element("p", { class: "pair" }, ...adders),
       this.pairs,
+      element("p", {}, element("label", { class: "check" }, this.passes, " Let the arm pass through obstacles")),
+      this.around.root,
       this.list.root,
       this.form.root,
       this.left,
@@ -114,10 +121,12 @@ export class Obstacles implements PageSection {
     this.shown = shown;
     this.open = false;
     this.message.textContent = "";
+    this.around.take(shown);
   }
 
   update(_: number[], changed: ReadonlySet<keyof PageState>): void {
     this.open = true;
+    this.around.update(changed);
     if (changed.size === 1 && changed.has("q")) return; // the model writes what follows
     this.write();
     this.draw();
@@ -125,6 +134,19 @@ export class Obstacles implements PageSection {
 
   leave(): void {
     this.open = false;
+    this.around.leave();
+  }
+
+  interrupt(): void {
+    this.around.pause();
+  }
+
+  waypoint(_: number, pose: number[], released: boolean): void {
+    this.around.goalAt(pose, released);
+  }
+
+  dropped(q: number[]): void {
+    this.around.goTo(q);
   }
 
   obstacle(index: number, pose: number[] | null): void {
@@ -301,7 +323,7 @@ export class Obstacles implements PageSection {
     this.body.hidden = planar;
     this.about.textContent = planar ? planarArm : this.introduction();
     if (planar) return;
-    const { clearance, degrees, showShapes } = this.services.store.get();
+    const { clearance, degrees, passes, showShapes } = this.services.store.get();
     const close = model.nearest.flatMap(({ lower, clearance, names }) => (lower < clearance ? names : []));
     this.list.show(
       this.obstacles.map(({ name }) => name),
@@ -313,6 +335,8 @@ export class Obstacles implements PageSection {
     if (document.activeElement !== this.clearance)
       this.clearance.value = String(clearance === 0 ? (model.arm?.clearance ?? "") : clearance);
     this.shapes.checked = showShapes;
+    this.passes.checked = passes;
+    this.around.root.hidden = !model.hasShapes || this.obstacles.length === 0;
     this.save.disabled = this.clear.disabled = textOf(model.scene) === "";
     const left = model.checked.left.map((pair) => pair.join(" and ")).join(", ");
     this.left.textContent = left === "" ? "" : `Pairs that may touch, left out as a body is not there: ${left}.`;

@@ -14,6 +14,8 @@ export class Overlays {
   private shown: Shown | null = null;
   private section: SectionMarks = {};
   private solutions: number[][] = [];
+  /** Joint values that the hand wants and an obstacle keeps the arm from. */
+  private wanted: number[] | null = null;
   private isQuick = true;
   private readonly rest = new Rest();
 
@@ -21,6 +23,7 @@ export class Overlays {
     this.shown = shown;
     this.isQuick = true;
     this.solutions = [];
+    this.wanted = null;
     this.section = {};
   }
 
@@ -49,6 +52,12 @@ export class Overlays {
     this.shown?.picture.mark({ ...marks, ghosts: this.ghosts() });
   }
 
+  /** Shows joint values that the arm is kept from; null: none. */
+  want(q: number[] | null): void {
+    this.wanted = q;
+    this.shown?.picture.mark({ ghosts: this.ghosts() });
+  }
+
   /** Another section begins without marks. */
   clear(): void {
     this.section = {};
@@ -71,7 +80,8 @@ export class Overlays {
 
   private ghosts(): Ghost[] {
     const others = this.solutions.map((q): Ghost => ({ q, tone: "solution" }));
-    return [...(this.section.ghosts ?? []), ...others];
+    const wanted: Ghost[] = this.wanted ? [{ q: this.wanted, tone: "goal" }] : [];
+    return [...wanted, ...(this.section.ghosts ?? []), ...others];
   }
 
   /** Finds the other solutions for the tool's pose: all of them where that is quick or the arm rests; in motion the

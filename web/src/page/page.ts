@@ -28,6 +28,7 @@ import { AddressBar } from "./address_bar.js";
 import { ArmFiles } from "./arm_files.js";
 import { ArmPanel } from "./arm_panel.js";
 import { Control } from "./control.js";
+import { Guard } from "./guard.js";
 import { Holding } from "./holding.js";
 import { LessonsSection } from "./lessons.js";
 import { LineSection } from "./line.js";
@@ -133,7 +134,8 @@ export class Page {
     this.files = new ArmFiles(core, store, this.chooser, meshes, () => this.reread());
     this.scene = new SceneModel(scenes, store, () => this.files.withShapes());
     this.obstacles = new Obstacles(this.services, this.scene);
-    this.holding = new Holding(this.services, () => this.sections.get(store.get().section));
+    const guard = new Guard(store, this.scene, this.overlays);
+    this.holding = new Holding(this.services, guard, () => this.sections.get(store.get().section));
     this.undo = new Undo(store, this.holding);
     this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
     this.toolbar = new Toolbar(store);

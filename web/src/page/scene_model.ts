@@ -5,6 +5,7 @@ import {
   withKnownPairs,
   type ArmBodies,
   type ArmWithShapes,
+  type GuardedStep,
   type NearestPair,
   type SceneDocument,
 } from "../core/scene.js";
@@ -99,6 +100,12 @@ export class SceneModel {
     return (this.arm?.bodies.length ?? 0) > 0;
   }
 
+  /** Whether the arm that is dragged can be kept from the obstacles, now or once its shapes are read. */
+  get isGuarded(): boolean {
+    const isChecked = this.fault === "" && (this.arm === null || this.hasShapes);
+    return isChecked && this.isUsed && this.store.get().scene !== "";
+  }
+
   update(q: number[], changed: ReadonlySet<keyof PageState>): void {
     this.q = q;
     if (["scene", "section", "showShapes", "arm"].some((key) => changed.has(key as keyof PageState))) this.draw();
@@ -142,6 +149,19 @@ export class SceneModel {
     return found.every(({ second, lower }) => second !== index || lower > margin);
   }
 
+  /** Leads the arm from joint values towards others, as far as the clearance allows; null: nothing is checked. */
+  async guarded(from: number[], to: number[], slides: boolean): Promise<GuardedStep | null> {
+    if (this.arm === null) await this.ready();
+    if (!this.hasShapes) return null;
+    return this.worker.scene({ ask: "guard", scene: this.checked.text, from, to, slides });
+  }
+
+  /** The names of bodies by their indices. */
+  namesOf([first, second]: [number, number]): [string, string] {
+    const names = [...(this.arm?.bodies ?? []), ...this.scene.obstacles].map(({ name }) => name);
+    return [names[first] ?? "", names[second] ?? ""];
+  }
+
   draw(): void {
     if (!this.shown) return;
     const { showShapes } = this.store.get();
@@ -175,7 +195,7 @@ export class SceneModel {
         const found = await this.worker.scene({ ask: "nearest", scene: this.checked.text, q });
         if (arms !== this.arms) continue;
         this.fault = "";
-        this.nearest = found.map((pair) => ({ ...pair, names: this.namesOf(pair) }));
+        this.nearest = found.map((pair) => ({ ...pair, names: this.namesOf([pair.first, pair.second]) }));
       } catch (error) {
         if (arms !== this.arms) continue;
         [this.fault, this.nearest, this.known] = [(error as Error).message, [], ""]; // the worker may be another one
@@ -193,10 +213,5 @@ export class SceneModel {
     if (this.known === key) return;
     const arm = await this.worker.scene({ ask: "arm", arm: await this.source(), clearance });
     if (arms === this.arms) [this.known, this.arm] = [key, arm];
-  }
-
-  private namesOf({ first, second }: NearestPair): [string, string] {
-    const names = [...(this.arm?.bodies ?? []), ...this.scene.obstacles].map(({ name }) => name);
-    return [names[first] ?? "", names[second] ?? ""];
   }
 }

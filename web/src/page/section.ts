@@ -64,6 +64,8 @@ export interface PageSection {
   tile?(point: number[]): void;
   /** An obstacle was taken hold of, `pose` null, or dragged to a pose. */
   obstacle?(index: number, pose: number[] | null): void;
+  /** A hand has dropped the arm in front of joint values that an obstacle keeps it from; it could stand there. */
+  dropped?(q: number[]): void;
   /** A hand has taken hold of the arm: what moves it by itself stops. */
   interrupt?(): void;
 }

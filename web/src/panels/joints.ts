@@ -21,7 +21,8 @@ export class JointsPanel {
   private rows: Row[] = [];
   private q: number[] = [];
 
-  constructor(private readonly changed: (q: number[]) => void) {}
+  /** `changed` gets the joint values, and whether a slider was dragged to them: else a number was typed. */
+  constructor(private readonly changed: (q: number[], isDragged: boolean) => void) {}
 
   /** Shows sliders for other joints, or in other units. */
   describe(joints: JointDescription[], degrees: boolean): void {
@@ -77,7 +78,7 @@ export class JointsPanel {
       number.value = typed(value, unit.digits);
       slide(range, value);
       const k = this.rows.findIndex((row) => row.range === range);
-      this.changed(this.q.with(k, value / unit.factor));
+      this.changed(this.q.with(k, value / unit.factor), from === range);
     };
     range.addEventListener("input", () => take(range));
     number.addEventListener("change", () => take(number));

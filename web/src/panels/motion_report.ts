@@ -89,7 +89,8 @@ export function planReport(
     const assumedHere = assumptions(used, joints, wording.degrees);
     if (assumedHere !== "") parts.push(element("p", { class: "quiet" }, assumedHere));
   }
-  const folded = element("details", { open: exceeds }, element("summary", {}, "Deviation and limits"), ...tables);
+  const title = answer.deviation_bound == null ? "Limits" : "Deviation and limits";
+  const folded = element("details", { open: exceeds }, element("summary", {}, title), ...tables);
   const touching = good && answer.clearance ? touchingPairs(answer.clearance) : [];
   return element("div", { class: "numbers" }, ...parts, ...(tables.length > 0 ? [folded] : []), ...touching);
 }

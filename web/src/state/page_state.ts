@@ -39,6 +39,8 @@ export interface PageState {
   scene: string;
   /** The distance that the arm must keep, m; 0: the default of the commands. */
   clearance: number;
+  /** The arm that is dragged passes through obstacles, instead of stopping in front of them. */
+  passes: boolean;
   /** The shapes of the links, where obstacles are shown. */
   showShapes: boolean;
   /** What the next map covers: cells along the diameter of the reach, and the angle between tool directions, degrees; 0:
@@ -74,6 +76,7 @@ export const initialState: PageState = {
   waypoints: [],
   scene: "",
   clearance: 0,
+  passes: false,
   showShapes: true,
   reachCells: 16,
   reachDirections: 45,
