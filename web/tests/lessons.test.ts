@@ -1,78 +1,11 @@
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { checkConstantJacobian, checkFormulas, checkReach } from "../src/lessons/checks.js";
-import { readFormula } from "../src/lessons/formula.js";
+import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
 import { lessons } from "../src/lessons/lessons.js";
 import { axe, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
-
-test.each([
-  ["1 + 2*3", 7],
-  ["-2^2", -4],
-  ["2^-1", 0.5],
-  ["2^3^2", 512],
-  ["(1+2)*cos(0) - sin(pi/2)", 2],
-  ["1 - 2 - 3", -4],
-  ["8/2/2", 2],
-  [".5e1 + 1.e-1", 5.1],
-  ["q1*q2", 6],
-  ["sin 1", Math.sin(1)],
-  ["2 cos^2 q1", 2 * Math.cos(2) ** 2],
-  ["180°", Math.PI],
-])("%s is %d", (text, value) => {
-  expect(readFormula(text, ["q1", "q2"])({ q1: 2, q2: 3 })).toBeCloseTo(value, 12);
-});
-
-test.each(["", "1 +", "(1", "1)", "q3", "constructor", "__proto__", "1 2", "(".repeat(500), "-".repeat(999), "1e999"])(
-  "%j is refused",
-  (text) => {
-    expect(() => readFormula(text, ["q1"])).toThrow();
-  },
-);
-
-test("formulas of the RP arm: right ones are accepted however they are written, wrong ones are not", () => {
-  const arm = core.arm("rp");
-  const right = { x: "cos(q1)*(1 + q2)", y: "sin(q1) + q2*sin(q1)", angle: "q1" };
-  expect(checkFormulas(right, arm, next).solved).toBe(true);
-  expect(checkFormulas({ ...right, angle: "q1 + 2*pi" }, arm, next).solved).toBe(true);
-  for (const wrong of [{ x: "cos(q1)" }, { y: "sin(q1)*q2" }, { angle: "q2" }, { x: "" }, { x: "0/0" }]) {
-    expect(checkFormulas({ ...right, ...wrong }, arm, next).solved).toBe(false);
-  }
-  arm.release();
-});
-
-/** Ways to write a product, a joint's value and a function, as textbooks and people do. */
-const products = ["*", "", " ", "·", "×", " \\cdot "];
-const variables: [string, string][] = [
-  ["q1", "q2"],
-  ["q_1", "q_2"],
-  ["q₁", "q₂"],
-  ["θ1", "d2"],
-  ["θ_1", "d_2"],
-  ["θ₁", "d₂"],
-  ["\\theta_1", "d_{2}"],
-  ["theta1", "d2"],
-];
-test.each(variables)("formulas in %s and %s are accepted with every sign of a product", (first, second) => {
-  const arm = core.arm("rp");
-  for (const times of products) {
-    for (const f of ["cos(A)", "cos A", "\\cos(A)", "Cos(A)"].map((text) => text.replace("A", first))) {
-      const x = [`(1 + ${second})${times}${f}`, `${f}${times}(1 + ${second})`, `x = ${f} + ${second}${times}${f}`];
-      const sine = f.replace(/cos/i, "sin");
-      for (const [i, text] of x.entries()) {
-        const y = text.replaceAll(f, sine).replace("x =", "y =");
-        const verdict = checkFormulas({ x: text, y, angle: i === 1 ? `${first} − 2pi` : first }, arm, next);
-        expect(verdict.solved, `${text}, ${y}: ${verdict.says}`).toBe(true);
-        expect(checkFormulas({ x: text, y: text, angle: first }, arm, next).says).toMatch(/^Not yet: y differs at/);
-      }
-    }
-  }
-  const short = { x: "c1 (1 + d2)", y: "s₁(1+d₂)", angle: first };
-  expect(checkFormulas(short, arm, next).solved).toBe(true);
-  arm.release();
-});
 
 test("constant Jacobians", () => {
   for (const [text, constant] of [
@@ -131,10 +64,12 @@ test("an exercise is checked in the page", async () => {
   await page.getByLabel("y =").fill("sin(q1)*(1+q2)");
   await page.getByLabel("θ =").fill("q2");
   await page.getByRole("button", { name: "Check" }).click();
-  await page.getByText("Not yet: the angle differs").waitFor();
+  await page
+    .getByText("Not yet: θ differs. At θ1 = 30°, d2 = 2 m: θ is 114.6° by your formula, and 30.0° on the arm.")
+    .waitFor();
   await page.getByLabel("θ =").fill("q1");
   await page.keyboard.press("Enter");
-  await page.getByText("Right: all three agree").waitFor();
+  await page.getByText("Right: all 3 agree").waitFor();
 });
 
 test("lessons bring the arm that they speak of, and both elbows are seen", async () => {

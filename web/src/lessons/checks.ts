@@ -1,11 +1,11 @@
 import type { Arm } from "../core/arm.js";
 import type { StepResponse } from "../core/step_response.js";
-import { readFormula } from "./formula.js";
 
-/** What a check answers: whether the exercise is solved, and a sentence. */
+/** What a check answers: whether the exercise is solved, and a sentence; `at`: the joint values that it speaks of. */
 export interface Verdict {
   solved: boolean;
   says: string;
+  at?: number[];
 }
 
 /** Whether a gain of joint-space control is quick, without overshoot. */
@@ -28,34 +28,6 @@ export function checkReach(pose: ArrayLike<number>, goal: { x: number; y: number
   const away = Math.hypot(x - goal.x, y - goal.y);
   if (away <= 0.1 && turn <= 3) return { solved: true, says: "Right: the tool is there." };
   return { solved: false, says: `The tool is ${away.toFixed(2)} m and ${turn.toFixed(0)}° away.` };
-}
-
-/** Whether typed formulas give the pose of a planar arm of one revolute and one prismatic joint, everywhere. */
-export function checkFormulas(texts: { x: string; y: string; angle: string }, arm: Arm, random: () => number): Verdict {
-  const names = { x: "x", y: "y", angle: "θ" };
-  const empty = (["x", "y", "angle"] as const).filter((field) => texts[field].trim() === "");
-  if (empty.length > 0)
-    return { solved: false, says: `Type a formula for ${empty.map((field) => names[field]).join(" and ")} too.` };
-  try {
-    const [x, y, angle] = [texts.x, texts.y, texts.angle].map((text) => readFormula(text, ["q1", "q2"]));
-    for (let trial = 0; trial < trials; ++trial) {
-      const q = [6 * random() - 3, 2 * random()];
-      const values = { q1: q[0] as number, q2: q[1] as number };
-      const pose = arm.forward(q).at(-1) as Float64Array;
-      const wrong: string[] = [];
-      if (!(Math.abs((x?.(values) ?? NaN) - (pose[12] as number)) < close)) wrong.push("x");
-      if (!(Math.abs((y?.(values) ?? NaN) - (pose[13] as number)) < close)) wrong.push("y");
-      const turn = (angle?.(values) ?? NaN) - Math.atan2(pose[1] as number, pose[0] as number);
-      if (!(Math.abs(Math.sin(turn / 2)) < close)) wrong.push("the angle");
-      if (wrong.length === 0) continue;
-      const at = q.map((value) => value.toFixed(2)).join(", ");
-      const verb = wrong.length === 1 ? "differs" : "differ";
-      return { solved: false, says: `Not yet: ${wrong.join(" and ")} ${verb} at q = (${at}).` };
-    }
-    return { solved: true, says: `Right: all three agree with the core at ${trials} random configurations.` };
-  } catch (error) {
-    return { solved: false, says: (error as Error).message };
-  }
 }
 
 /** Whether the Jacobian of an arm is the same at all configurations: compared at random ones. */

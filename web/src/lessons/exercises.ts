@@ -1,49 +1,18 @@
+import { stepResponse } from "../core/step_response.js";
 import { poseOfRpy } from "../core/pose.js";
 import { element } from "../elements/element.js";
-import type { Services, Shown } from "../page/section.js";
-import { stepResponse } from "../core/step_response.js";
-import { checkConstantJacobian, checkGain, checkFormulas, checkReach, type Verdict } from "./checks.js";
+import type { Shown } from "../page/section.js";
+import { checkConstantJacobian, checkGain, checkReach } from "./checks.js";
+import { checkButton, exercise, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
+import { formulaExercise, type FormulaTask } from "./formula_exercise.js";
+import { planarPose } from "./formula_checks.js";
 
-/** What an exercise needs of the page. */
-export interface ExerciseContext {
-  services: Services;
-  shown: Shown;
-  /** The arm of a joint string or a built-in name, to compare with; release it. */
-  arm(text: string): Shown["arm"];
-}
-
-/** An exercise in a lesson. */
-export interface Exercise {
-  root: HTMLElement;
-  /** The arm has moved, or the lesson was opened. */
-  update?(): void;
-}
-
-function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
-  const root = element("p", { role: "status" });
-  return {
-    root,
-    show({ solved, says }) {
-      root.className = solved ? "solved" : "";
-      root.textContent = says;
-    },
-  };
-}
-
-/** A form: Enter checks as the button does. */
-function exercise(text: string, check: () => void, ...children: HTMLElement[]): HTMLElement {
-  const form = element("form", { class: "exercise", "aria-label": "Exercise", novalidate: true });
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    check();
-  });
-  form.append(element("h2", {}, "Exercise"), element("p", {}, text), ...children);
-  return form;
-}
-
-function checkButton(): HTMLElement {
-  return element("p", {}, element("button", {}, "Check"));
-}
+/** The pose of the tool of the arm RP, whose link has the length 1. */
+const rpPose: FormulaTask = {
+  arm: "rp",
+  names: { joints: ["revolute", "prismatic"], lengths: [1] },
+  asked: planarPose,
+};
 
 function reach(context: ExerciseContext): Exercise {
   const goal = { x: 2, y: 6, degrees: 45 };
@@ -71,23 +40,6 @@ function reach(context: ExerciseContext): Exercise {
       checkedAt = null;
     },
   };
-}
-
-function formulas({ arm }: ExerciseContext, text: string): Exercise {
-  const answer = verdict();
-  const field = (label: string, id: string): [HTMLElement, HTMLInputElement] => {
-    const input = element("input", { id, spellcheck: "false", autocomplete: "off" });
-    return [element("p", { class: "formula" }, element("label", { for: id }, label), input), input];
-  };
-  const [rowX, x] = field("x =", "formula-x");
-  const [rowY, y] = field("y =", "formula-y");
-  const [rowAngle, angle] = field("θ =", "formula-angle");
-  const check = (): void => {
-    const rp = arm("rp");
-    answer.show(checkFormulas({ x: x.value, y: y.value, angle: angle.value }, rp, Math.random));
-    rp.release();
-  };
-  return { root: exercise(text, check, rowX, rowY, rowAngle, checkButton(), answer.root) };
 }
 
 function constantJacobian({ arm }: ExerciseContext): Exercise {
@@ -146,14 +98,16 @@ export const exercises: Record<string, (context: ExerciseContext) => Exercise> =
   reach,
   gain,
   rp: (context) =>
-    formulas(
+    formulaExercise(
       context,
+      rpPose,
       "Sketch an arm RP in the plane: a revolute joint, a link of length 1, then a prismatic joint along the link. Where " +
-        "is its tool? Type x, y and the angle as formulas in q1 and q2, or θ1 and d2, as you would write them.",
+        "is its tool? Type x, y and the angle in θ1 and d2, as you would write them.",
     ),
   "formula-rp": (context) =>
-    formulas(
+    formulaExercise(
       context,
+      rpPose,
       "Multiply the matrices of the RP arm out, as it was done above for the three-link arm, and type the result.",
     ),
   "constant-jacobian": constantJacobian,

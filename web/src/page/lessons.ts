@@ -1,6 +1,7 @@
 import { partOf, stateOf } from "../address/address.js";
 import { element } from "../elements/element.js";
-import { exercises, type Exercise, type ExerciseContext } from "../lessons/exercises.js";
+import type { Exercise, ExerciseContext } from "../lessons/exercise.js";
+import { exercises } from "../lessons/exercises.js";
 import { lessons, type Lesson } from "../lessons/lessons.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
 import { lessonFigures, type LessonFigure } from "./lesson_figures.js";
