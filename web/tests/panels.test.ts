@@ -127,7 +127,7 @@ test("the lessons are one step of Back, with their arm", async () => {
   const page = await opened("#arm=panda");
   const before = Number(await page.evaluate("history.length"));
   await page.getByRole("link", { name: "Lessons", exact: true }).click();
-  await expect.poll(() => page.locator(".arm-name").textContent()).toBe("rrr");
+  await expect.poll(() => page.locator(".arm-name").textContent()).toBe("R:1");
   await expect.poll(() => page.url()).toContain("section=lessons");
   await frames(page, 30); // another step would be written in this time
   expect(Number(await page.evaluate("history.length"))).toBe(before + 1);

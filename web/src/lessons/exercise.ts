@@ -13,6 +13,8 @@ export interface ExerciseContext {
 /** An exercise in a lesson. */
 export interface Exercise {
   root: HTMLElement;
+  /** The arm that it shows, where that is not the lesson's. */
+  arm?: string;
   /** The arm has moved, or the lesson was opened. */
   update?(): void;
 }
@@ -24,6 +26,7 @@ export function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
     show({ solved, says }) {
       root.className = solved ? "solved" : "";
       root.textContent = says;
+      if (solved) root.dispatchEvent(new CustomEvent("solved", { bubbles: true }));
     },
   };
 }

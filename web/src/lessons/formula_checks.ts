@@ -22,6 +22,15 @@ export const planarPose: Asked[] = [
   { name: "θ", kind: "angle", of: (arm, q) => headingOf(toolOf(arm, q)) },
 ];
 
+/** The first two rows of the Jacobian of the arm RP, entry by entry. */
+export const rpJacobian: Asked[] = (["x", "y"] as const).flatMap((row, i) =>
+  ["θ1", "d2"].map((joint, k) => ({
+    name: `∂${row}/∂${joint}`,
+    kind: "length",
+    of: (arm: Arm, q: number[]) => arm.jacobian(q)[6 * k + i] ?? NaN,
+  })),
+);
+
 const close = 1e-9;
 const trials = 20;
 const degree = Math.PI / 180;

@@ -85,5 +85,6 @@ export function formulaExercise(context: ExerciseContext, { arm, names, asked }:
     answer.show(found);
   };
   const rows = fields.map(({ root }) => root);
-  return { root: exercise(text, check, ...rows, checkButton(setArm, setPlace), answer.root), update: draw };
+  const root = exercise(text, check, ...rows, checkButton(setArm, setPlace), answer.root);
+  return { root, arm, update: draw };
 }
