@@ -31,6 +31,7 @@ function reach(context: ExerciseContext): Exercise {
   const { services } = context;
   const goal = { x: 2, y: 6, degrees: 45 };
   const target = poseOfRpy([goal.x, goal.y, 0, 0, 0, (goal.degrees * Math.PI) / 180]);
+  const around = [-1.2, 1.2].map((far) => [goal.x + far, goal.y + far, 0]); // its frame is in the picture too
   const answer = verdict();
   const away = element("p", { class: "quiet" });
   let isThere = false;
@@ -41,7 +42,8 @@ function reach(context: ExerciseContext): Exercise {
       const { q } = services.store.get();
       const { arm } = context.shown;
       const fits = q !== null && arm.planar && q.length === arm.dof;
-      services.draw({ waypoints: fits ? [{ pose: target, label: "target", held: false }] : [] });
+      const extent = fits ? around : [];
+      services.draw({ waypoints: fits ? [{ pose: target, label: "target", held: false }] : [], extent });
       const found = fits ? checkReach(arm.forward(q).at(-1) ?? [], goal) : { solved: false, says: "" };
       away.textContent = found.solved ? "" : found.says;
       if (found.solved !== isThere) answer.show(found.solved ? found : { solved: false, says: "" });

@@ -101,7 +101,7 @@ export class LessonsSection implements PageSection {
     this.leaveFigures();
     this.figures = [];
     this.player.take([]);
-    this.services.draw({ waypoints: [] });
+    this.services.draw({ waypoints: [], extent: [] });
     this.text.innerHTML = html; // ours, made when the page was built
     this.exercises = [];
     this.arms = [scene.arm];
