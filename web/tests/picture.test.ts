@@ -150,6 +150,8 @@ test("toggles act in every section, and those that do not act on the arm are not
   const page = await opened("#arm=rrr&q=0.4,0.9,0.6");
   for (const section of ["Pose", "Control", "Line", "Obstacles", "Workspace", "Lessons"]) {
     await page.getByRole("link", { name: section, exact: true }).click();
+    if (section === "Lessons")
+      await page.evaluate("location.hash = '#arm=rrr&q=0.4,0.9,0.6&section=lessons&lesson=rrr'");
     for (const [name, mark] of [
       ["Solutions", ".ghost.solution"],
       ["Ellipsoid", ".ellipsoid"],

@@ -141,7 +141,7 @@ test("an arm that is refused leaves arm and waypoints; lessons give the arm back
   expect(await shownArm(page)).toBe("ur5");
   await expect.poll(() => page.url()).toContain(`waypoints=${waypoint}`);
   await page.getByRole("link", { name: "Lessons", exact: true }).click();
-  await expect.poll(() => shownArm(page)).toBe("rrr");
+  await expect.poll(() => shownArm(page)).toBe("R:1");
   await page.getByRole("link", { name: "Line", exact: true }).click();
   await expect.poll(() => shownArm(page)).toBe("ur5");
   await expect.poll(() => page.url()).toContain(`waypoints=${waypoint}`);

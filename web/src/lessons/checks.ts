@@ -1,11 +1,14 @@
 import type { Arm } from "../core/arm.js";
 import type { StepResponse } from "../core/step_response.js";
-import { readFormula } from "./formula.js";
+import { shown } from "../elements/element.js";
+import { valueOf } from "./expression.js";
+import { readFormula, type Names } from "./formula.js";
 
-/** What a check answers: whether the exercise is solved, and a sentence. */
+/** What a check answers: whether the exercise is solved, and a sentence; `at`: the joint values that it speaks of. */
 export interface Verdict {
   solved: boolean;
   says: string;
+  at?: number[];
 }
 
 /** Whether a gain of joint-space control is quick, without overshoot. */
@@ -30,32 +33,15 @@ export function checkReach(pose: ArrayLike<number>, goal: { x: number; y: number
   return { solved: false, says: `The tool is ${away.toFixed(2)} m and ${turn.toFixed(0)}° away.` };
 }
 
-/** Whether typed formulas give the pose of a planar arm of one revolute and one prismatic joint, everywhere. */
-export function checkFormulas(texts: { x: string; y: string; angle: string }, arm: Arm, random: () => number): Verdict {
-  const names = { x: "x", y: "y", angle: "θ" };
-  const empty = (["x", "y", "angle"] as const).filter((field) => texts[field].trim() === "");
-  if (empty.length > 0)
-    return { solved: false, says: `Type a formula for ${empty.map((field) => names[field]).join(" and ")} too.` };
-  try {
-    const [x, y, angle] = [texts.x, texts.y, texts.angle].map((text) => readFormula(text, ["q1", "q2"]));
-    for (let trial = 0; trial < trials; ++trial) {
-      const q = [6 * random() - 3, 2 * random()];
-      const values = { q1: q[0] as number, q2: q[1] as number };
-      const pose = arm.forward(q).at(-1) as Float64Array;
-      const wrong: string[] = [];
-      if (!(Math.abs((x?.(values) ?? NaN) - (pose[12] as number)) < close)) wrong.push("x");
-      if (!(Math.abs((y?.(values) ?? NaN) - (pose[13] as number)) < close)) wrong.push("y");
-      const turn = (angle?.(values) ?? NaN) - Math.atan2(pose[1] as number, pose[0] as number);
-      if (!(Math.abs(Math.sin(turn / 2)) < close)) wrong.push("the angle");
-      if (wrong.length === 0) continue;
-      const at = q.map((value) => value.toFixed(2)).join(", ");
-      const verb = wrong.length === 1 ? "differs" : "differ";
-      return { solved: false, says: `Not yet: ${wrong.join(" and ")} ${verb} at q = (${at}).` };
-    }
-    return { solved: true, says: `Right: all three agree with the core at ${trials} random configurations.` };
-  } catch (error) {
-    return { solved: false, says: (error as Error).message };
-  }
+/** The joint string or name that somebody has typed: pp, P-P, a gantry. */
+export function armTyped(text: string): string {
+  const plain = text.trim().replace(/^(?:an?|the)\s+/i, "");
+  if (/^(?:gantry|cartesian)\b/i.test(plain)) return "gantry";
+  const letters = plain
+    .replace(/prismatic/gi, "P")
+    .replace(/revolute/gi, "R")
+    .replace(/[\s,;–-]+/g, "");
+  return /^[rpsche]+$/i.test(letters) && !/^(?:rp|rrr)$/.test(plain) ? letters.toUpperCase() : plain;
 }
 
 /** Whether the Jacobian of an arm is the same at all configurations: compared at random ones. */
@@ -64,9 +50,95 @@ export function checkConstantJacobian(arm: Arm, random: () => number): Verdict {
   const first = arm.jacobian(at());
   for (let trial = 0; trial < trials; ++trial) {
     const other = arm.jacobian(at());
-    if (!first.every((value, i) => Math.abs(value - (other[i] as number)) < close)) {
-      return { solved: false, says: "Not yet: its Jacobian changes with the configuration." };
-    }
+    const changed = first.findIndex((value, i) => Math.abs(value - (other[i] as number)) >= close);
+    if (changed < 0) continue;
+    const says = `Not yet: the column of its joint ${Math.floor(changed / 6) + 1} changes with the configuration.`;
+    return { solved: false, says };
   }
   return { solved: true, says: "Right: its Jacobian is the same everywhere. Which joints does it have, and why?" };
+}
+
+/** Whether a string of joints is the wanted one. */
+export function checkString(text: string, wanted: string): Verdict {
+  const typed = /^gantry$/i.test(text.trim()) ? text : armTyped(text).toUpperCase();
+  if (typed === wanted) return { solved: true, says: `Right: ${wanted}.` };
+  if (!/^[A-Z]+$/.test(typed) || /[^RPSCHE]/.test(typed))
+    return { solved: false, says: "Type a letter for each joint, from base to tool, such as RRR." };
+  if (typed.length !== wanted.length)
+    return {
+      solved: false,
+      says: `Not yet: that has ${typed.length} letters, and the arm has ${wanted.length} joints.`,
+    };
+  const k = [...typed].findIndex((letter, i) => letter !== wanted[i]);
+  return { solved: false, says: `Not yet: look at joint ${k + 1} again.` };
+}
+
+/** An angle that was typed, degrees: a number is in degrees; with rad, π or the name of a joint in radians. */
+export function angleTyped(text: string, names: Names, q: number[]): number {
+  const formula = readFormula(text.replace(/(?<=[\d)πi\s])rad(?:ians?)?\s*$/i, ""), names);
+  const isNumber = /^[^a-zα-ωπ°]*$/i.test(text.slice(text.lastIndexOf("=") + 1));
+  return valueOf(formula, q) * (isNumber ? 1 : 180 / Math.PI);
+}
+
+/** Whether a typed angle is the wanted one, degrees, up to a multiple of `turn`, unless that is 0. */
+export function checkAngle(text: string, wanted: number, turn: number, names: Names, q: number[], off = 0.5): Verdict {
+  if (text.trim() === "") return { solved: false, says: "Type an angle, such as 30 or 30°." };
+  try {
+    const typed = angleTyped(text, names, q);
+    const away = typed - wanted;
+    const solved = Math.abs(turn === 0 ? away : away - turn * Math.round(away / turn)) <= off;
+    return { solved, says: solved ? "Right." : `Not yet: it is not ${shown(typed, 1).replace(".0", "")}°.` };
+  } catch (error) {
+    return { solved: false, says: `The angle cannot be read: ${(error as Error).message}.` };
+  }
+}
+
+const nearSingular = 3; // degrees of θ2 from 0 or 180
+
+/** Whether the arm RRR is singular at q, and a typed direction, degrees, is the one in which joint 3 cannot move there. */
+export function checkLost(text: string, q: number[]): Verdict {
+  const bend = ((q[1] ?? NaN) * 180) / Math.PI;
+  const off = Math.abs(bend - 180 * Math.round(bend / 180));
+  if (!(off <= nearSingular))
+    return { solved: false, says: `The arm is not singular: θ2 is ${shown(off, 0)}° away from where it would be.` };
+  if (/along|radial|toward/i.test(text)) return { solved: true, says: "Right: along the line of the first two links." };
+  const names: Names = { joints: ["revolute", "revolute", "revolute"] };
+  const verdict = checkAngle(text, ((q[0] ?? 0) * 180) / Math.PI, 180, names, q, nearSingular);
+  return verdict.solved ? { solved: true, says: "Right: along the line of the first two links, θ1." } : verdict;
+}
+
+/** Whether typed numbers, with commas, semicolons or blanks between them, are the wanted ones. */
+export function checkNumbers(text: string, wanted: number[], names: Names): Verdict {
+  const typed = text.slice(text.lastIndexOf("=") + 1).replace(/\s*(?:m|rad)\s*\/\s*s\b/g, "");
+  const items = wanted.length === 1 ? [typed] : itemsOf(typed);
+  if (typed.trim() === "" || items.length !== wanted.length)
+    return { solved: false, says: `Type ${wanted.length === 1 ? "a number" : `${wanted.length} numbers`}.` };
+  try {
+    const values = items.map((item) => valueOf(readFormula(item, names), []));
+    const off = values.findIndex((value, i) => !(Math.abs(value - (wanted[i] ?? NaN)) < 1e-6));
+    if (off < 0) return { solved: true, says: "Right." };
+    const place = wanted.length === 1 ? "it" : `number ${off + 1}`;
+    return { solved: false, says: `Not yet: ${place} is not ${shown(values[off] ?? NaN, 2).replace(/\.00$/, "")}.` };
+  } catch (error) {
+    return { solved: false, says: `That cannot be read: ${(error as Error).message}.` };
+  }
+}
+
+/** The numbers of a row or a column: (0, 2, 1), [0; 2; 1]^T, 0 2 1; with decimal commas where semicolons or blanks stand
+ * between them. */
+function itemsOf(typed: string): string[] {
+  const inner = typed.replace(/\^?\s*T\s*$/, "").replace(/^[\s([{]+|[\s)\]}]+$/g, "");
+  const items = inner.split(/\s*[;|]\s*|\s*,\s+|\s+/);
+  return items.length === 1 ? inner.split(",") : items;
+}
+
+/** Whether a typed count is the wanted one: 7, 7 joints, seven. */
+export function checkCount(text: string, wanted: number): Verdict {
+  const words = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+  const typed = text
+    .trim()
+    .toLowerCase()
+    .replace(/\s*joints?$/, "");
+  const count = words.indexOf(typed);
+  return checkNumbers(count < 0 ? typed : String(count), [wanted], { joints: [] });
 }

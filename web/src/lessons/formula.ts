@@ -1,63 +1,49 @@
-/** A formula that somebody typed, as a function of named numbers. */
-export type Formula = (values: Record<string, number>) => number;
+import type { Expression, FunctionName } from "./expression.js";
+import { tokensOf, type Token } from "./formula_tokens.js";
 
-const functions: Record<string, (x: number) => number> = {
-  sin: Math.sin,
-  cos: Math.cos,
-  tan: Math.tan,
-  sqrt: Math.sqrt,
-};
-const deepest = 100; // brackets in brackets
-const longest = 1000; // characters
-
-/** Joint variables and their sines and cosines, as textbooks write them: q1, θ_1, \theta_{1}, d₂, c1, s12. */
-const variable = /(?:theta|[qθd])_?\{?\d\}?|[cs]_?\{?\d+\}?(?![\w(])/;
-const token = new RegExp(
-  `(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?|sin|cos|tan|sqrt|pi|${variable.source}|[a-z_α-ω]\\w*|\\S`,
-  "gi",
-);
-
-/** One way to write what can be written in many. */
-function plain(text: string): string {
-  return text
-    .replace(/^\s*(?:[xyθ]|\\?theta)\s*=/i, "")
-    .replace(/[₀-₉]/g, (digit) => String("₀₁₂₃₄₅₆₇₈₉".indexOf(digit)))
-    .replace(/[⁰¹²³⁴-⁹]/g, (digit) => `^${"⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)}`)
-    .replace(/\\(?:left|right|,|;|!| )/g, " ")
-    .replace(/\\(?:cdot|times)|[·×∙⋅∗]/g, "*")
-    .replace(/÷/g, "/")
-    .replace(/[−–]/g, "-")
-    .replace(/π/g, "pi")
-    .replace(/\\/g, "")
-    .replace(/[[]/g, "(")
-    .replace(/[\]]/g, ")");
+/** What a formula may name: the joints of an arm and, where they are given, the lengths of its links, m. */
+export interface Names {
+  joints: ("revolute" | "prismatic")[];
+  lengths?: number[];
 }
 
-/** Reads formulas of one kind: which variables there are. */
+const deepest = 100; // brackets in brackets
+const longest = 1000; // characters
+const letters = { revolute: "θ", prismatic: "d" };
+
+/** Reads a formula as people write it: numbers, + - * / ^, ·, ×, − and no sign for a product; brackets; sin, cos, tan,
+ * sqrt, π and degrees; joints as q1, θ_1, θ₁, th1, theta1, d2; c12 or c(θ1+θ2) for a cosine; lengths L1 or a1; for an
+ * arm RRR α = θ1 + θ2 and β = θ1 + θ2 + θ3; also as LaTeX. Throws an Error that says what is wrong. */
+export function readFormula(text: string, names: Names): Expression {
+  if (text.length > longest) throw new Error(`a formula has at most ${longest} characters`);
+  return new Reader(tokensOf(text), names).whole();
+}
+
 class Reader {
-  private readonly tokens: string[];
   private at = 0;
   private depth = 0;
 
   constructor(
-    text: string,
-    private readonly names: string[],
-  ) {
-    this.tokens = plain(text).match(token) ?? [];
-  }
+    private readonly tokens: Token[],
+    private readonly names: Names,
+  ) {}
 
-  whole(): Formula {
+  whole(): Expression {
     const formula = this.sum();
-    if (this.at < this.tokens.length) throw new Error(`${this.next()} is not expected there`);
+    const next = this.next();
+    if (next?.text === ")") throw new Error("one closing bracket is too many");
+    if (next?.kind === "number") throw new Error(`write a sign, such as +, in front of ${next.text}`);
+    if (next) throw new Error(`“${next.text}” is not expected there`);
     return formula;
   }
 
-  private next(): string | undefined {
+  private next(): Token | undefined {
     return this.tokens[this.at];
   }
 
-  private take(...wanted: string[]): boolean {
-    return wanted.includes(this.next() ?? "") && ++this.at > 0;
+  private take(sign: string): boolean {
+    const next = this.next();
+    return next?.kind === "sign" && next.text === sign && ++this.at > 0;
   }
 
   private deeper<T>(read: () => T): T {
@@ -67,97 +53,155 @@ class Reader {
     return value;
   }
 
-  private sum(): Formula {
-    let left = this.product();
-    while (this.next() === "+" || this.next() === "-") {
-      const [a, minus, b] = [left, this.tokens[this.at++] === "-", this.product()];
-      left = (v) => (minus ? a(v) - b(v) : a(v) + b(v));
+  private sum(): Expression {
+    const parts = [this.product()];
+    for (;;) {
+      if (this.take("+")) parts.push(this.product());
+      else if (this.take("-")) parts.push({ kind: "minus", of: this.product() });
+      else return parts.length === 1 ? (parts[0] as Expression) : { kind: "sum", parts };
     }
-    return left;
   }
 
-  /** Factors with *, / or nothing between them; a number stands first. */
-  private product(): Formula {
+  /** Factors with *, / or nothing between them. */
+  private product(): Expression {
     let left = this.signed();
     for (;;) {
-      const [a, by] = [left, this.next() ?? ""];
-      const beside = /^[a-zα-ω(]/i.test(by);
-      if (!beside && by !== "*" && by !== "/") return left;
-      if (!beside) ++this.at;
-      const b = beside ? this.power() : this.signed();
-      left = by === "/" ? (v) => a(v) / b(v) : (v) => a(v) * b(v);
+      if (this.take("/")) left = { kind: "quotient", over: left, under: this.signed() };
+      else if (this.take("*")) left = { kind: "product", left, right: this.signed(), sign: "·" };
+      else if (this.isBeside()) left = { kind: "product", left, right: this.power(), sign: "" };
+      else return left;
     }
   }
 
-  private signed(): Formula {
+  /** Whether a factor follows without a sign. A number does behind a name or a bracket: c1 3.5, but not behind another number. */
+  private isBeside(): boolean {
+    const next = this.next();
+    if (!next) return false;
+    if (next.kind === "number") return this.tokens[this.at - 1]?.kind !== "number";
+    return next.kind !== "sign" || next.text === "(";
+  }
+
+  private signed(): Expression {
     return this.deeper(() => {
-      const minus = this.take("-");
-      if (!minus && !this.take("+")) return this.power();
-      const value = this.signed();
-      return minus ? (v) => -value(v) : value;
+      if (this.take("-")) return { kind: "minus", of: this.signed() };
+      return this.take("+") ? this.signed() : this.power();
     });
   }
 
-  private power(): Formula {
-    const base = this.factor();
-    if (this.take("°")) return (v) => (base(v) * Math.PI) / 180;
-    if (!this.take("^", "**")) return base;
-    const exponent = this.signed();
-    return (v) => base(v) ** exponent(v);
+  private power(): Expression {
+    let base = this.factor();
+    if (this.take("°")) base = { kind: "degrees", of: base };
+    return this.take("^") ? { kind: "power", base, exponent: this.signed() } : base;
   }
 
-  private bracket(): Formula {
-    if (!this.take("(")) throw new Error(`( is missing in front of ${this.next() ?? "the end"}`);
-    const inner = this.deeper(() => this.sum());
-    if (!this.take(")")) throw new Error(`) is missing in front of ${this.next() ?? "the end"}`);
-    return inner;
+  private bracket(): Expression {
+    const next = this.next();
+    if (!this.take("(")) throw new Error(next ? `( is missing in front of ${next.text}` : "the formula ends too early");
+    const of = this.deeper(() => this.sum());
+    if (this.take(")")) return { kind: "bracket", of };
+    const other = this.next();
+    throw new Error(other ? `“${other.text}” is not expected there` : "a closing bracket is missing");
   }
 
-  private factor(): Formula {
+  private factor(): Expression {
     const token = this.next();
-    if (token === undefined) throw new Error("the formula ends too early");
-    if (token === "(") return this.bracket();
+    if (!token) throw new Error("the formula ends too early");
+    if (token.kind === "sign" && token.text === "(") return this.bracket();
     ++this.at;
-    if (/^[\d.]/.test(token)) return number(token);
-    const word = token.toLowerCase();
-    if (Object.hasOwn(functions, word)) return this.applied(functions[word] as (x: number) => number);
-    if (word === "pi") return () => Math.PI;
-    const read = this.variable(word);
-    if (read) return read;
-    const known = [...this.names, "pi", ...Object.keys(functions)].join(", ");
-    throw new Error(`${token} is not known; the names are ${known}`);
-  }
-
-  /** A function of a bracket or of the name or number behind it: cos(q1), cos q1, cos^2(q1). */
-  private applied(f: (x: number) => number): Formula {
-    const exponent = this.take("^") ? this.factor() : null;
-    const argument = this.next() === "(" ? this.bracket() : this.factor();
-    return exponent ? (v) => f(argument(v)) ** exponent(v) : (v) => f(argument(v));
-  }
-
-  private variable(word: string): Formula | null {
-    const [, letter = "", digits = ""] = /^([a-zθ]+)_?\{?(\d+)\}?$/.exec(word) ?? [];
-    const nameOf = (digit: string): string | undefined => this.names.find((name) => name === `q${digit}`);
-    if (["q", "θ", "theta", "d"].includes(letter)) {
-      const name = nameOf(digits);
-      return name === undefined ? null : (v) => v[name] as number;
+    switch (token.kind) {
+      case "number":
+        if (!Number.isFinite(Number(token.text))) throw new Error(`${token.text} is too large a number`);
+        return { kind: "number", text: token.text };
+      case "pi":
+        return { kind: "symbol", letter: "π", index: "", value: () => Math.PI };
+      case "function":
+        return this.applied(token.name);
+      case "fraction":
+        return { kind: "quotient", over: this.bracket(), under: this.bracket() };
+      case "joint":
+        return this.joint(token.letter, token.index);
+      case "short":
+        return { kind: "applied", name: token.name, exponent: null, argument: this.angles(token.index, token.text) };
+      case "length":
+        return this.lengthOf(token.letter, token.index);
+      case "sum of angles":
+        return this.sumOfAngles(token.letter);
+      default:
+        throw new Error(this.unknown(token.text));
     }
-    const names = [...digits].map(nameOf); // c12 is the cosine of q1 + q2
-    if ((letter !== "c" && letter !== "s") || names.length === 0 || names.includes(undefined)) return null;
-    const f = letter === "c" ? Math.cos : Math.sin;
-    return (v) => f(names.reduce((sum, name) => sum + (v[name ?? ""] as number), 0));
   }
-}
 
-function number(token: string): Formula {
-  const value = Number(token);
-  if (!Number.isFinite(value)) throw new Error(`${token} is not a number`);
-  return () => value;
-}
+  /** A function of a bracket, or of what stands behind it: cos(q1), cos q1, cos 2q1, cos^2(q1). */
+  private applied(name: FunctionName): Expression {
+    const exponent = this.take("^") ? this.factor() : null;
+    const next = this.next();
+    if (next?.kind === "sign" && next.text === "-") throw new Error(`write brackets: ${name}(−…)`);
+    const argument = this.deeper(() => this.argument());
+    return { kind: "applied", name, exponent, argument };
+  }
 
-/** Reads a formula in the variables `names`, q1, q2, …: numbers, + - * / ^, also ·, ×, − and no sign for a product;
- * brackets, sin, cos, tan, sqrt, pi; θ1, d2, c1 and s1 as textbooks have them. Throws an Error that says what is wrong. */
-export function readFormula(text: string, names: string[]): Formula {
-  if (text.length > longest) throw new Error(`a formula has at most ${longest} characters`);
-  return new Reader(text, names).whole();
+  private argument(): Expression {
+    const first = this.next();
+    let argument = this.factor();
+    if (this.take("°")) return { kind: "degrees", of: argument };
+    const second = this.next();
+    const isMultiple = first?.kind === "number" && (second?.kind === "joint" || second?.kind === "sum of angles");
+    if (isMultiple) argument = { kind: "product", left: argument, right: this.factor(), sign: "" };
+    return argument;
+  }
+
+  private joint(letter: "q" | "θ" | "d", index: string): Expression {
+    const { joints } = this.names;
+    if (index === "") {
+      const [only, another] = joints.flatMap((kind, k) => (letters[kind] === letter ? [k] : []));
+      if (only === undefined || another !== undefined) throw new Error(`say which joint: ${letter}1`);
+      return { kind: "symbol", letter, index: "", value: (q) => q[only] ?? NaN };
+    }
+    const k = Number(index) - 1;
+    const kind = joints[k];
+    if (!kind && letter === "θ" && index.length > 1) return { kind: "bracket", of: this.angles(index, `θ${index}`) };
+    if (!kind) throw new Error(this.unknown(`${letter}${index}`));
+    if (letter !== "q" && letters[kind] !== letter)
+      throw new Error(`joint ${index} is ${kind}: its value is ${letters[kind]}${index}, or q${index}`);
+    return { kind: "symbol", letter, index: String(k + 1), value: (q) => q[k] ?? NaN };
+  }
+
+  /** The sum of the angles of the joints that digits name. */
+  private angles(index: string, text: string): Expression {
+    const parts = [...index].map((digit): Expression => {
+      if (this.names.joints[Number(digit) - 1] === "revolute") return this.joint("θ", digit);
+      throw new Error(
+        this.names.joints[Number(digit) - 1]
+          ? `${text} is of an angle, but joint ${digit} is prismatic`
+          : this.unknown(text),
+      );
+    });
+    const [first = { kind: "number", text: "0" }] = parts;
+    return parts.length === 1 ? first : { kind: "bracket", of: { kind: "sum", parts } };
+  }
+
+  private lengthOf(letter: string, index: string): Expression {
+    const length = this.names.lengths?.[Number(index) - 1];
+    if (length === undefined) throw new Error(this.unknown(`${letter}${index}`));
+    return { kind: "symbol", letter, index, value: () => length };
+  }
+
+  /** α = θ1 + θ2 and β = θ1 + θ2 + θ3, as the chapter defines them (eq. 1.2). */
+  private sumOfAngles(letter: "α" | "β"): Expression {
+    if (this.names.joints.join() !== "revolute,revolute,revolute") throw new Error(this.unknown(letter));
+    const count = letter === "α" ? 2 : 3;
+    return {
+      kind: "symbol",
+      letter,
+      index: "",
+      value: (q) => q.slice(0, count).reduce((sum, value) => sum + value, 0),
+    };
+  }
+
+  private unknown(text: string): string {
+    const { joints, lengths = [] } = this.names;
+    const values = joints.map((kind, k) => `${letters[kind]}${k + 1}`);
+    const known = [...values, ...lengths.map((_, k) => `L${k + 1}`)].join(", ");
+    return `“${text.replace(/[‹›]/g, "")}” is not known here: use ${known}, numbers, sin and cos`;
+  }
 }

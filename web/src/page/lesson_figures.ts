@@ -1,92 +1,336 @@
-import { element, shown as text } from "../elements/element.js";
+import { cartesianRows } from "../core/cartesian.js";
+import { poseOfRpy, toolPose, toolPosition } from "../core/pose.js";
+import { element } from "../elements/element.js";
 import { slide, slider } from "../panels/slider.js";
-import { jointColour } from "../scene/colours.js";
 import { ControlRuns, type ControlKind } from "./control_runs.js";
+import { columns, exponentials, inverseSteps, jacobians, transforms } from "./lesson_numbers.js";
+import { through, type LessonPlayer } from "./lesson_player.js";
 import type { Services, Shown } from "./section.js";
+import { selfMotion } from "./self_motion.js";
 
-/** What a lesson draws at the arm, and shows in its text. */
+/** What a lesson draws at the arm, shows in its text, and plays under the picture. */
 export interface LessonFigure {
   readonly root: HTMLElement;
   update(shown: Shown, q: number[]): void;
   leave(): void;
 }
 
-/** The columns of the Jacobian as numbers, beside the arrows at the tool: Figure 1.8. */
-class JacobianFigure implements LessonFigure {
-  readonly root = element("ul", { class: "columns" });
+const degree = Math.PI / 180;
+const rrr = (...degrees: number[]): number[] => degrees.map((value) => value * degree);
+const address = (arm: string, q: number[], more = ""): string => `#arm=${arm}&q=${q.join(",")}${more}`;
 
-  update({ arm }: Shown, q: number[]): void {
-    const all = arm.jacobian(q);
-    const rows = arm.planar ? [0, 1] : [0, 1, 2];
-    this.root.replaceChildren(
-      ...q.map((_, k) => {
-        const swatch = element("span", {
-          class: "swatch",
-          "aria-hidden": "true",
-          style: `background: ${jointColour(k)}`,
-        });
-        const column = rows.map((i) => text(all[6 * k + i] ?? 0, 2)).join(", ");
-        return element("li", {}, swatch, `joint ${k + 1}: (${column}) m/s`);
-      }),
-    );
+type Links = [label: string, address: string][];
+
+/** A figure of the chapter: its configurations as links, what is played, and numbers that follow the arm. */
+interface Scenes {
+  caption: string;
+  scenes: Links;
+  /** Another figure of the lesson is played. */
+  isStill?: boolean;
+  /** The arm that motion and numbers are about; without it any. */
+  arm?: string;
+  /** The configurations that the motion passes; without it each joint moves to and fro. */
+  through?: number[][];
+  /** The rows of the motion from q, in place of these. */
+  rows?(shown: Shown, q: number[]): number[][];
+  numbers?(shown: Shown, q: number[]): HTMLElement;
+}
+
+/** Each joint in turn, from 0 to and fro. */
+function sweep({ description: { joints } }: Shown): number[][] {
+  const zero = joints.map(() => 0);
+  const ways = joints.flatMap(({ type }, k) => {
+    const far = type === "prismatic" ? [0.8] : type === "helical" ? [Math.PI, -Math.PI] : [1.2, -1.2];
+    return [...far.map((value) => zero.map((_, i) => (i === k ? value : 0))), zero];
+  });
+  return [zero, ...ways];
+}
+
+/** The self-motion of a redundant arm, there and back: the tool keeps the pose that it has at q. */
+function restingTool({ arm }: Shown, q: number[]): number[][] {
+  const pose = toolPose(arm, q);
+  const rows = [q];
+  let before: number[] = [];
+  for (let i = 0; i < selfSteps; ++i) {
+    const now = rows.at(-1) ?? q;
+    const found = selfMotion(arm.jacobian(now, "base"), arm.dof);
+    if (!found) return [];
+    const along = found.reduce((sum, value, k) => sum + value * (before[k] ?? 0), 0);
+    const direction = along < 0 ? found.map((value) => -value) : found; // both are right: the one that goes on
+    const moved = now.map((value, k) => value + selfStep * (direction[k] ?? 0));
+    const [corrected] = arm.inverse(pose, moved);
+    if (!corrected) break;
+    before = direction;
+    rows.push(Array.from(corrected));
+  }
+  return [...rows, ...rows.slice(0, -1).reverse()];
+}
+const selfSteps = 90;
+const selfStep = 0.02; // rad
+
+function linksOf(links: Links): HTMLElement[] {
+  const all = links.map(([label, href]) => element("a", { class: "scene", href }, label));
+  return all.length > 0 ? [element("p", { class: "pair" }, ...all)] : [];
+}
+
+class SceneFigure implements LessonFigure {
+  readonly root = element("figure", { class: "chapter-figure" });
+  private readonly numbers = element("div");
+  private arm: Shown["arm"] | null = null;
+
+  constructor(
+    private readonly player: LessonPlayer,
+    private readonly what: Scenes,
+  ) {
+    this.root.append(element("figcaption", {}, what.caption), ...linksOf(what.scenes), this.numbers);
+  }
+
+  update(shown: Shown, q: number[]): void {
+    const { arm, rows, numbers } = this.what;
+    const isAbout = arm === undefined || arm === shown.description.name;
+    if (shown.arm !== this.arm && !this.what.isStill) {
+      this.arm = shown.arm;
+      this.player.take(isAbout ? (rows?.(shown, q) ?? through(this.what.through ?? sweep(shown))) : []);
+    }
+    if (numbers && isAbout) this.numbers.replaceChildren(numbers(shown, q));
+    else this.numbers.replaceChildren();
   }
 
   leave(): void {
-    this.root.replaceChildren();
+    this.arm = null;
+    if (!this.what.isStill) this.player.take([]);
   }
 }
 
-/** The paths of the tool under control in joint space and in Cartesian space: Figures 1.7 and 1.9. They follow the gain,
- * and the arm while it is moved. */
-class ControlFigure implements LessonFigure {
-  readonly root = element("fieldset", { class: "gains" }, element("legend", {}, "Try it"));
+/** What both figures of control share: the gain, and a start that stays while the motion is played. */
+abstract class GainFigure implements LessonFigure {
+  readonly root = element("fieldset", { class: "gains chapter-figure" });
   private readonly gain = slider({ id: "lesson-gain", min: 0.02, max: 2.5, step: 0.01 });
   private readonly value = element("output", { for: "lesson-gain" });
-  private readonly says = element("p", { role: "status" });
-  private readonly runs: ControlRuns;
+  protected readonly says = element("p", { role: "status" });
   private drawn = "";
+  /** Where the motion starts, and the joint values that the player has set last: a hand has not moved the arm since. */
+  private start: number[] | null = null;
+  private placed: number[] | null = null;
 
   constructor(
-    private readonly services: Services,
-    kinds: ControlKind[],
+    protected readonly services: Services,
+    protected readonly player: LessonPlayer,
+    caption: string,
+    start: Links,
+    ...content: HTMLElement[]
   ) {
-    this.runs = new ControlRuns(services, kinds);
     this.gain.addEventListener("input", () => services.store.set({ gain: Number(this.gain.value) }));
     const label = element("label", { for: "lesson-gain" }, "Gain Kp");
-    this.root.append(element("div", { class: "joint" }, label, this.gain, this.value), this.runs.root, this.says);
+    const row = element("div", { class: "joint" }, label, this.gain, this.value);
+    this.root.append(element("legend", {}, caption), row, ...linksOf(start), ...content, this.says);
   }
+
+  /** Draws the trails and gives the player its rows. */
+  protected abstract draw(shown: Shown, q: number[]): void;
 
   update(shown: Shown, q: number[]): void {
     const { goal, gain } = this.services.store.get();
     slide(this.gain, gain);
     this.value.textContent = gain.toFixed(2);
-    const key = JSON.stringify([shown.description.name, q, goal, gain]);
-    if (key === this.drawn) return;
+    if (this.player.places) this.placed = q;
+    if (this.start === null || q.some((value, k) => value !== this.placed?.[k])) this.start = q;
+    const key = JSON.stringify([shown.description.name, this.start, goal, gain]);
+    if (this.player.places || key === this.drawn) return;
     this.drawn = key;
     this.says.textContent = "";
-    if (goal === null || goal.length !== shown.arm.dof) {
-      this.says.textContent = "There is no goal yet: choose the lesson in the list again, which sets its arm and goal.";
-      return this.services.draw({ trails: [], ghosts: [] });
-    }
     try {
-      const trails = this.runs.update(shown, { from: q, goal, gains: { kp: gain, ki: 0, kd: 0 } });
-      this.services.draw({ trails, ghosts: [{ q: goal, tone: "goal" }] });
+      this.draw(shown, this.start);
     } catch (error) {
+      this.player.take([]);
       this.says.textContent = (error as Error).message;
     }
   }
 
   leave(): void {
-    this.runs.stop();
     this.drawn = "";
-    this.services.draw({ trails: [], ghosts: [] });
+    this.start = this.placed = null;
+    this.player.take([]);
+    this.services.draw({ trails: [], ghosts: [], waypoints: [] });
   }
 }
 
-/** The figures by the names that the lessons use. */
-export const lessonFigures: Record<string, (services: Services) => LessonFigure> = {
-  jacobian: () => new JacobianFigure(),
-  "joint-control": (services) => new ControlFigure(services, ["joint"]),
-  "cartesian-control": (services) => new ControlFigure(services, ["cartesian"]),
-  "both-controls": (services) => new ControlFigure(services, ["joint", "cartesian"]),
+const stepsPerSecond = 12;
+
+/** The paths of the tool under control in joint space and in Cartesian space: Figure 1.7. They follow the gain, and the
+ * arm while a hand moves it. */
+class ControlFigure extends GainFigure {
+  private readonly runs: ControlRuns;
+
+  constructor(
+    services: Services,
+    player: LessonPlayer,
+    private readonly kinds: ControlKind[],
+    caption: string,
+    start: Links,
+  ) {
+    const runs = new ControlRuns(services, kinds);
+    super(services, player, caption, start, runs.root);
+    this.runs = runs;
+  }
+
+  protected draw(shown: Shown, q: number[]): void {
+    const { goal, gain } = this.services.store.get();
+    if (goal === null || goal.length !== shown.arm.dof) {
+      this.player.take([]);
+      this.services.draw({ trails: [], ghosts: [] });
+      throw new Error("There is no goal: choose the lesson in the contents again, which sets its arm and goal.");
+    }
+    const trails = this.runs.update(shown, { from: q, goal, gains: { kp: gain, ki: 0, kd: 0 } });
+    this.services.draw({ trails, ghosts: [{ q: goal, tone: "goal" }] });
+    this.player.take(
+      this.kinds.flatMap((kind) => this.runs.rowsOf(kind)),
+      stepsPerSecond,
+    );
+  }
+
+  override leave(): void {
+    this.runs.stop();
+    super.leave();
+  }
+}
+
+const waypoints = [
+  [6, 2.5, 30],
+  [-0.5, 6.5, 120],
+  [-4, 2.5, 180],
+].map(([x = 0, y = 0, angle = 0]) => poseOfRpy([x, y, 0, 0, 0, angle * degree]));
+
+/** Cartesian control through three waypoints: Figure 1.9. */
+class WaypointsFigure extends GainFigure {
+  protected draw(shown: Shown, q: number[]): void {
+    const { arm, description } = shown;
+    if (!arm.planar || arm.dof !== 3) throw new Error("This figure needs the arm rrr.");
+    const { gain } = this.services.store.get();
+    const options = { gain, tolerance: 2e-3, maxSteps: 4000 };
+    const rows = [q, ...cartesianRows(arm, description.joints, q, waypoints, options)];
+    this.services.draw({
+      trails: [{ tone: "cartesian", points: rows.map((row) => toolPosition(arm, row)), dots: true }],
+      waypoints: waypoints.map((pose, i) => ({ pose, label: String(i + 1), held: false })),
+    });
+    this.player.take(rows, 3 * stepsPerSecond);
+    this.says.textContent = `${rows.length - 1} steps.`;
+  }
+}
+
+const twoLinks = "RR:3.5,2.5";
+const [left, right] = [rrr(0, 90, 0), rrr(161, -109, 38)];
+const [a, b] = [rrr(112, -52, -60), rrr(60, -45, -90)];
+const goal = rrr(99.2, -68.8, -30.4);
+const bent = [-0.5, 0.9, -0.4]; // rest is singular
+const actuated = rrr(0, 50, -80);
+
+/** The figures of scenes by the names that the lessons use. */
+const scenes: Record<string, Scenes> = {
+  "1.1": {
+    caption: "Figure 1.1: the two main types of joints",
+    scenes: [
+      ["(a) revolute", "#arm=R:1&q=0.5"],
+      ["(b) prismatic", "#arm=P:1&q=0.4"],
+    ],
+  },
+  "1.2": {
+    isStill: true,
+    caption: "Figure 1.2: other types of joints",
+    scenes: [
+      ["Spherical (S)", "#arm=S"],
+      ["Cylindrical (C)", "#arm=C"],
+      ["Helical (H)", "#arm=H"],
+      ["Planar (E)", "#arm=E"],
+    ],
+  },
+  "1.3": {
+    arm: "rrr",
+    caption: "Figure 1.3: the arm RRR with its four frames",
+    scenes: [
+      ["at rest", address("rrr", rrr(0, 0, 0), "&frames=1")],
+      ["θ₂ and θ₃ actuated", address("rrr", actuated, "&frames=1")],
+    ],
+    through: [rrr(0, 0, 0), rrr(0, 50, 0), actuated],
+  },
+  "1.4": {
+    arm: twoLinks,
+    caption: "Figure 1.4: the transforms of a two-link arm",
+    scenes: [["as in the figure", address(twoLinks, rrr(50, -65), "&frames=1")]],
+    through: [rrr(0, 0), rrr(50, 0), rrr(50, -65)],
+    numbers: transforms,
+  },
+  "1.5": {
+    arm: twoLinks,
+    caption: "Figure 1.5: link frames of a two-link arm, a₁ = 3.5 and a₂ = 2.5",
+    scenes: [["as in the figure", address(twoLinks, rrr(35, 40), "&frames=1&angles=1")]],
+    through: [rrr(0, 0), rrr(35, 0), rrr(35, 40)],
+  },
+  "1.6": {
+    arm: "rrr",
+    caption: "Figure 1.6: two configurations of the arm RRR",
+    scenes: [
+      ["(a) θ = (112°, −52°, −60°)", address("rrr", a)],
+      ["(b) θ = (60°, −45°, −90°)", address("rrr", b)],
+    ],
+    through: [a, b],
+    numbers: transforms,
+  },
+  "1.8": {
+    arm: "rrr",
+    caption: "Figure 1.8: the columns of the Jacobian as velocities",
+    scenes: [
+      ["left: θ = (0°, 90°, 0°)", address("rrr", left, "&columns=1")],
+      ["right: θ = (161°, −109°, 38°)", address("rrr", right, "&columns=1")],
+    ],
+    through: [left, right],
+    numbers: columns,
+  },
+  exponentials: {
+    arm: "rrr",
+    caption: "The exponentials follow the arm",
+    scenes: [["at rest", address("rrr", rrr(0, 0, 0))]],
+    through: [rrr(0, 0, 0), rrr(0, 0, -60), rrr(0, -52, -60), rrr(112, -52, -60)],
+    numbers: exponentials,
+  },
+  jacobians: {
+    arm: "rrr",
+    caption: "Three Jacobians of one arm",
+    scenes: [],
+    through: [left, right],
+    numbers: jacobians,
+  },
+  "self-motion": { caption: "The tool rests while the joints move", scenes: [], rows: restingTool },
+  inverse: {
+    arm: "rrr",
+    caption: "The steps for the pose that the tool has",
+    scenes: [],
+    through: [a, b],
+    numbers: inverseSteps,
+  },
 };
+
+/** Makes a figure by the name that a lesson uses; null: there is none. */
+export function lessonFigure(name: string, services: Services, player: LessonPlayer): LessonFigure | null {
+  const found = scenes[name];
+  if (found) return new SceneFigure(player, found);
+  const again = (q: number[]): Links => [["from the start again", address("rrr", q, `&goal=${goal.join(",")}`)]];
+  switch (name) {
+    case "1.7":
+      return new ControlFigure(
+        services,
+        player,
+        ["joint"],
+        "Figure 1.7: joint-space control from rest",
+        again(rrr(0, 0, 0)),
+      );
+    case "cartesian-control":
+      return new ControlFigure(services, player, ["cartesian"], "Cartesian control to the same goal", again(bent));
+    case "both-controls":
+      return new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers", again(bent));
+    case "1.9":
+      return new WaypointsFigure(services, player, "Figure 1.9: straight paths through three waypoints", again(left));
+    default:
+      return null;
+  }
+}

@@ -1,32 +1,41 @@
 import { partOf, stateOf } from "../address/address.js";
 import { element } from "../elements/element.js";
-import { exercises, type Exercise, type ExerciseContext } from "../lessons/exercises.js";
+import type { Exercise, ExerciseContext } from "../lessons/exercise.js";
+import { exercises } from "../lessons/exercises.js";
 import { lessons, type Lesson } from "../lessons/lessons.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
-import { lessonFigures, type LessonFigure } from "./lesson_figures.js";
+import { lessonFigure, type LessonFigure } from "./lesson_figures.js";
+import { Contents, footOf, headOf } from "./lesson_frame.js";
+import { LessonPlayer } from "./lesson_player.js";
 import type { PageSection, Services, Shown } from "./section.js";
+import { sheetHandle } from "./sheet.js";
 
 /** The arm of a state, and how it is shown. */
 function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
   return { arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid };
 }
 
-/** The chapter as lessons: text, equations, links that set the arm, exercises that are checked. */
+const lessonOf = (wanted: string): Lesson => lessons.find(({ id }) => id === wanted) ?? (lessons[0] as Lesson);
+
+/** The chapter as lessons: text, equations, figures, links that set the arm, exercises that are checked. */
 export class LessonsSection implements PageSection {
   readonly root = element("div", { class: "panel lessons" });
+  /** What plays the figure's motion, under the picture. */
+  readonly player: LessonPlayer;
   private readonly text = element("article");
-  private readonly links = lessons.map(({ id, title }) => {
-    const link = element("a", { href: `#section=lessons&lesson=${id}` }, title);
-    link.addEventListener("click", (event) => {
-      event.preventDefault();
-      void this.turnTo(id);
-    });
-    return link;
-  });
+  private readonly foot = element("div");
+  private readonly open = (id: string): void => void this.turnTo(id, true);
+  private readonly contents = new Contents(this.open);
+  /** Said where another arm is in the picture than the lesson's. */
+  private readonly other = element("p", { class: "other-arm", hidden: true });
   private shown: Shown | null = null;
   private opened = "";
-  private figure: LessonFigure | null = null;
+  private figures: LessonFigure[] = [];
   private exercises: Exercise[] = [];
+  private tick: () => void = () => undefined;
+  /** The arms that the lesson has set, and the heading that takes the focus once it is there. */
+  private arms: ArmSource[] = [];
+  private takesFocus = false;
   /** What the section before had, and the arm that a lesson has put in its place. */
   private replaced: { state: ReturnType<typeof armOf>; by: ArmSource } | null = null;
 
@@ -34,8 +43,13 @@ export class LessonsSection implements PageSection {
     private readonly services: Services,
     private readonly arm: ExerciseContext["arm"],
   ) {
+    this.player = new LessonPlayer((q) => services.store.set({ q }));
     this.text.addEventListener("click", (event) => void this.follow(event));
-    this.root.append(element("nav", { "aria-label": "Lessons" }, ...this.links), this.text);
+    this.text.addEventListener("solved", ({ target }) => this.solve(target as HTMLElement));
+    const back = element("button", { type: "button" }, "Show the lesson’s arm");
+    back.addEventListener("click", () => this.open(this.opened));
+    this.other.append("Another arm is in the picture. ", back);
+    this.root.append(sheetHandle(), this.contents.root, this.other, this.text, this.foot);
   }
 
   take(shown: Shown): void {
@@ -43,22 +57,29 @@ export class LessonsSection implements PageSection {
   }
 
   update(q: number[]): void {
-    const { lesson } = this.services.store.get();
+    const { lesson, arm } = this.services.store.get();
     if (!this.shown) return;
-    this.figure?.update(this.shown, q);
+    for (const figure of this.figures) figure.update(this.shown, q);
     for (const exercise of this.exercises) exercise.update?.();
-    const wanted = lessons.find(({ id }) => id === lesson) ?? (lessons[0] as Lesson);
-    if (wanted.id !== this.opened) void this.open(wanted);
+    this.other.hidden = this.arms.length === 0 || this.arms.some((one) => sameArm(one, arm));
+    const wanted = lessonOf(lesson);
+    if (wanted.id !== this.opened) void this.load(wanted);
   }
 
   leave(): void {
-    this.figure?.leave();
+    this.player.pause();
+    this.leaveFigures();
+  }
+
+  /** A hand moves the arm. */
+  interrupt(): void {
+    this.player.pause();
   }
 
   /** The section was chosen: its lesson brings the arm that it speaks of. */
   async enter(): Promise<void> {
     const { lesson, arm } = this.services.store.get();
-    const { id, scene } = lessons.find((one) => one.id === lesson) ?? (lessons[0] as Lesson);
+    const { id, scene } = lessonOf(lesson);
     this.replaced = null;
     if (sameArm((await stateOf(scene)).arm, arm)) this.services.store.set({ section: "lessons" });
     else await this.turnTo(id);
@@ -72,43 +93,65 @@ export class LessonsSection implements PageSection {
     return section === "lessons" && replaced && sameArm(replaced.by, arm) ? replaced.state : {};
   }
 
-  private async open(lesson: Lesson): Promise<void> {
+  private async load(lesson: Lesson): Promise<void> {
     this.opened = lesson.id;
     const failed = { default: "<p>This lesson cannot be loaded.</p>" };
-    const { default: html } = await lesson.load().catch(() => failed);
+    const [{ default: html }, scene] = await Promise.all([lesson.load().catch(() => failed), stateOf(lesson.scene)]);
     if (this.opened !== lesson.id) return;
-    this.figure?.leave();
-    this.figure = null;
-    this.services.draw({ waypoints: [] });
+    this.leaveFigures();
+    this.figures = [];
+    this.player.take([]);
+    this.services.draw({ waypoints: [], extent: [] });
     this.text.innerHTML = html; // ours, made when the page was built
     this.exercises = [];
+    this.arms = [scene.arm];
+    const foot = footOf(lesson, this.open, () => this.contents.show(lesson.id));
+    this.foot.replaceChildren(foot.root);
+    this.tick = () => foot.tick();
+    this.text.querySelector("h1")?.after(headOf(lesson, this.open));
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
-    this.showFigure();
-    this.links.forEach((link, i) => {
-      if (lessons[i]?.id === lesson.id) link.setAttribute("aria-current", "page");
-      else link.removeAttribute("aria-current");
-    });
-    this.root.parentElement?.scrollTo({ top: 0 });
+    this.showFigures();
+    for (const math of this.text.querySelectorAll('math[display="block"]'))
+      if (math.scrollWidth > math.clientWidth) math.setAttribute("tabindex", "0"); // keys scroll it
+    this.contents.show(lesson.id);
+    this.showTop();
     const { q, section } = this.services.store.get();
     if (q && section === "lessons") this.update(q);
   }
 
-  private showFigure(): void {
-    const place = this.text.querySelector<HTMLElement>("[data-figure]");
-    const make = lessonFigures[place?.dataset["figure"] ?? ""];
-    if (!place || !make) return;
-    this.figure = make(this.services);
-    place.replaceChildren(this.figure.root);
+  /** A lesson begins at its top; the one that a link has opened takes the focus. */
+  private showTop(): void {
+    this.root.parentElement?.scrollTo({ top: 0 });
+    const heading = this.text.querySelector("h1");
+    heading?.setAttribute("tabindex", "-1");
+    if (!this.takesFocus) return;
+    this.takesFocus = false;
+    this.contents.root.open = false;
+    heading?.focus({ preventScroll: true });
+  }
+
+  private showFigures(): void {
+    for (const place of this.text.querySelectorAll<HTMLElement>("[data-figure]")) {
+      const figure = lessonFigure(place.dataset["figure"] ?? "", this.services, this.player);
+      if (!figure) continue;
+      this.figures.push(figure);
+      place.replaceChildren(figure.root);
+    }
+  }
+
+  private leaveFigures(): void {
+    for (const figure of this.figures) figure.leave();
   }
 
   /** Opens a lesson with its figure. The arm before comes back with the next section, the browser's Back, or Undo. */
-  private async turnTo(id: string): Promise<void> {
+  private async turnTo(id: string, takesFocus = false): Promise<void> {
     const { store } = this.services;
-    const scene = await stateOf(lessons.find((lesson) => lesson.id === id)?.scene ?? "");
+    const scene = await stateOf(lessonOf(id).scene);
     const before = store.get();
     const now = sameArm(scene.arm, before.arm) ? before.arm : scene.arm;
     if (before.section !== "lessons") this.replaced = { state: armOf(before), by: now };
     else if (this.replaced) this.replaced.by = now;
+    this.takesFocus = takesFocus && id !== this.opened;
     store.set({ ...armOf(scene), arm: now, lesson: id, section: "lessons" });
   }
 
@@ -125,18 +168,30 @@ export class LessonsSection implements PageSection {
     if (!make) return;
     const exercise = make(context);
     this.exercises.push(exercise);
+    const number = this.exercises.length;
+    if (number > 1) exercise.root.setAttribute("aria-label", `Exercise ${number}`);
+    if (exercise.arm !== undefined) this.arms.push({ text: exercise.arm });
+    exercise.root.append(...place.childNodes); // hints and the solution
     place.replaceChildren(exercise.root);
+  }
+
+  /** An exercise is solved: with the last one of a lesson, the lesson is done. */
+  private solve(exercise: HTMLElement): void {
+    exercise.closest("[data-check]")?.classList.add("is-solved");
+    if (!this.text.querySelector("[data-check]:not(.is-solved)")) this.tick();
   }
 
   /** A link in a lesson sets what its address holds, and leaves the lesson open unless it names a section. */
   private async follow(event: MouseEvent): Promise<void> {
     const link = (event.target as HTMLElement).closest("a");
     const address = link?.getAttribute("href") ?? "";
-    if (!address.startsWith("#")) return;
+    if (event.defaultPrevented || !address.startsWith("#")) return;
     event.preventDefault();
+    this.player.pause();
     const part = await partOf(address);
     const { arm } = this.services.store.get();
     if (part.arm && sameArm(part.arm, arm)) part.arm = arm;
+    if (part.arm) this.arms.push(part.arm);
     const another = part.arm ? { q: null, goal: null } : {}; // of the arm before
     this.services.store.set({ ...another, ...part, section: part.section ?? "lessons" });
   }

@@ -210,6 +210,7 @@ export class Page {
     place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
     place("sections").replaceChildren(...this.links.values());
+    place("under").replaceChildren(this.lessons.player.root);
     place("stage").addEventListener("pointerdown", () => this.undo.record(), { capture: true }); // another gesture begins
     place("bar").replaceChildren(
       this.chooser.button,

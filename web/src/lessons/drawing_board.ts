@@ -1,0 +1,168 @@
+import { element } from "../elements/element.js";
+import { children, pathOf, set, svg } from "../elements/svg.js";
+import { changeTo, checkDrawing, drawnAt, movedParts, type Part } from "./drawn_arm.js";
+import { checkButton, exercise, verdict, type Exercise } from "./exercise.js";
+
+const scale = 64; // units of the drawing for a metre
+const [left, right, low, high] = [-0.75, 3.25, -0.75, 2.5]; // m
+const snap = 0.5; // m
+const most = 8; // parts
+const kinds = { R: "Joint R", P: "Joint P", tool: "Tool" };
+type Kind = Part["kind"];
+
+const at = (x: number, y: number): [number, number] => [(x - left) * scale, (high - y) * scale];
+const snapped = (value: number, from: number, to: number): number =>
+  Math.min(to, Math.max(from, snap * Math.round(value / snap)));
+
+/** An arm in lines: its parts in their order, with their symbols. */
+function place(group: SVGGElement, parts: Part[], poses: readonly (readonly number[])[]): void {
+  const points = poses.map(([x = 0, y = 0]) => at(x, y));
+  const [line, ...symbols] = children<SVGElement>(group, 1 + parts.length, () => svg("path"));
+  set(line as SVGElement, { class: "link", d: points.length > 1 ? pathOf(points) : "" });
+  parts.forEach(({ kind }, i) => {
+    const [px, py] = points[i] ?? [0, 0];
+    const angle = (-(poses[i]?.[2] ?? 0) * 180) / Math.PI;
+    const shape =
+      kind === "R"
+        ? "M-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0"
+        : kind === "P"
+          ? "M-8 -6h16v12h-16Z"
+          : "M0 0h20M20 0l-6 -3M20 0l-6 3M0 0v-20M0 -20l-3 6M0 -20l3 6";
+    set(symbols[i] as SVGElement, {
+      class: kind === "tool" ? "frame" : "joint",
+      d: shape,
+      transform: `translate(${px} ${py}) rotate(${angle})`,
+    });
+  });
+}
+
+/** The board: a click places the next part, and so does Enter at the cross, which the arrow keys move. */
+class Board {
+  readonly root = svg("svg", {
+    class: "board",
+    viewBox: `0 0 ${(right - left) * scale} ${(high - low) * scale}`,
+    tabindex: 0,
+    role: "application",
+    "aria-label": "Drawing: arrow keys move the cross, Enter places a part",
+  });
+  private readonly parts = svg("g", { class: "drawn" });
+  private readonly moved = svg("g", { class: "drawn moved" });
+  private readonly wanted = svg("g", { class: "drawn wanted" });
+  private readonly cross = svg("path", { class: "cross", d: "M-6 0H6M0 -6V6" });
+  private cursor: [number, number] = [0, 0];
+
+  constructor(private readonly add: (x: number, y: number) => void) {
+    this.root.append(grid(), this.wanted, this.moved, this.parts, this.cross);
+    this.root.addEventListener("pointerdown", (event) => {
+      const box = this.root.getBoundingClientRect();
+      const metres = (right - left) / box.width;
+      this.go(left + (event.clientX - box.x) * metres, high - (event.clientY - box.y) * metres);
+      this.add(...this.cursor);
+    });
+    this.root.addEventListener("keydown", (event) => this.key(event));
+    this.go(0, 0);
+  }
+
+  show(drawn: Part[]): void {
+    place(
+      this.parts,
+      drawn,
+      drawn.map(({ x, y }) => [x, y, 0]),
+    );
+    this.compare([], null);
+  }
+
+  /** The drawing and the arm RP, both moved to a configuration; null: neither. */
+  compare(drawn: Part[], q: [number, number] | null): void {
+    const real: Part[] = [
+      { kind: "R", x: 0, y: 0 },
+      { kind: "P", x: 1, y: 0 },
+      { kind: "tool", x: 1 + drawnAt.slide, y: 0 },
+    ];
+    place(this.moved, q ? drawn : [], q ? movedParts(drawn, changeTo(drawn, q)) : []);
+    place(this.wanted, q ? real : [], q ? movedParts(real, changeTo(real, q)) : []);
+  }
+
+  private go(x: number, y: number): void {
+    this.cursor = [snapped(x, left + 0.25, right - 0.25), snapped(y, low + 0.25, high)];
+    const [px, py] = at(...this.cursor);
+    set(this.cross, { transform: `translate(${px} ${py})` });
+  }
+
+  private key(event: KeyboardEvent): void {
+    const steps: Record<string, [number, number]> = {
+      ArrowLeft: [-snap, 0],
+      ArrowRight: [snap, 0],
+      ArrowUp: [0, snap],
+      ArrowDown: [0, -snap],
+    };
+    const step = steps[event.key];
+    if (step) this.go(this.cursor[0] + step[0], this.cursor[1] + step[1]);
+    else if (event.key === "Enter" || event.key === " ") this.add(...this.cursor);
+    else return;
+    event.preventDefault();
+  }
+}
+
+function grid(): SVGGElement {
+  const lines: string[] = [];
+  for (let x = Math.ceil(left / snap) * snap; x <= right; x += snap) lines.push(pathOf([at(x, low), at(x, high)]));
+  for (let y = Math.ceil(low / snap) * snap; y <= high; y += snap) lines.push(pathOf([at(left, y), at(right, y)]));
+  const axes = pathOf([at(left, 0), at(right, 0)]) + pathOf([at(0, low), at(0, high)]);
+  const text = (x: number, y: number, words: string): SVGElement => {
+    const [px, py] = at(x, y);
+    return svg("text", { x: px + 3, y: py + 12 }, words);
+  };
+  return svg(
+    "g",
+    {},
+    svg("path", { class: "grid", d: lines.join("") }),
+    svg("path", { class: "zero", d: axes }),
+    ...[1, 2, 3].map((x) => text(x, 0, String(x))),
+    ...[1, 2].map((y) => text(0, y, String(y))),
+  );
+}
+
+/** The student draws the arm RP: joints and tool are placed with the mouse, and links join them. */
+export function drawingExercise(): Exercise {
+  const answer = verdict();
+  const list = element("p", { class: "quiet", "aria-live": "polite" });
+  let parts: Part[] = [];
+  let kind: Kind = "R";
+  const choices = (Object.keys(kinds) as Kind[]).map((value) => {
+    const button = element("button", { type: "button", "aria-pressed": String(value === kind) }, kinds[value]);
+    button.addEventListener("click", () => choose(value));
+    return { value, button };
+  });
+  const choose = (next: Kind): void => {
+    kind = next;
+    for (const { value, button } of choices) button.setAttribute("aria-pressed", String(value === kind));
+  };
+  const take = (next: Part[]): void => {
+    parts = next;
+    board.show(parts);
+    list.textContent = parts.map(({ kind, x, y }) => `${kind} at (${x}, ${y})`).join(", ");
+    answer.show({ solved: false, says: "" });
+  };
+  const board = new Board((x, y) => {
+    const last = parts.at(-1);
+    if (last?.kind === "tool" || parts.length >= most) return; // nothing is behind the tool
+    take([...parts, { kind, x, y }]);
+    choose(kind === "R" ? "P" : "tool");
+  });
+  const back = element("button", { type: "button", onclick: () => take(parts.slice(0, -1)) }, "Take back");
+  const check = (): void => {
+    const found = checkDrawing(parts);
+    const [turn, slide] = found.at ?? [];
+    board.compare(parts, turn === undefined || slide === undefined ? null : [turn, slide]);
+    answer.show(found);
+  };
+  board.show(parts);
+  const text =
+    "Draw the arm RP at θ1 = 0 and d2 = 1: joint 1 at the origin, a link of length 1, joint 2, which slides away from it, " +
+    "and the tool. A click places the next part; a joint P slides towards the part behind it.";
+  const tools = element("p", { class: "pair" }, ...choices.map(({ button }) => button), back);
+  const holder = element("div");
+  holder.append(board.root);
+  return { root: exercise(text, check, tools, holder, list, checkButton(), answer.root) };
+}

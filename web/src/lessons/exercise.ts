@@ -1,0 +1,47 @@
+import { element } from "../elements/element.js";
+import type { Services, Shown } from "../page/section.js";
+import type { Verdict } from "./checks.js";
+
+/** What an exercise needs of the page. */
+export interface ExerciseContext {
+  services: Services;
+  shown: Shown;
+  /** The arm of a joint string or a built-in name, to compare with; release it. */
+  arm(text: string): Shown["arm"];
+}
+
+/** An exercise in a lesson. */
+export interface Exercise {
+  root: HTMLElement;
+  /** The arm that it shows, where that is not the lesson's. */
+  arm?: string;
+  /** The arm has moved, or the lesson was opened. */
+  update?(): void;
+}
+
+export function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
+  const root = element("p", { role: "status" });
+  return {
+    root,
+    show({ solved, says }) {
+      root.className = solved ? "solved" : "";
+      root.textContent = says;
+      if (solved) root.dispatchEvent(new CustomEvent("solved", { bubbles: true }));
+    },
+  };
+}
+
+/** A form: Enter checks as the button does. */
+export function exercise(text: string, check: () => void, ...children: HTMLElement[]): HTMLElement {
+  const form = element("form", { class: "exercise", "aria-label": "Exercise", novalidate: true });
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    check();
+  });
+  form.append(element("h2", {}, "Exercise"), element("p", {}, text), ...children);
+  return form;
+}
+
+export function checkButton(...others: HTMLElement[]): HTMLElement {
+  return element("p", { class: "pair" }, element("button", {}, "Check"), ...others);
+}
