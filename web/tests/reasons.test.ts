@@ -7,10 +7,11 @@ import { json, run } from "./native.js";
 
 const { opened } = pages();
 
-/** What the page does not ask for: searches with a budget, motions around obstacles, programs, batches, servo, mounts. */
+/** What the page does not ask for: starts outside limits, searches with a budget, motions around obstacles, programs, batches, servo, mounts. */
 const elsewhere = [
   /^none$/,
   /^ended/,
+  /^excess_rises$/,
   /^start_not_free$|^goal_not_free$|^no_free_path$/,
   /^program_|^passes_without_rest$|^dwell_too_short$|^tool_too_fast$/,
   /^poses_|^no_mount_/,
