@@ -12,6 +12,7 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "command/streams.h"
+#include "fault_report.h"
 #include "format.h"
 #include "json_reason.h"
 #include "motion_report.h"
@@ -19,6 +20,7 @@
 #include "pose_argument.h"
 #include "program_argument.h"
 #include "recording_argument.h"
+#include "recover_argument.h"
 #include "result_files.h"
 #include "scene_argument.h"
 #include "verbs.h"
@@ -36,6 +38,7 @@ struct CheckArguments {
   WorkArgument work;
   PathArgument path;
   VerifyOptions verify;
+  RecoverArgument recover;
   SceneArgument scene;
   BudgetArgument budget;
 };
@@ -111,31 +114,6 @@ std::string reason_text(const CheckedMotion& checked) {
   return (fault.empty() ? "" : fault + "; ") + checked.clearance->reason_text();
 }
 
-/// A line for each kind of fault: the first, and the worst unless it is the first.
-std::string faults_text(const Verification& verification) {
-  std::string text;
-  for (const FaultsOfKind& faults : verification.faults) {
-    const bool single = faults.worst == faults.first;
-    text += fmt::format("fault         {}, first at {} s, sample {}{}\n", name(faults.kind),
-                        shown(faults.time), faults.sample + 1,
-                        single ? "" : "; worst " + sentence(faults.worst));
-  }
-  return text;
-}
-
-Json json_faults(const Verification& verification) {
-  Json list = Json::list();
-  for (const FaultsOfKind& faults : verification.faults) {
-    list.append({{"fault", name(faults.kind)},
-                 {"sample", faults.sample + 1},
-                 {"time", faults.time},
-                 {"first", json_reason(faults.first)},
-                 {"worst", json_reason(faults.worst)},
-                 {"amount", faults.amount}});
-  }
-  return list;
-}
-
 /// What was not checked without --through, and the options that check it.
 std::string not_checked_text(const CheckedMotion& checked) {
   return std::string("not checked   the tool's path: --through FILE gives its poses") +
@@ -150,7 +128,7 @@ std::vector<std::string> checks_of(const CheckedMotion& checked) {
   return checks;
 }
 
-Json check_document(const CheckArguments& arguments, const Trajectory& trajectory,
+Json check_document(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
                     const CheckedMotion& checked) {
   const Verification& verification = checked.verification;
   const bool faulty = verification.fault != Fault::none;
@@ -169,6 +147,7 @@ Json check_document(const CheckArguments& arguments, const Trajectory& trajector
   const LimitUsage& limits = checked.limits;
   document.add("limits", limits.ending == Ending::complete ? json_limits(limits) : Json());
   document.add("limit_tolerance", arguments.verify.limit_tolerance);
+  document.add("recovery", json_recovery(arm, verification.recovery, arguments.unit));
   document.add(deviation_members(proved ? std::optional(verification.deviation) : std::nullopt,
                                  arguments.unit));
   document.add("samples", trajectory.size());
@@ -181,8 +160,8 @@ Json check_document(const CheckArguments& arguments, const Trajectory& trajector
   return document;
 }
 
-std::string check_text(const CheckArguments& arguments, const Trajectory& trajectory,
-                       const CheckedMotion& checked) {
+std::string check_text(const CheckArguments& arguments, const Arm& arm,
+                       const Trajectory& trajectory, const CheckedMotion& checked) {
   const Verification& verification = checked.verification;
   std::string text = fmt::format("{}: {} in {} s", status_of(checked),
                                  counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
@@ -197,6 +176,7 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
   } else if (verification && checked.has_path) {
     text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
   }
+  text += recovery_text(arm, verification.recovery, arguments.unit);
   if (checked.limits.ending == Ending::complete) {
     text += position_text(checked.limits) + limits_text(checked.limits);
   }
@@ -213,11 +193,21 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
   return text;
 }
 
+/// The sample at which the path of a file of poses begins: after the recovery, if it is accepted.
+std::size_t first_on_path(const Arm& arm, const Trajectory& trajectory,
+                          const VerifyOptions& options) {
+  const std::optional<Recovery> recovery = recovery_of(arm, trajectory);
+  return recovery && recovery->excess <= options.recover + position_slack ? recovery->sample : 0;
+}
+
 CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options,
                             bool has_scene) {
   const std::string text = read_file(arguments.through);
   if (is_program(text)) {
+    if (arguments.recover.given()) {
+      throw Error("--recover is for files of poses; " + arguments.through + " is a program");
+    }
     const Program program =
         program_from(text, arguments.through, arm,
                      {arguments.arm, arguments.task, arguments.work, arguments.unit},
@@ -236,7 +226,8 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
   }
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
-  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
+  const Pose begin =
+      forward_kinematics(arm, trajectory.positions[first_on_path(arm, trajectory, options)]);
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }
@@ -287,19 +278,21 @@ Answer check_file(const CheckArguments& arguments) {
   warn_of_wraps(arguments.file, arm, trajectory);
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
+  options.recover = arguments.recover.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
   const CheckedMotion checked =
       checked_motion(arguments, arm, trajectory, scene ? &*scene : nullptr, options);
   if (!arguments.plot.empty() && checked.verification.ending == Ending::complete) {
     write_check_plot(arguments, arm, trajectory, checked, scene ? &*scene : nullptr, options);
   }
-  return {.text = check_text(arguments, trajectory, checked),
-          .document = check_document(arguments, trajectory, checked),
+  return {.text = check_text(arguments, arm, trajectory, checked),
+          .document = check_document(arguments, arm, trajectory, checked),
           .yes = checked.passed(),
           .reason = reason_text(checked)};
 }
 
-std::vector<Option> proof_options(VerifyOptions& options) {
+std::vector<Option> proof_options(CheckArguments& arguments) {
+  VerifyOptions& options = arguments.verify;
   return joined(
       {path_tolerance_options(&options.tolerance, &options.orientation_tolerance,
                               {.range = above_zero}),
@@ -309,7 +302,11 @@ std::vector<Option> proof_options(VerifyOptions& options) {
                &options.moving.start),
         Option("--moving-end",
                "The joints may move at the last sample; by default they come to rest.",
-               &options.moving.end)}});
+               &options.moving.end),
+        arguments.recover.option(
+            "Accept a motion that starts slightly outside the position limits: the excess of each "
+            "joint must fall until it is within them, and it must stay there. The path begins "
+            "there.")}});
 }
 
 Option check_through_option(std::string* target) {
@@ -386,7 +383,7 @@ Verb check_verb() {
                          arguments->unit.options(),
                          arguments->task.options(),
                          arguments->path.options(),
-                         proof_options(arguments->verify),
+                         proof_options(*arguments),
                          arguments->scene.options(),
                          {plot_option(&arguments->plot)},
                          arguments->arm.options(),

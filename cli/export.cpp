@@ -17,6 +17,7 @@
 #include "motion_report.h"
 #include "program_argument.h"
 #include "recording_argument.h"
+#include "recover_argument.h"
 #include "result_files.h"
 #include "sampling_argument.h"
 #include "scene_argument.h"
@@ -36,6 +37,7 @@ struct ExportArguments {
   std::optional<double> rate, tool_speed;
   bool ignore_limits = false;
   double limit_tolerance = 0;
+  RecoverArgument recover;
   SceneArgument scene;
   BudgetArgument budget;
   std::shared_ptr<std::string> command_line = std::make_shared<std::string>();
@@ -60,7 +62,8 @@ void check_ending(ControllerForm form, const std::string& out) {
 ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& arm) {
   ControllerFileOptions options{.rate = arguments.rate,
                                 .ignore_limits = arguments.ignore_limits,
-                                .limit_tolerance = arguments.limit_tolerance};
+                                .limit_tolerance = arguments.limit_tolerance,
+                                .recover = arguments.recover.read(arm)};
   options.program_name = std::filesystem::path(arguments.out).stem().string();
   options.comments = extension(arguments.out) != "json";
   if (!arguments.work.text.empty()) options.work = arguments.work.read(arm, arguments.unit).pose;
@@ -165,8 +168,10 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
   check_scene_to_plan(program, arguments.file, scene != nullptr);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
-  if (arguments.ignore_limits || arguments.limit_tolerance > 0) {
-    throw Error(std::string(arguments.ignore_limits ? "--ignore-limits" : "--limit-tolerance") +
+  if (arguments.ignore_limits || arguments.limit_tolerance > 0 || arguments.recover.given()) {
+    throw Error(std::string(arguments.ignore_limits         ? "--ignore-limits"
+                            : arguments.limit_tolerance > 0 ? "--limit-tolerance"
+                                                            : "--recover") +
                 " is for trajectories; " + arguments.file +
                 " is a program, which is planned within the limits");
   }
@@ -268,7 +273,10 @@ std::vector<Option> export_options(ExportArguments& arguments) {
       Option("--ignore-limits",
              "Write a trajectory that exceeds limits of the arm too; the file says which.",
              &arguments.ignore_limits),
-      limit_tolerance_option(&arguments.limit_tolerance)};
+      limit_tolerance_option(&arguments.limit_tolerance),
+      arguments.recover.option(
+          "Accept a trajectory that starts slightly outside the position limits and returns, as "
+          "`beeline check` does; the file says until when.")};
 }
 
 constexpr const char* export_description =

@@ -11,11 +11,13 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "command/progress.h"
+#include "controlled_line.h"
 #include "line_report.h"
 #include "path_argument.h"
 #include "pose_argument.h"
 #include "profile_argument.h"
 #include "program_argument.h"
+#include "recover_argument.h"
 #include "sampling_argument.h"
 #include "verbs.h"
 #include "work_frame.h"
@@ -36,6 +38,7 @@ struct LineArguments {
   InterpolationArgument interpolation;
   std::string from, through, method = exact_method;
   PathMotionOptions motion;
+  RecoverArgument recover;
   std::optional<double> tool_speed, rate;
   SceneArgument scene;
   BudgetArgument budget;
@@ -69,6 +72,7 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
   report.inverse_condition = motion.inverse_condition;
+  if constexpr (requires { motion.recovery; }) report.recovery = motion.recovery;
   return report;
 }
 
@@ -93,6 +97,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
                         const Task& task, const CheckedScene* scene) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
+  options.recover = arguments.recover.read(arm);
   options.budget = progress.of(arguments.budget.next());
   std::optional<ProvedScene> proved;
   if (scene != nullptr) {
@@ -102,8 +107,9 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
       return proved->blocked(motion, budget);
     };
   }
-  const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
-                            : arguments.path.through(poses);
+  const auto begin = [&] { return forward_kinematics(arm, nearest_within_limits(arm, *start)); };
+  const Route route =
+      start ? arguments.path.from(begin(), poses, task) : arguments.path.through(poses);
   PathMotion motion = move_along(arm, start, route, options);
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report = report_of(arguments, motion);
@@ -113,6 +119,9 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   // Where none is given, a motion that is kept is of a nearby path.
   const bool reached = report.status == MotionStatus::reached;
   if (proved) report.clearance = std::move(reached ? proved->kept : proved->refused);
+  if (proved && report.recovery) {  // what was kept first is the motion without it
+    report.clearance = arguments.scene.prove(*scene, report.trajectory, arguments.budget.next());
+  }
   if (!reached && report.clearance) report.clearance->add_search_ending(report.reason);
   if (reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
@@ -138,30 +147,6 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
   report.program = program;
   report.moves = std::move(motion.moves);
   report.failed = motion.failed;
-  return report;
-}
-
-LineReport line_by_control(const Arm& arm, const Configuration& start,
-                           const std::vector<Pose>& waypoints, const CartesianOptions& options) {
-  ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
-  LineReport report;
-  report.status = motion.status;
-  report.reason = motion.reason;
-  report.trajectory = std::move(motion.trajectory);
-  report.steps = motion.steps;
-  report.overshoot = motion.overshoot;
-  report.limits = motion.limits;
-  report.start_jump = motion.start_jump;
-  if (report.status == MotionStatus::reached) {
-    const Task task = options.task.value_or(default_task(arm));
-    std::vector<Pose> poses = waypoints;
-    poses.insert(poses.begin(), forward_kinematics(arm, start));
-    const ToolPath path = lines_through(poses);
-    const auto path_parameters =
-        path_parameters_along(arm, report.trajectory.positions, path, motion.arrivals, task);
-    report.path = {path, path_parameters, task, std::nullopt, waypoints};
-    report.deviation = path_deviation(arm, report.trajectory, path_parameters, path, task);
-  }
   return report;
 }
 
@@ -201,6 +186,9 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   if (arguments.method != exact_method || arguments.branches) {
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
                 " is for files of poses; " + arguments.through + " is a program");
+  }
+  if (arguments.recover.given()) {
+    throw Error("--recover is for files of poses; " + arguments.through + " is a program");
   }
   if (arguments.motion.duration) {
     throw Error("--duration is for files of poses; " + arguments.through +
@@ -323,6 +311,11 @@ std::vector<Option> exact_options(LineArguments& arguments) {
        path_tolerance_options(&motion.tolerance, &motion.orientation_tolerance,
                               {.range = {.lowest = min_tolerance}, .methods = {exact_method}}),
        {max_samples_option(&motion.max_samples, "more samples are needed.", {exact_method}),
+        arguments.recover.option(
+            "Accept a --from slightly outside the position limits: a first section leads straight "
+            "in joint space to the nearest configuration within them, where the path begins. "
+            "`beeline check` needs the same option.",
+            {.methods = {exact_method}, .needs = "--from"}),
         Option("--branches",
                "Also list every inverse-kinematics branch at the first pose: how many segments it "
                "follows, its margins, and why it ends.",

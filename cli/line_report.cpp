@@ -7,6 +7,7 @@
 
 #include "format.h"
 #include "json_reason.h"
+#include "recover_argument.h"
 
 namespace beeline::command {
 namespace {
@@ -30,7 +31,8 @@ std::string motion_text(const Arm& arm, const LineReport& report, const UnitArgu
   std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
                                  shown(report.trajectory.times.back()));
   if (report.method == "exact") {
-    return text + deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
+    return text + recovery_text(arm, report.recovery, unit) +
+           deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
            limits_text(report.limits) + margins_text(report);
   }
   return text +
@@ -175,6 +177,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   }
   if (reached) document.add("limits", json_limits(report.limits));
   if (reached && report.method == "exact") {
+    document.add("recovery", json_recovery(arm, report.recovery, unit));
     const bool measured = has_path(report);
     document.add("limit_margin", measured ? Json(report.limit_margin) : Json());
     document.add("inverse_condition", measured ? Json(report.inverse_condition) : Json());

@@ -25,6 +25,7 @@ struct LineReport {
   Trajectory trajectory = {};
   PathDeviation deviation = {};
   LimitUsage limits = {};
+  std::optional<Recovery> recovery = {};           ///< of method exact
   StartJump start_jump = {};                       ///< of a controller's motion
   double limit_margin = 0, inverse_condition = 0;  ///< of method exact
   std::vector<NearbyPath> nearby = {};

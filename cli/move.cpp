@@ -15,6 +15,7 @@
 #include "joint_path_argument.h"
 #include "json_reason.h"
 #include "motion_report.h"
+#include "recover_argument.h"
 #include "result_files.h"
 #include "retimed_answer.h"
 #include "sampling_argument.h"
@@ -37,6 +38,7 @@ struct MoveArguments {
   SceneArgument scene;
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
+  RecoverArgument recover;
   JointPathArgument path;
   AroundArgument around;
   ResultFiles files;
@@ -48,12 +50,13 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Budget& budget) {
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
-  const ControlledMotion motion =
-      move_joints(arm, from, to,
-                  {.synchronise = synchronise,
-                   .rate = arguments.path.rate.value_or(JointPathArgument::default_rate),
-                   .duration = arguments.path.duration,
-                   .budget = budget});
+  JointMoveOptions options{.synchronise = synchronise,
+                           .rate = arguments.path.rate.value_or(JointPathArgument::default_rate),
+                           .duration = arguments.path.duration,
+                           .budget = budget};
+  if (arguments.recover.given()) options.recover = arguments.recover.read(arm);
+  const ControlledMotion motion = move_joints(arm, from, to, options);
+  if (arguments.recover.given()) return motion;
   for (const Reason& outside : limit_violations(arm, from)) {
     warn("--from: " + sentence(outside) + "; the motion leads back in");
   }
@@ -83,8 +86,8 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
                         counted(motion.slowed, "step"));
   }
   if (!motion) return text;
-  text += position_text(motion.limits) + limits_text(motion.limits) +
-          start_jump_text(arm, motion.start_jump, arguments.unit);
+  text += recovery_text(arm, motion.recovery, arguments.unit) + position_text(motion.limits) +
+          limits_text(motion.limits) + start_jump_text(arm, motion.start_jump, arguments.unit);
   return text + tool_text(arguments, arm, goal);
 }
 
@@ -132,9 +135,10 @@ Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const C
   std::vector<Configuration> waypoints = arguments.path.waypoints(arm, arguments.unit);
   waypoints.insert(waypoints.begin(), from);
   RetimeOptions options = arguments.path.through_options();
+  options.recover = arguments.recover.read(arm);
   options.budget = arguments.budget.next();
   const Retimed retimed = beeline::move_through(arm, waypoints, options);
-  RetimedResult result{arguments.scene, scene, arguments.budget, arguments.files};
+  RetimedResult result{arguments.scene, scene, arguments.budget, arguments.files, arguments.unit};
   for (const Configuration& q : waypoints) result.waypoints.push_back(forward_kinematics(arm, q));
   Answer answer = result.answer(arm, retimed);
   answer.document.add("method", quickest);
@@ -197,6 +201,9 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
   if (reached) {
     answer.document.add("limits", json_limits(motion.limits));
     answer.document.add("start_jump", json_start_jump(arm, motion.start_jump, arguments.unit));
+    if (arguments.method == quickest) {
+      answer.document.add("recovery", json_recovery(arm, motion.recovery, arguments.unit));
+    }
   }
   if (clearance) answer.document.add("clearance", clearance->document());
   if (reached) arguments.files.add_to(answer.document);
@@ -241,7 +248,8 @@ std::vector<Option> move_options(MoveArguments& arguments) {
           Option("--method METHOD",
                  "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                  "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                 "rest; with --to the start may be outside the limits by up to 0.1 rad or 0.01 m; "
+                 "rest; with --to the start may be outside the limits by up to 0.1 rad or 0.01 m, "
+                 "see --recover; "
                  "around: a "
                  "motion from rest to rest around the obstacles of --scene.",
                  &arguments.method, {.choices = {feedback, quickest, around}})};
@@ -266,12 +274,17 @@ std::vector<Option> feedback_options(MoveArguments& arguments) {
 }
 
 std::vector<Option> quickest_options(MoveArguments& arguments) {
-  return {
-      Option("--synchronise KIND",
-             "time: each joint has its own profile of the same duration; straight: all joints "
-             "move in proportion, on a straight line in joint space.",
-             &arguments.synchronise,
-             {.choices = {"time", "straight"}, .methods = {quickest}, .excludes = "--through"})};
+  return {Option("--synchronise KIND",
+                 "time: each joint has its own profile of the same duration; straight: all joints "
+                 "move in proportion, on a straight line in joint space.",
+                 &arguments.synchronise,
+                 {.choices = {"time", "straight"}, .methods = {quickest}, .excludes = "--through"}),
+          arguments.recover.option(
+              "Accept a --from slightly outside the position limits: the motion begins with a "
+              "return to "
+              "them, in which the excess of each joint falls; with --through to the nearest "
+              "configuration within them, at rest. `beeline check` needs the same option.",
+              {.methods = {quickest}})};
 }
 
 }  // namespace

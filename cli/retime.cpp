@@ -8,6 +8,7 @@
 #include "budget_argument.h"
 #include "profile_argument.h"
 #include "recording_argument.h"
+#include "recover_argument.h"
 #include "result_files.h"
 #include "retimed_answer.h"
 #include "sampling_argument.h"
@@ -26,6 +27,7 @@ struct RetimeArguments {
   ProfileArgument profile;
   InterpolationArgument interpolation;
   RetimeOptions retime;
+  RecoverArgument recover;
   std::optional<double> tool_speed, rate;
   SceneArgument scene;
   BudgetArgument budget;
@@ -61,14 +63,15 @@ Answer retime_file(const RetimeArguments& arguments) {
   const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   const Recording input = read_input(arguments, arm);
   options.no_unwrap = arguments.recording.no_unwrap || !input.has_times;
+  options.recover = arguments.recover.read(arm);
   options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
   warn_of_unwrapped(arguments.file, retimed.unwrapped);
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =
       input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
-  return RetimedResult{arguments.scene, scene, arguments.budget, arguments.files}.answer(
-      arm, retimed, duration_before);
+  return RetimedResult{arguments.scene, scene, arguments.budget, arguments.files, arguments.unit}
+      .answer(arm, retimed, duration_before);
 }
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
@@ -85,6 +88,9 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
                          fmt::format("--rate makes more samples, or the file has more and more "
                                      "than {}. 1000000 take about a minute and 2.5 GB.",
                                      default_max_samples)),
+      arguments.recover.option(
+          "Accept a first position slightly outside the position limits: a first section leads to "
+          "the nearest configuration within them, where the path then begins."),
       rate_option(&arguments.rate, ". Default: every sample of the file, and more between.")};
 }
 

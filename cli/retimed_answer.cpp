@@ -8,6 +8,7 @@
 #include "json_reason.h"
 #include "motion_report.h"
 #include "recording_argument.h"
+#include "recover_argument.h"
 
 namespace beeline::command {
 namespace {
@@ -63,7 +64,8 @@ Answer RetimedResult::answer(const Arm& arm, const Retimed& retimed,
                 scene ? &scene->model : nullptr);
   }
   Answer answer{
-      .text = retimed_text(arm, retimed, duration_before),
+      .text =
+          retimed_text(arm, retimed, duration_before) + recovery_text(arm, retimed.recovery, unit),
       .document = {{"status", refused ? name(clearance->refusal()) : retimed_status(retimed)},
                    {"profile", name(retimed.profile)},
                    {"samples", retimed.trajectory.size()},
@@ -72,6 +74,7 @@ Answer RetimedResult::answer(const Arm& arm, const Retimed& retimed,
                    {"sections", retimed.sections},
                    {"unwrapped", json_unwrapped(retimed.unwrapped)},
                    {"limits", json_limits(retimed.limits)},
+                   {"recovery", json_recovery(arm, retimed.recovery, unit)},
                    {"tool_speed", retimed.tool_speed}},
       .yes = found,
       .reason = refused ? clearance->reason_text() : sentence(retimed.reason)};

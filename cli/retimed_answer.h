@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "budget_argument.h"
+#include "command/verb.h"
 #include "result_files.h"
 #include "scene_argument.h"
 
@@ -18,6 +19,7 @@ struct RetimedResult {
   const std::optional<CheckedScene>& scene;
   const BudgetArgument& budget;  ///< of the proof
   const ResultFiles& files;
+  const UnitArgument& unit;
   std::vector<Pose> waypoints = {};  ///< of the tool, for pictures
 
   /// Proves that the motion keeps its clearance, writes the files and reports. `duration_before`:

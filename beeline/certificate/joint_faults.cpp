@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <beeline/certificate/internal/fault_list.h>
+#include <beeline/certificate/internal/recovery_check.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
@@ -11,6 +12,7 @@
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline {
 
@@ -26,14 +28,15 @@ constexpr std::size_t stencil = 3;  // steps of the longest difference, the thir
 class FaultSearch {
  public:
   FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving,
-              double limit_tolerance)
+              double limit_tolerance, double recover)
       : arm_(arm),
         moving_(moving),
         slack_(std::max(limit_slack, limit_tolerance)),
         trajectory_(trajectory),
         t_(trajectory.times),
         q_(trajectory.positions),
-        v_(trajectory.velocities) {}
+        v_(trajectory.velocities),
+        recovery_(arm, trajectory, recover) {}
 
   std::optional<JointFault> first(BudgetMeter& budget) {
     for (std::size_t k = 0; k < t_.size(); ++k) {
@@ -73,14 +76,15 @@ class FaultSearch {
   static constexpr std::size_t batch = 64;  // samples, which take about a microsecond
 
   void check_positions(std::size_t k, int i) {
-    const Limits& limits = arm_.limits(i);
+    const Limits limits = recovery_.limits(k, i);
     const auto inside = [&](double q) { return within_position_limits(limits, q); };
     const double here = q_[k][i];
     if (!inside(here)) {
-      return report(Fault::limits, k, i, excess(limits, here),
+      return report(Fault::limits, k, i, excess_over(limits, here),
                     outside(ReasonCode::outside_limits, i, here));
     }
     if (k + 1 == t_.size()) return;
+    if (recovery_.is_returning(k, i)) check_return(k, i);
     const double step = q_[k + 1][i] - q_[k][i];
     const bool prismatic = kind(arm_.joint_of(i)) == JointKind::prismatic;
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
@@ -93,11 +97,20 @@ class FaultSearch {
     if (inside(between.smallest) && inside(between.largest)) return;
     between = extremes(p);
     if (inside(between.smallest) && inside(between.largest)) return;
-    const bool above = excess(limits, between.largest) > excess(limits, between.smallest);
+    const bool above = excess_over(limits, between.largest) > excess_over(limits, between.smallest);
     const double extreme = above ? between.largest : between.smallest;
     Reason reason = outside(ReasonCode::moves_outside_limits, i, extreme);
     reason.set(ReasonField::interpolation, name(trajectory_.interpolation()));
-    report(Fault::limits, k, i, excess(limits, extreme), std::move(reason));
+    report(Fault::limits, k, i, excess_over(limits, extreme), std::move(reason));
+  }
+
+  /// Checks that the excess of a joint that starts outside its limits does not rise.
+  void check_return(std::size_t k, int i) {
+    const double rise = recovery_.rise(k, i);
+    if (!(rise > position_slack)) return;
+    const double here = q_[k][i];
+    report(Fault::limits, k, i, excess_over(arm_.limits(i), here) + rise,
+           outside(ReasonCode::excess_rises, i, here).set(ReasonField::change, rise));
   }
 
   void check_derivatives(std::size_t k, int i) {
@@ -174,11 +187,6 @@ class FaultSearch {
              {ReasonField::upper, limits.upper}}};
   }
 
-  /// Returns by how much q exceeds the limits, negative inside them.
-  static double excess(const Limits& limits, double q) {
-    return std::max(limits.lower - q, q - limits.upper);
-  }
-
   /// Reports a fault. `amount` compares it with others of its kind.
   void report(Fault fault, std::size_t k, int i, double amount, Reason reason) {
     if (found_) return;
@@ -196,6 +204,7 @@ class FaultSearch {
   const Trajectory& trajectory_;
   const std::vector<double>& t_;
   const std::vector<Configuration>&q_, &v_;
+  RecoveryCheck recovery_;
   std::optional<JointFault> found_;
   std::vector<FaultsOfKind>* list_ = nullptr;  ///< all faults are added to it, if there is one
 };
@@ -209,17 +218,19 @@ std::string name(Fault fault) {
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving, const Budget& budget,
-                                            double limit_tolerance) {
+                                            double limit_tolerance, double recover) {
   check_fits(arm, trajectory);
   check_limit_tolerance(limit_tolerance);
+  check_recover(recover);
   BudgetMeter meter(budget);
-  return FaultSearch(arm, trajectory, moving, limit_tolerance).first(meter);
+  return FaultSearch(arm, trajectory, moving, limit_tolerance, recover).first(meter);
 }
 
 std::vector<FaultsOfKind> internal::joint_faults(const Arm& arm, const Trajectory& trajectory,
                                                  const VerifyOptions& options,
                                                  BudgetMeter& budget) {
-  return FaultSearch(arm, trajectory, options.moving, options.limit_tolerance).kinds(budget);
+  return FaultSearch(arm, trajectory, options.moving, options.limit_tolerance, options.recover)
+      .kinds(budget);
 }
 
 void internal::check_limit_tolerance(double limit_tolerance) {

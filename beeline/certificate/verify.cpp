@@ -16,6 +16,7 @@
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline {
 
@@ -199,9 +200,10 @@ struct Verifier {
     const std::size_t segments = route.path.segments.size();
     result.deviation.interval_bounds.resize(trajectory.size() - 1);
     result.path = route.path;
-    result.path_parameters = {0};
-    std::size_t first = 0, begin = 0;
-    check_sample(0, task_deviation(task, pose_at(route.path, 0), world_T_tool[0]),
+    std::size_t first = result.recovery ? result.recovery->sample : 0, begin = 0;
+    result.path_parameters.assign(first + 1, 0);
+    std::fill_n(result.deviation.interval_bounds.begin(), first, no_bound);
+    check_sample(first, task_deviation(task, pose_at(route.path, 0), world_T_tool[first]),
                  "the path's beginning");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
@@ -227,8 +229,8 @@ struct Verifier {
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
     const std::vector<FaultsOfKind> of_path = path_faults();
-    const auto fault =
-        first_joint_fault(arm, trajectory, options.moving, budget.part(), options.limit_tolerance);
+    const auto fault = first_joint_fault(arm, trajectory, options.moving, budget.part(),
+                                         options.limit_tolerance, options.recover);
     if (fault) {
       const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
       if (result.fault == Fault::none ||
@@ -296,6 +298,15 @@ Trajectory checked_trajectory(const Arm& arm, const Trajectory& given) {
   return trajectory;
 }
 
+/// Returns the recovery that the options accept.
+std::optional<Recovery> accepted_recovery(const Arm& arm, const Trajectory& trajectory,
+                                          const VerifyOptions& options) {
+  check_recover(options.recover);
+  std::optional<Recovery> recovery = recovery_of(arm, trajectory);
+  if (recovery && !may_recover(recovery->excess, options.recover)) recovery.reset();
+  return recovery;
+}
+
 }  // namespace
 
 Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
@@ -309,6 +320,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   BudgetMeter budget(options.budget);
   Verifier verifier{arm, trajectory, route, options, budget};
   verifier.result.deviation.bound = {};
+  verifier.result.recovery = accepted_recovery(arm, trajectory, options);
   check_route(arm, route, verifier.task);
   check_in_plane(arm, route.path, options.task);
   for (const Configuration& q : trajectory.positions) {
@@ -326,7 +338,9 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
                     const VerifyOptions& options) {
   std::vector<Pose> poses = checked_waypoints(waypoints);
   const Trajectory trajectory = checked_trajectory(arm, given);
-  poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions.front()));
+  const std::optional<Recovery> recovery = accepted_recovery(arm, trajectory, options);
+  const std::size_t first = recovery ? recovery->sample : 0;
+  poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions[first]));
   return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
 }
 
@@ -341,8 +355,9 @@ Verification verify(const Arm& arm, const Trajectory& given, const VerifyOptions
   const Trajectory trajectory = checked_trajectory(arm, given);
   BudgetMeter budget(options.budget);
   Verification result;
-  const auto fault =
-      first_joint_fault(arm, trajectory, options.moving, budget.part(), options.limit_tolerance);
+  result.recovery = accepted_recovery(arm, trajectory, options);
+  const auto fault = first_joint_fault(arm, trajectory, options.moving, budget.part(),
+                                       options.limit_tolerance, options.recover);
   if (fault) set_fault(trajectory, fault->kind, fault->sample, fault->reason, result);
   list_faults(arm, trajectory, options, {}, budget, result);
   if (!budget.complete()) set_ended(budget.ending(), result);

@@ -13,6 +13,7 @@
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
 #include <beeline/reason.h>
+#include <beeline/trajectory/limit_usage.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -108,12 +109,13 @@ struct FaultsOfKind {
 /// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
 /// Derivatives may exceed their limits by a millionth, or by the fraction `limit_tolerance` if that
 /// is more. They may also exceed them by the effect of rounding times to doubles, which grows with
-/// the time and is at most a ten thousandth. Returns nothing if the budget ends the check before a
-/// fault is found.
-/// Throws Error when the trajectory does not fit the arm.
+/// the time and is at most a ten thousandth. For `recover` see VerifyOptions. Returns nothing if
+/// the budget ends the check before a fault is found. Throws Error when the trajectory does not fit
+/// the arm.
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving = {},
-                                            const Budget& budget = {}, double limit_tolerance = 0);
+                                            const Budget& budget = {}, double limit_tolerance = 0,
+                                            double recover = 0);
 
 namespace internal {
 
@@ -136,6 +138,11 @@ struct VerifyOptions {
   /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, for the
   /// rounding of other planners. A millionth is always accepted.
   double limit_tolerance = 0;
+  /// Largest excess over a position limit at the first sample, 0 to 0.1 rad or m, from which the
+  /// motion may recover, to rounding: each joint that starts outside returns, and its excess never
+  /// rises by more than position_slack. The path begins at the first sample at which all are within
+  /// their limits.
+  double recover = 0;
   Budget budget = {};
 };
 
@@ -158,6 +165,9 @@ struct Verification {
   /// Index of the first sample at or after the end of each segment (of each move, for a program),
   /// for the part of the path that the trajectory follows.
   std::vector<std::size_t> arrivals;
+  /// The beginning that leads back within the position limits, if the option `recover` accepts it;
+  /// of a motion that starts within them none. The limits and the path are proved after it.
+  std::optional<Recovery> recovery = std::nullopt;
   /// How the check ended. Unless complete, the rest of the trajectory has not been checked, and
   /// nothing is proved; a fault that was found is valid but may not be the first.
   Ending ending = Ending::complete;

@@ -6,7 +6,9 @@
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/planning/internal/printed_motion.h>
+#include <beeline/timing/internal/from_outside.h>
 #include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/internal/recovery.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline {
@@ -29,6 +31,17 @@ void check_whole_periods(const JointMoveOptions& options) {
                       " samples per second: " + (below > 0 ? number(below) + " or " : "") +
                       number(std::ceil(periods) / options.rate) + " s, not " +
                       number(*options.duration));
+}
+
+/// The motion from a start as far outside the limits as the options accept.
+PointToPoint planned_move(const Arm& arm, const Configuration& start, const Configuration& goal,
+                          const JointMoveOptions& options) {
+  if (!options.recover) {
+    return point_to_point(arm, start, goal,
+                          {.synchronise = options.synchronise, .from_outside = true});
+  }
+  starts_outside(arm, start, *options.recover, "from");
+  return motion_from_outside(arm, start, goal, options.synchronise);
 }
 
 // Radians or metres. A joint that starts this near to its goal has no overshoot, because the ratio
@@ -67,8 +80,8 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
     result.reason.code = ReasonCode::goal_outside_limits;
     return result;
   }
-  const PointToPoint motion =
-      point_to_point(arm, start, goal, {.synchronise = options.synchronise, .from_outside = true});
+  if (options.recover) check_recover(*options.recover);
+  const PointToPoint motion = planned_move(arm, start, goal, options);
   BudgetMeter budget(options.budget);
   const double asked = options.duration.value_or(0);
   Trajectory samples = sampled(arm, motion, options.rate, budget.part(), asked);
@@ -85,6 +98,7 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
     return result;
   }
   result.trajectory = std::move(samples);
+  result.recovery = recovery_of(arm, result.trajectory);
   result.arrivals = {result.trajectory.size() - 1};
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
   set_limit_usage(arm, budget, result);

@@ -39,6 +39,9 @@ struct ControlledMotion {
   /// the velocity at once, and accelerations and jerks may be far beyond their limits.
   LimitUsage limits = {};
   StartJump start_jump = {};  ///< jump of velocity at the start, if the goal was reached
+  /// The beginning of the motion of move_joints() that leads back within the position limits; of a
+  /// motion that starts within them none.
+  std::optional<Recovery> recovery = std::nullopt;
 
   /// Returns whether the goal was reached.
   explicit operator bool() const { return status == MotionStatus::reached; }
@@ -110,12 +113,16 @@ struct JointMoveOptions {
   /// Duration, seconds, a whole number of periods of the rate; default: the shortest that the
   /// limits allow.
   std::optional<double> duration = std::nullopt;
+  /// Largest excess of the start over a position limit, 0 to 0.1 rad or m, from which the motion
+  /// leads back in; default: 0.1 rad or 0.01 m.
+  std::optional<double> recover = std::nullopt;
   Budget budget = {};
 };
 
 /// Moves the joints from rest at `start` to rest at `goal` in minimum time under the limits of
 /// velocity, acceleration and jerk, or in options.duration; see point_to_point() and sampled(). The
-/// start may be outside the position limits by up to 0.1 rad or 0.01 m; the motion leads back in.
+/// start may be outside the position limits, see options.recover. Each joint moves in one direction
+/// only, so the excess of a joint over its limit falls until it is within (recovery).
 /// The status is `outside_limits` for a goal outside the limits, and for a duration that is too
 /// short, whose reason has the shortest one. Throws Error for a start farther outside, a
 /// configuration that does not fit the arm, and a duration that is not a whole number of periods.

@@ -107,7 +107,14 @@ ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
 }
 
 void ServoLoop::set_velocity(const ConfigurationRef& velocity) {
+  constexpr double rounding = 1e-6;  // fraction of the limit
   check_configuration(arm_, velocity);
+  for (int k = 0; k < arm_.dof(); ++k) {
+    const double limit = arm_.limits(k).velocity;
+    if (!(std::abs(velocity[k]) > limit * (1 + rounding))) continue;
+    throw Error::of("velocity", "the velocity of joint " + arm_.joint_of(k).name + " is " +
+                                    number(velocity[k]) + ", above its limit of " + number(limit));
+  }
   last_ = velocity;
 }
 

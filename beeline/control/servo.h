@@ -122,7 +122,10 @@ class Servo {
   ServoStep step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
                          Eigen::Ref<Eigen::VectorXd> velocity);
 
-  /// Sets the arm's current velocity, rad/s or m/s. It is zero at first.
+  /// Sets the arm's current velocity, rad/s or m/s. It is zero at first. Throws Error, and keeps
+  /// the last velocity, when the size is wrong, a number is not finite, or a velocity exceeds its
+  /// joint's limit by more than a millionth: the steps after it would exceed the limit too. Clamp a
+  /// measured velocity to the limits first.
   void set_velocity(const ConfigurationRef& velocity);
 
  private:

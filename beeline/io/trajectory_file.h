@@ -224,6 +224,9 @@ struct ControllerFileOptions {
   /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, as for
   /// verify().
   double limit_tolerance = 0;
+  /// Largest excess over a position limit at the first sample, 0 to 0.1 rad or m, from which the
+  /// motion may recover, as for verify(); `not_proved` says until when. Not for programs.
+  double recover = 0;
 };
 
 /// A motion in the form that a controller takes.

@@ -15,8 +15,10 @@
 #include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/timing/internal/recovery_section.h>
 #include <beeline/timing/internal/timed_section.h>
-#include <beeline/trajectory/internal/motion_start.h>
+#include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline {
 
@@ -40,6 +42,7 @@ void check_options(const PathMotionOptions& options) {
                 " must be at least " + number(min_tolerance) + ", not " + number(value));
   }
   internal::check_options(timing_options(options));
+  check_recover(options.recover);
   if (options.blocked_by.spare_clearance && !options.blocked_by.reason) {
     throw Error::of("blocked_by", "spare_clearance of blocked motions needs a reason beside it");
   }
@@ -53,10 +56,12 @@ void check_stops(const Route& route) {
               std::to_string(max_stops) + ": plan it in parts, or blend the lines");
 }
 
-/// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
-Configuration checked_start(const Arm& arm, const Configuration& start) {
-  check_start(arm, start);
-  return clamped(bounds_of(arm), start);
+/// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding,
+/// or than the options accept.
+Configuration checked_start(const Arm& arm, const Configuration& start,
+                            const PathMotionOptions& options) {
+  starts_outside(arm, start, options.recover);
+  return nearest_within_limits(arm, start);
 }
 
 /// Whether the motion is planned, timed, proved and not blocked.
@@ -164,6 +169,49 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   return failure;
 }
 
+/// Refuses a planned motion.
+void refuse(MotionStatus status, Reason reason, PathMotion& motion) {
+  PathMotion refused;
+  refused.status = status;
+  refused.reason = std::move(reason);
+  refused.path_parameter = motion.path_parameter;
+  motion = std::move(refused);
+}
+
+/// Puts the recovery from the start before a planned motion, slows it down to the options'
+/// duration, and proves the whole.
+void begin_with_recovery(const Arm& arm, const Configuration& start, const Route& route,
+                         const PathMotionOptions& options, PathMotion& motion) {
+  BudgetMeter budget(options.budget);
+  const auto set_refused = [&](MotionStatus status, Reason reason) {
+    const bool ended = !budget.complete();
+    refuse(
+        ended ? status_of<MotionStatus>(budget.ending()) : status,
+        ended ? ended_reason(ReasonCode::ended_before_timing, budget.ending()) : std::move(reason),
+        motion);
+  };
+  const Retimed section = recovery_section(arm, start, timing_options(options), budget);
+  if (!section) return set_refused(MotionStatus::outside_limits, section.reason);
+  put_before(section.trajectory, motion.trajectory);
+  if (options.duration) {
+    Reason reason = set_duration(motion.trajectory, *options.duration);
+    if (reason) return set_refused(MotionStatus::outside_limits, std::move(reason));
+  }
+  VerifyOptions proof = proof_options(options);
+  proof.recover = options.recover;
+  proof.budget = budget.part();
+  Verification proved = verify(arm, motion.trajectory, route, proof);
+  if (!proved) return set_refused(MotionStatus::not_proved, std::move(proved.reason));
+  motion.deviation = std::move(proved.deviation);
+  motion.path_parameters = std::move(proved.path_parameters);
+  motion.arrivals = std::move(proved.arrivals);
+  motion.recovery = std::move(proved.recovery);
+  motion.limits = limit_usage(arm, motion.trajectory, budget.part());
+  if (!options.blocked_by.reason) return;
+  Reason blocked = options.blocked_by.reason(motion.trajectory, budget.part());
+  if (blocked) set_refused(status_of_blocked(blocked), std::move(blocked));
+}
+
 }  // namespace
 
 BlockedMotions blocked_motions(const std::shared_ptr<const CollisionModel>& model) {
@@ -190,22 +238,28 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   check_in_plane(arm, route.path, options.task);
   check_stops(route);
   if (!start) return planned_or_suggestions(arm, start, route, options);
-  const Configuration from = checked_start(arm, *start);
+  const Configuration from = checked_start(arm, *start, options);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
     throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
                                  " away from the path's beginning");
   }
-  return planned_or_suggestions(arm, from, route, options);
+  if (!starts_outside(arm, *start, options.recover)) {
+    return planned_or_suggestions(arm, from, route, options);
+  }
+  PathMotionOptions after = options;
+  after.duration.reset();
+  PathMotion motion = planned_or_suggestions(arm, from, route, after);
+  if (motion) begin_with_recovery(arm, *start, route, options, motion);
+  return motion;
 }
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const PathMotionOptions& options) {
   check_options(options);
   std::vector<Pose> poses = checked_waypoints(waypoints);
-  const Configuration q = checked_start(arm, start);
-  poses.insert(poses.begin(), forward_kinematics(arm, q));
-  return move_along(arm, q, route_of(lines_through(poses), PathKind::line), options);
+  poses.insert(poses.begin(), forward_kinematics(arm, checked_start(arm, start, options)));
+  return move_along(arm, start, route_of(lines_through(poses), PathKind::line), options);
 }
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,

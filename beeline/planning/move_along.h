@@ -77,6 +77,10 @@ struct PathMotionOptions {
   std::optional<double> duration = std::nullopt;
   /// Max samples of the whole path, 2 or more; beyond it `too_many_samples`.
   int max_samples = default_max_samples;
+  /// Largest excess of the start over a position limit, 0 to 0.1 rad or m, from which the motion
+  /// recovers: a first section leads straight in joint space, from rest to rest, to the nearest
+  /// configuration within the limits (nearest_within_limits()), where the path begins.
+  double recover = 0;
   /// Motions that must not be given, as in a scene (in Python the CollisionModel). If the best one
   /// is blocked, the other branches are planned and, if the arm is redundant, other self-motions,
   /// and the best motion that is not blocked is given. PathMotion::blocked lists the others.
@@ -113,6 +117,9 @@ struct PathMotion {
   std::vector<std::size_t> arrivals;
   PathDeviation deviation;  ///< proved deviation of the finished trajectory
   LimitUsage limits;        ///< fractions of the limits that the finished trajectory uses
+  /// The section that leads back within the position limits, with the option `recover`; of a motion
+  /// that starts within them none. The limits and the path are proved after it.
+  std::optional<Recovery> recovery = std::nullopt;
   /// Smallest distance of a joint to a position limit, as a fraction of half its range.
   double limit_margin = 0;
   /// Smallest inverse condition number of the task's Jacobian, from 0 to 1.
@@ -142,6 +149,9 @@ constexpr std::size_t max_stops = 5000;
 /// - The duration is the shortest that the profile and the joint limits allow, or
 ///   options.duration; a duration that is too short has the status outside_limits. Unknown limits
 ///   are assumed (motion_limits()).
+///
+/// - With options.recover the motion may begin with a recovery. verify() proves, with the same
+///   option, that no joint moves out in it; options.blocked_by counts for it too.
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments or with more than max_stops stops, and a task that its segments do not

@@ -68,7 +68,7 @@ MoveError::MoveError(const Program& program, std::size_t move, const std::string
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options,
                            const CollisionModel* model) {
-  check_program(arm, program, options.task);
+  check_program(arm, program, options.task, options.recover);
   check_scene(arm, program, model);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
   if (options.blocked_by.reason || options.blocked_by.spare_clearance)

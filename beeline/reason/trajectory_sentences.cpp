@@ -36,6 +36,9 @@ std::string of_joint(const ReasonText& reason) {
     case ReasonCode::moves_outside_limits:
       return "moves to " + reason.in_unit(value) + " before the next sample, by the " +
              reason.text(interpolation) + " with its velocities: outside " + range(reason);
+    case ReasonCode::excess_rises:
+      return "starts outside its limits and does not return steadily: at " + reason.in_unit(value) +
+             ", outside " + range(reason) + ", it moves out by " + reason.in_unit(change);
     case ReasonCode::rotates_too_far:
       return "rotates by " + reason.number(change) + " rad to the next sample, " +
              number(std::abs(reason.value(change)) / (2 * std::numbers::pi)) + " revolutions";

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/timing/internal/from_outside.h>
 #include <beeline/timing/internal/s_curve_state.h>
 #include <beeline/timing/internal/uniform_section.h>
 #include <beeline/timing/point_to_point.h>
@@ -185,6 +186,15 @@ void point_to_point(const Arm& arm, const ConfigurationRef& from, const Configur
   check_from(arm, from, options.from_outside);
   check_within(arm, to, "the motion cannot end");
   plan(arm.limits(), from, to, motion, options, motion_limits);
+}
+
+PointToPoint internal::motion_from_outside(const Arm& arm, const ConfigurationRef& from,
+                                           const ConfigurationRef& to, Synchronise synchronise) {
+  check_configuration(arm, from);
+  check_within(arm, to, "the motion cannot end");
+  PointToPoint motion;
+  plan(arm.limits(), from, to, motion, {.synchronise = synchronise}, motion_limits);
+  return motion;
 }
 
 void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from,

@@ -7,11 +7,13 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/blended_path.h>
 #include <beeline/timing/internal/possible_rate.h>
+#include <beeline/timing/internal/recovery_section.h>
 #include <beeline/timing/internal/retimed_paths.h>
 #include <beeline/timing/internal/sampled_section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/internal/recovery.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -164,14 +166,19 @@ void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
   }
 }
 
+/// Whether a trajectory has two different positions.
+bool moves(const Trajectory& trajectory) {
+  const auto& q = trajectory.positions;
+  return std::any_of(q.begin(), q.end(), [&](const Configuration& other) {
+    return (other - q.front()).norm() > repeated;
+  });
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
   const auto& q = trajectory.positions;
-  const auto elsewhere = [&](const Configuration& other) {
-    return (other - q.front()).norm() > repeated;
-  };
-  if (std::any_of(q.begin(), q.end(), elsewhere)) return;
+  if (moves(trajectory)) return;
   const std::string found = q.empty()       ? "no samples"
                             : q.size() == 1 ? "one sample"
                                             : std::to_string(q.size()) + " samples at one position";
@@ -261,21 +268,59 @@ Retimed retimed_with_blends(const Arm& arm, const std::vector<std::vector<Config
   return quicker ? std::move(stopped) : std::move(timed);
 }
 
+/// The motion along the trajectory's positions, from rest to rest.
+Retimed retimed_positions(const Arm& arm, const Trajectory& trajectory,
+                          const RetimeOptions& options, internal::BudgetMeter& budget) {
+  const std::vector<std::vector<Configuration>> sections = positions_between_stops(trajectory);
+  return options.joint_blend ? retimed_with_blends(arm, sections, options, budget)
+                             : internal::retimed_paths(arm, splines(sections), options, budget);
+}
+
+/// The motion of a trajectory that starts outside the limits: first back to them, then along its
+/// positions.
+Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const RetimeOptions& options,
+                             internal::BudgetMeter& budget) {
+  const Retimed section =
+      internal::recovery_section(arm, trajectory.positions.front(), options, budget);
+  if (!section) return section;
+  trajectory.positions.front() = section.trajectory.positions.back();
+  Retimed timed = section;
+  if (moves(trajectory)) {
+    RetimeOptions after = options;
+    after.duration.reset();
+    timed = retimed_positions(arm, trajectory, after, budget);
+    if (!timed) return timed;
+    internal::put_before(section.trajectory, timed.trajectory);
+    timed.sections += section.sections;
+    if (options.joint_blend) timed.blends.insert(timed.blends.begin(), 0);
+  }
+  if (options.duration) timed.reason = internal::set_duration(timed.trajectory, *options.duration);
+  if (!timed) {
+    timed.trajectory = {};
+    return timed;
+  }
+  timed.recovery = recovery_of(arm, timed.trajectory);
+  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
+  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
+  return timed;
+}
+
 }  // namespace
 
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
   Retimed given;
   given.profile = options.profile.value_or(default_profile);
   internal::check_options(options);
+  internal::check_recover(options.recover);
   const Trajectory trajectory = path_of(arm, recorded, options, given.unwrapped);
   check_moves(trajectory);
   given.reason = too_long(trajectory, options);
   if (!given) return given;
   internal::BudgetMeter budget(options.budget);
-  const std::vector<std::vector<Configuration>> sections = positions_between_stops(trajectory);
-  Retimed timed = options.joint_blend
-                      ? retimed_with_blends(arm, sections, options, budget)
-                      : internal::retimed_paths(arm, splines(sections), options, budget);
+  Retimed timed = internal::may_recover(internal::largest_excess(arm, trajectory.positions.front()),
+                                        options.recover)
+                      ? retimed_from_outside(arm, trajectory, options, budget)
+                      : retimed_positions(arm, trajectory, options, budget);
   timed.unwrapped = std::move(given.unwrapped);
   return timed;
 }

@@ -42,6 +42,10 @@ struct RetimeOptions {
   /// Whether to keep the jumps of continuous joints whose values wrap. The times of the trajectory,
   /// which are otherwise ignored, decide which jumps are wraps.
   bool no_unwrap = false;
+  /// Largest excess of the first position over a position limit, 0 to 0.1 rad or m, from which the
+  /// motion recovers: a first section leads straight, from rest to rest, to the nearest
+  /// configuration within the limits, where the path then begins.
+  double recover = 0;
   Budget budget = {};
 };
 
@@ -57,6 +61,9 @@ struct Retimed {
   /// 0: a stop. Of repeated positions there is one.
   std::vector<double> blends = {};
   std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
+  /// The section that leads back within the position limits, with the option `recover`; of a motion
+  /// that starts within them none. The trajectory is within the limits after it.
+  std::optional<Recovery> recovery = std::nullopt;
   /// How the computation ended. Unless complete, the trajectory has the sections computed so far,
   /// up to a stop, and may take longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;

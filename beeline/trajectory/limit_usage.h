@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include <beeline/budget.h>
@@ -38,6 +40,33 @@ struct LimitUsage {
 /// the jerk of quintics. Unknown limits are assumed: see motion_limits(). Throws Error as
 /// matched_to() does.
 LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory, const Budget& budget = {});
+
+/// The beginning of a motion that starts outside the position limits and leads back within them.
+/// Each joint that starts outside moves towards its limit: its excess over the limit never rises,
+/// and the joint does not leave its limits again.
+struct Recovery {
+  double excess = 0;       ///< largest excess over a position limit at the start, rad or m
+  std::string joint = {};  ///< the joint with this excess
+  std::size_t sample =
+      0;            ///< index of the first sample at which all joints are within their limits
+  double time = 0;  ///< time of that sample, s
+};
+
+/// Returns the recovery of a trajectory, by its samples; nothing if it starts within the position
+/// limits, to position_slack. If the motion does not come back, `sample` is its last one. verify()
+/// proves that the excess falls between the samples too. Throws Error as matched_to() does.
+std::optional<Recovery> recovery_of(const Arm& arm, const Trajectory& trajectory);
+
+/// The largest excess from which a motion may recover, rad or m.
+constexpr double max_recover = 0.1;
+
+/// Returns a slight excess over the position limits: 1e-4 of the smallest range of a joint, rad or
+/// m, at most max_recover; 0 if no joint has two limits.
+double slight_excess(const Arm& arm);
+
+/// Returns the configuration within the position limits that is nearest to q, rad or m. Throws
+/// Error when q does not fit the arm.
+Configuration nearest_within_limits(const Arm& arm, const ConfigurationRef& q);
 
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of
 /// its limits is within them: slowed down by k it uses v / k, a / k^2 and j / k^3. The factor is

@@ -33,13 +33,13 @@ template <>
 struct Fields<VerifyOptions>
     : Members<&VerifyOptions::moving, &VerifyOptions::task, &VerifyOptions::tolerance,
               &VerifyOptions::orientation_tolerance, &VerifyOptions::limit_tolerance,
-              &VerifyOptions::budget> {};
+              &VerifyOptions::recover, &VerifyOptions::budget> {};
 
 template <>
 struct Fields<Verification>
     : Members<&Verification::fault, &Verification::reason, &Verification::sample,
               &Verification::time, &Verification::faults, &Verification::deviation,
               &Verification::path, &Verification::path_parameters, &Verification::arrivals,
-              &Verification::ending> {};
+              &Verification::recovery, &Verification::ending> {};
 
 }  // namespace beeline::python

@@ -27,9 +27,9 @@ struct Fields<CartesianOptions>
 template <>
 inline constexpr bool reports<JointMoveOptions> = false;
 template <>
-struct Fields<JointMoveOptions> : Members<&JointMoveOptions::synchronise, &JointMoveOptions::rate,
-                                          &JointMoveOptions::duration, &JointMoveOptions::budget> {
-};
+struct Fields<JointMoveOptions>
+    : Members<&JointMoveOptions::synchronise, &JointMoveOptions::rate, &JointMoveOptions::duration,
+              &JointMoveOptions::recover, &JointMoveOptions::budget> {};
 
 template <>
 struct Fields<StartJump>
@@ -41,7 +41,7 @@ struct Fields<ControlledMotion>
     : Members<&ControlledMotion::status, &ControlledMotion::reason, &ControlledMotion::trajectory,
               &ControlledMotion::arrivals, &ControlledMotion::steps, &ControlledMotion::slowed,
               &ControlledMotion::overshoot, &ControlledMotion::error, &ControlledMotion::limits,
-              &ControlledMotion::start_jump> {};
+              &ControlledMotion::start_jump, &ControlledMotion::recovery> {};
 
 template <>
 struct Fields<SpeedChange> : Members<&SpeedChange::time, &SpeedChange::speed> {

@@ -13,7 +13,7 @@ struct Fields<ControllerFileOptions>
     : Members<&ControllerFileOptions::rate, &ControllerFileOptions::program_name,
               &ControllerFileOptions::work, &ControllerFileOptions::remarks,
               &ControllerFileOptions::comments, &ControllerFileOptions::ignore_limits,
-              &ControllerFileOptions::limit_tolerance> {};
+              &ControllerFileOptions::limit_tolerance, &ControllerFileOptions::recover> {};
 
 template <>
 struct Fields<ControllerFile>

@@ -68,8 +68,9 @@ struct Fields<PathMotionOptions>
               &PathMotionOptions::orientation_tolerance, &PathMotionOptions::profile,
               &PathMotionOptions::interpolation, &PathMotionOptions::tool_speed,
               &PathMotionOptions::rate, &PathMotionOptions::duration,
-              &PathMotionOptions::max_samples, &PathMotionOptions::blocked_by,
-              &PathMotionOptions::suggest, &PathMotionOptions::budget> {};
+              &PathMotionOptions::max_samples, &PathMotionOptions::recover,
+              &PathMotionOptions::blocked_by, &PathMotionOptions::suggest,
+              &PathMotionOptions::budget> {};
 
 template <>
 struct Fields<BlockedBranch> : Members<&BlockedBranch::start, &BlockedBranch::status,
@@ -80,6 +81,7 @@ struct Fields<PathMotion>
     : Members<&PathMotion::status, &PathMotion::reason, &PathMotion::path_parameter,
               &PathMotion::nearby, &PathMotion::blocked, &PathMotion::trajectory, &PathMotion::path,
               &PathMotion::path_parameters, &PathMotion::arrivals, &PathMotion::deviation,
-              &PathMotion::limits, &PathMotion::limit_margin, &PathMotion::inverse_condition> {};
+              &PathMotion::limits, &PathMotion::recovery, &PathMotion::limit_margin,
+              &PathMotion::inverse_condition> {};
 
 }  // namespace beeline::python

@@ -45,11 +45,12 @@ struct Fields<RetimeOptions>
     : Members<&RetimeOptions::profile, &RetimeOptions::interpolation, &RetimeOptions::joint_blend,
               &RetimeOptions::speed_scale, &RetimeOptions::tool_speed, &RetimeOptions::rate,
               &RetimeOptions::duration, &RetimeOptions::max_samples, &RetimeOptions::no_unwrap,
-              &RetimeOptions::budget> {};
+              &RetimeOptions::recover, &RetimeOptions::budget> {};
 
 template <>
-struct Fields<Retimed> : Members<&Retimed::profile, &Retimed::reason, &Retimed::trajectory,
-                                 &Retimed::limits, &Retimed::tool_speed, &Retimed::sections,
-                                 &Retimed::blends, &Retimed::unwrapped, &Retimed::ending> {};
+struct Fields<Retimed>
+    : Members<&Retimed::profile, &Retimed::reason, &Retimed::trajectory, &Retimed::limits,
+              &Retimed::tool_speed, &Retimed::sections, &Retimed::blends, &Retimed::unwrapped,
+              &Retimed::recovery, &Retimed::ending> {};
 
 }  // namespace beeline::python

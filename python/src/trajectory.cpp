@@ -135,6 +135,31 @@ void bind_limit_usage(nb::module_& m) {
       usage, nb::arg("arm"), nb::arg("trajectory"), nb::arg("keywords"));
 }
 
+void bind_recoveries(nb::module_& m) {
+  bind_record<Recovery>(m);
+  Signature found("recovery_of", "Recovery | None", comment("recovery_of"));
+  found.takes_arm().takes("trajectory", "Trajectory", "Its joints are matched by name.");
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory) {
+        return Value<std::optional<Recovery>>::to(recovery_of(arm, trajectory));
+      },
+      found, nb::arg("arm"), nb::arg("trajectory"));
+  Signature slight("slight_excess", "float", comment("slight_excess"));
+  slight.takes_arm();
+  define(
+      m, [](const Arm& arm) { return slight_excess(arm); }, slight, nb::arg("arm"));
+  Signature nearest("nearest_within_limits", array_type, comment("nearest_within_limits"));
+  nearest.takes_arm().takes("q", array_like, "Configuration (n,).");
+  define(
+      m,
+      [](const Arm& arm, nb::handle q) {
+        return Value<Configuration>::to(
+            nearest_within_limits(arm, Value<Configuration>::from(q, "q")));
+      },
+      nearest, nb::arg("arm"), nb::arg("q"));
+}
+
 void bind_slowdowns(nb::module_& m) {
   Signature slower("slow_down", "Trajectory",
                    "Returns the trajectory slowed down by k: times are multiplied by it, "
@@ -208,6 +233,7 @@ void bind_trajectories(nb::module_& m) {
   bind_record<LimitFraction>(m);
   bind_record<LimitUsage>(m);
   bind_limit_usage(m);
+  bind_recoveries(m);
   bind_slowdowns(m);
   bind_comparisons(m);
 }

@@ -76,6 +76,10 @@ struct Fields<LimitFraction>
               &LimitFraction::exact, &LimitFraction::assumed> {};
 
 template <>
+struct Fields<Recovery>
+    : Members<&Recovery::excess, &Recovery::joint, &Recovery::sample, &Recovery::time> {};
+
+template <>
 struct Fields<LimitUsage>
     : Members<&LimitUsage::position, &LimitUsage::velocity, &LimitUsage::acceleration,
               &LimitUsage::jerk, &LimitUsage::ending> {};

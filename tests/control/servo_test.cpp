@@ -308,5 +308,29 @@ TEST(Servo, RefusesInvalidArguments) {
   EXPECT_REFUSED((servo.step(Configuration::Zero(6), bad, six)), "finite");
 }
 
+TEST(Servo, RefusesAVelocityBeyondTheLimits) {
+  const Arm arm = with_accelerations("panda");
+  const Configuration q = middle_configuration(arm);
+  Servo servo(arm), other(arm);
+  Eigen::VectorXd within(7), v(7), same(7);
+  for (int k = 0; k < 7; ++k) within[k] = (k % 2 == 0 ? 1 : -1) * arm.limits(k).velocity;
+  servo.set_velocity(within);
+  other.set_velocity(within);
+  for (int k = 0; k < 7; ++k) {
+    Configuration beyond = within;
+    beyond[k] *= 1.00001;
+    const std::string refused = testing::refusal([&] { servo.set_velocity(beyond); });
+    EXPECT_NE(refused.find("joint" + std::to_string(k + 1)), std::string::npos) << refused;
+    EXPECT_NE(refused.find(number(arm.limits(k).velocity)), std::string::npos) << refused;
+    beyond[k] = NAN;
+    EXPECT_REFUSED(servo.set_velocity(beyond), "finite");
+  }
+  // A refused velocity changes nothing, and after an accepted one the limits hold.
+  servo.step(q, Twist::Constant(0.1), v);
+  other.step(q, Twist::Constant(0.1), same);
+  EXPECT_EQ(v, same);
+  EXPECT_LT(largest_excess(v, arm, &Limits::velocity), rounding);
+}
+
 }  // namespace
 }  // namespace beeline

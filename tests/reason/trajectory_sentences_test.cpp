@@ -17,6 +17,9 @@ std::vector<Said> said_of_trajectories() {
       {{ReasonCode::moves_outside_limits, with(outside, {{interpolation, "cubic"}})},
        "joint j2 moves to 2 rad before the next sample, by the cubic with its velocities: outside "
        "its limits of -1 to 1 rad"},
+      {{ReasonCode::excess_rises, with(outside, {{change, 0.5}})},
+       "joint j2 starts outside its limits and does not return steadily: at 2 rad, outside its "
+       "limits of -1 to 1 rad, it moves out by 0.5 rad"},
       {{ReasonCode::rotates_too_far, with(of_joint, {{change, 3.2}})},
        "joint j2 rotates by 3.2 rad to the next sample, 0.509296 revolutions"},
       {{ReasonCode::derivative_needed, above},

@@ -7,10 +7,11 @@ import { json, run } from "./native.js";
 
 const { opened } = pages();
 
-/** What the page does not ask for: searches with a budget, programs, batches, servo, mounts. */
+/** What the page does not ask for: starts outside limits, searches with a budget, programs, batches, servo, mounts. */
 const elsewhere = [
   /^none$/,
   /^ended/,
+  /^excess_rises$/,
   /^program_|^passes_without_rest$|^dwell_too_short$|^tool_too_fast$/,
   /^poses_|^no_mount_/,
   /^singular_velocity$|^too_few_joints$/,

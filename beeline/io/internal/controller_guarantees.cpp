@@ -150,6 +150,12 @@ Reason first_excess(const Verification& known, int order) {
   return {};
 }
 
+/// The beginning outside the limits. Between the samples it holds for motions that are played.
+std::string recovery_sentence(const Recovery& recovery) {
+  return "joint " + recovery.joint + " starts outside its limits by " + number(recovery.excess) +
+         "; all joints have returned at " + number(recovery.time) + " s and stay within them";
+}
+
 void append_rest(const Arm& arm, const Trajectory& trajectory,
                  std::vector<std::string>& not_proved) {
   const Verification ends = verify(arm, trajectory);
@@ -170,7 +176,9 @@ ControllerGuarantees guarantees_of(const Arm& arm, const Trajectory& given,
   const bool plays = form == ControllerForm::ros2;
   const int carried = plays ? bounded_order(trajectory.interpolation()) : 0;
   const Arm limited = with_known_limits(arm);
-  const VerifyOptions verifying{.moving = {true, true}, .limit_tolerance = options.limit_tolerance};
+  const VerifyOptions verifying{.moving = {true, true},
+                                .limit_tolerance = options.limit_tolerance,
+                                .recover = options.recover};
   const Verification known = verify(limited, trajectory, verifying);
   ControllerGuarantees result;
   if (!options.ignore_limits) {
@@ -182,6 +190,8 @@ ControllerGuarantees guarantees_of(const Arm& arm, const Trajectory& given,
   std::vector<NotProved> others;
   if (const FaultsOfKind* const outside = found(known, Fault::limits)) {
     add(others, "position", sentence(outside->worst));
+  } else if (known.recovery) {
+    add(others, "position", recovery_sentence(*known.recovery));
   } else {
     kept.emplace_back("position");
   }

@@ -1,0 +1,56 @@
+#include "recover_argument.h"
+
+#include <fmt/format.h>
+
+#include <beeline/io/text/numbers.h>
+
+#include "format.h"
+
+namespace beeline::command {
+namespace {
+
+const std::string slight = "slight";
+
+double shown_excess(const Arm& arm, const Recovery& recovery, const UnitArgument& unit) {
+  return unit.shown(arm, coordinate_named(arm, recovery.joint), recovery.excess);
+}
+
+}  // namespace
+
+Option RecoverArgument::option(const std::string& of, const OptionRules& rules) {
+  OptionRules accepted = rules;
+  accepted.choices = {slight};
+  accepted.other_values = true;
+  return Option("--recover AMOUNT",
+                of + " AMOUNT is an excess over a position limit, from 0 to " +
+                    fmt::format("{}", max_recover) +
+                    " rad or m, or slight: 1e-4 of the smallest range of a joint.",
+                &text, std::move(accepted));
+}
+
+double RecoverArgument::read(const Arm& arm) const {
+  if (text.empty()) return 0;
+  return text == slight ? slight_excess(arm) : parse_number(text, "--recover");
+}
+
+std::string recovery_text(const Arm& arm, const std::optional<Recovery>& recovery,
+                          const UnitArgument& unit) {
+  if (!recovery) return "";
+  const int k = coordinate_named(arm, recovery->joint);
+  const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+  return fmt::format(
+      "recovery      starts outside the limits by {} {}, joint {}; within them from {} s on\n",
+      shown(shown_excess(arm, *recovery, unit)), slides ? "m" : unit.name(), recovery->joint,
+      shown(recovery->time));
+}
+
+Json json_recovery(const Arm& arm, const std::optional<Recovery>& recovery,
+                   const UnitArgument& unit) {
+  if (!recovery) return nullptr;
+  return {{"excess", shown_excess(arm, *recovery, unit)},
+          {"joint", recovery->joint},
+          {"sample", recovery->sample + 1},
+          {"time", recovery->time}};
+}
+
+}  // namespace beeline::command

@@ -1,0 +1,194 @@
+#include <beeline/timing/retime.h>
+#include <beeline/trajectory/limit_usage.h>
+
+#include <tests/planning/motion_promises.h>
+#include <tests/random.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+constexpr double resolution = 1e-9;  // of a fall, rad or m
+
+double excess_of(const Arm& arm, int k, double q) {
+  return std::max(arm.limits(k).lower - q, q - arm.limits(k).upper);
+}
+
+/// A configuration within the limits, except that some joints, at least one, exceed theirs.
+Configuration outside(Random& random, const Arm& arm) {
+  Configuration q = 0.8 * random.configuration(arm) + 0.2 * middle_configuration(arm);
+  const int first = random.integer(0, arm.dof() - 1);
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (k != first && random.integer(0, 3) != 0) continue;
+    const Limits& limits = arm.limits(k);
+    const double excess = std::pow(10, random.uniform(-8, -1.4));
+    q[k] = random.integer(0, 1) == 0 ? limits.upper + excess : limits.lower - excess;
+  }
+  return q;
+}
+
+double largest_excess(const Arm& arm, const Configuration& q) {
+  double largest = 0;
+  for (int k = 0; k < arm.dof(); ++k) largest = std::max(largest, excess_of(arm, k, q[k]));
+  return largest;
+}
+
+/// Expects that the motion begins at `start`, brings the joints that are outside back steadily, and
+/// keeps the limits after that; and that verify() accepts it with this excess only.
+void expect_recovery(const Arm& arm, const Configuration& start, const Trajectory& motion,
+                     const std::optional<Recovery>& recovery) {
+  const double excess = largest_excess(arm, start);
+  ASSERT_TRUE(recovery);
+  EXPECT_EQ(recovery->excess, excess);
+  EXPECT_EQ(motion.positions.front(), start);
+  ASSERT_LT(recovery->sample, motion.size());
+  EXPECT_EQ(recovery->time, motion.times[recovery->sample]);
+  constexpr int times = 3000;
+  Configuration smallest = Configuration::Constant(arm.dof(), Limits::none);
+  for (int i = 0; i <= times; ++i) {
+    const double t = motion.duration() * i / times;
+    const Configuration q = sample(motion, t).position;
+    for (int k = 0; k < arm.dof(); ++k) {
+      const double here = excess_of(arm, k, q[k]);
+      ASSERT_LE(here,
+                std::max(0.0, std::min(smallest[k], excess_of(arm, k, start[k]))) + resolution)
+          << arm.name() << " joint " << k << " at " << t;
+      smallest[k] = std::min(smallest[k], here);
+    }
+    if (t >= recovery->time) {
+      ASSERT_LE(largest_excess(arm, q), resolution);
+    }
+  }
+  const Verification accepted = verify(arm, motion, VerifyOptions{.recover = excess});
+  EXPECT_TRUE(accepted) << arm.name() << ", excess " << excess << ": " << accepted.reason;
+  const Verification refused = verify(arm, motion, VerifyOptions{.recover = excess / 2});
+  EXPECT_EQ(refused.fault, Fault::limits);
+  EXPECT_EQ(refused.sample, 0);
+  EXPECT_EQ(verify(arm, motion).fault, Fault::limits);
+}
+
+/// Expects that the joints that start within their limits stand still up to the end of the section.
+void expect_others_still(const Arm& arm, const Trajectory& motion, const Recovery& recovery) {
+  const Configuration& start = motion.positions.front();
+  for (std::size_t i = 0; i <= recovery.sample; ++i) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (excess_of(arm, k, start[k]) <= 0) {
+        ASSERT_EQ(motion.positions[i][k], start[k]);
+      }
+    }
+  }
+}
+
+TEST(RecoveryOfJointPaths, LeadsBackAndThenThroughTheWaypoints) {
+  Random random;
+  for (const char* name : {"panda", "puma560", "iiwa14", "scara"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < cases(45); ++i) {
+      const Configuration start = outside(random, arm);
+      const std::vector<Configuration> waypoints{start, random.configuration(arm),
+                                                 random.configuration(arm)};
+      RetimeOptions options{.joint_blend = 0, .recover = 0.1};
+      options.profile = static_cast<Profile>(random.integer(0, 2));
+      if (random.integer(0, 2) == 0) options.rate = 200;
+      const Retimed motion = move_through(arm, waypoints, options);
+      ASSERT_TRUE(motion) << name << ": " << motion.reason;
+      expect_recovery(arm, start, motion.trajectory, motion.recovery);
+      expect_others_still(arm, motion.trajectory, *motion.recovery);
+      EXPECT_EQ(motion.trajectory.positions.back(), waypoints.back());
+      EXPECT_EQ(motion.blends, (std::vector<double>{0, 0}));
+      options.recover = largest_excess(arm, start) / 2;
+      EXPECT_FALSE(move_through(arm, waypoints, options));
+    }
+  }
+}
+
+TEST(RecoveryOfJointPaths, KeepsADurationAndMayBeTheWholeMotion) {
+  const Arm arm = built_in("panda");
+  Configuration start = middle_configuration(arm);
+  start[3] = arm.limits(3).upper + 0.02;
+  const Configuration back = nearest_within_limits(arm, start);
+  const Retimed only = move_through(arm, std::vector{start, back}, {.recover = 0.1});
+  ASSERT_TRUE(only) << only.reason;
+  expect_recovery(arm, start, only.trajectory, only.recovery);
+  EXPECT_EQ(only.trajectory.positions.back(), back);
+  const std::vector<Configuration> on{start, middle_configuration(arm)};
+  const Retimed slow = move_through(arm, on, {.duration = 5, .recover = 0.1});
+  ASSERT_TRUE(slow) << slow.reason;
+  EXPECT_NEAR(slow.duration(), 5, 1e-9);
+  expect_recovery(arm, start, slow.trajectory, slow.recovery);
+  const Retimed short_one = move_through(arm, on, {.duration = 0.01, .recover = 0.1});
+  EXPECT_EQ(short_one.reason.code, ReasonCode::duration_too_short);
+  EXPECT_FALSE(move_through(arm, on));
+}
+
+TEST(RecoveryOfLines, LeadsBackToTheBeginningOfThePath) {
+  Random random;
+  int reached = 0;
+  for (const char* name : {"panda", "puma560", "iiwa14"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < cases(60); ++i) {
+      const Configuration start = outside(random, arm);
+      const Configuration back = nearest_within_limits(arm, start);
+      Pose to = forward_kinematics(arm, back);
+      to.translation() += 0.02 * random.direction();
+      PathMotionOptions options{.recover = 0.1};
+      if (i % 2 == 0) options.rate = 250;
+      const PathMotion motion = move_in_lines(arm, start, {to}, options);
+      EXPECT_REFUSED(move_in_lines(arm, start, {to}), "the motion cannot start");
+      if (!motion) continue;
+      ++reached;
+      expect_recovery(arm, start, motion.trajectory, motion.recovery);
+      expect_others_still(arm, motion.trajectory, *motion.recovery);
+      EXPECT_EQ(motion.path_parameters.size(), motion.trajectory.size());
+      EXPECT_EQ(motion.arrivals, std::vector{motion.trajectory.size() - 1});
+      EXPECT_LE(motion.deviation.bound.position, options.tolerance);
+      const Verification proved = verify(arm, motion.trajectory, {to}, {.recover = 0.1});
+      EXPECT_TRUE(proved) << proved.reason;
+      EXPECT_FALSE(verify(arm, motion.trajectory, {to}));
+      // With another sample the path is left, not before the recovery has ended.
+      Trajectory off = motion.trajectory;
+      off.positions.back()[arm.dof() - 2] += 0.01;
+      const Verification left = verify(arm, off, {to}, {.recover = 0.1});
+      EXPECT_NE(left.fault, Fault::none);
+      EXPECT_GE(left.sample, motion.recovery->sample);
+    }
+  }
+  EXPECT_GT(reached, cases(60) / 2) << "of " << 3 * cases(60) << ", many at a limit";
+}
+
+TEST(RecoveryOfLines, IsProvedInTheSceneToo) {
+  const Arm arm = built_in("panda");
+  Configuration start = middle_configuration(arm);
+  start[0] = arm.limits(0).upper + 0.05;
+  Pose to = forward_kinematics(arm, nearest_within_limits(arm, start));
+  to.translation().z() += 0.05;
+  int asked = 0;
+  PathMotionOptions options{.recover = 0.1};
+  options.blocked_by.reason = [&](const Trajectory& motion, const Budget&) {
+    ++asked;
+    const bool whole = motion.positions.front() == start;
+    return whole ? Reason{ReasonCode::bodies_collide, {{ReasonField::time, 0.0}}} : Reason{};
+  };
+  const PathMotion motion = move_in_lines(arm, start, {to}, options);
+  EXPECT_EQ(motion.status, MotionStatus::collides);
+  EXPECT_EQ(motion.reason.code, ReasonCode::bodies_collide);
+  EXPECT_EQ(motion.trajectory.size(), 0);
+  EXPECT_GE(asked, 2);
+}
+
+TEST(RecoveryOfLines, RefusesAmountsOutOfRangeAndFartherStarts) {
+  const Arm arm = built_in("panda");
+  Configuration q = middle_configuration(arm);
+  const Pose to = forward_kinematics(arm, q);
+  for (const double wrong : {-1e-9, 0.2, 1e300, Limits::none, std::nan("")}) {
+    EXPECT_REFUSED(move_in_lines(arm, q, {to}, {.recover = wrong}), "recover must be from 0");
+    EXPECT_REFUSED(move_through(arm, std::vector{q, q}, {.recover = wrong}), "recover must be");
+  }
+  q[2] = arm.limits(2).upper + 0.05;
+  EXPECT_REFUSED(move_in_lines(arm, q, {to}, {.recover = 0.04}),
+                 "the motion cannot start: joint joint3");
+}
+
+}  // namespace
+}  // namespace beeline
