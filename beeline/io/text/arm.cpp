@@ -33,7 +33,10 @@ Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& 
 /// Every format of arm files. A new reader is one row here.
 constexpr ArmFormat arm_formats[] = {
     {"urdf", true, arm_from_urdf},
-    {"xml", true, arm_from_urdf},
+    {"xml", true, arm_from_urdf},  // URDF or MJCF, by the root
+                                   // element
+    {"mjcf", true, arm_from_urdf},
+    {"xacro", true, arm_from_urdf},
     {"json", false, parse_json},
 };
 
@@ -47,7 +50,8 @@ const ArmFormat* format_of(std::string_view path) {
 
 void refuse_ends(const std::string& text, const ChainEnds& ends) {
   if (ends.base.empty() && ends.tip.empty()) return;
-  throw Error("base and tip select a chain of a URDF file; " + in_quotes(text) + " is not one");
+  throw Error("base and tip select a chain of a URDF or MJCF file; " + in_quotes(text) +
+              " is not one");
 }
 
 std::string known_endings() {
@@ -59,9 +63,6 @@ std::string known_endings() {
 /// The format of a file that describes an arm, by its ending.
 const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) {
   const std::string ending = extension(path);
-  if (ending == "xacro") {
-    throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
-  }
   if (ending == "srdf") {
     throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
   }
@@ -154,6 +155,7 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::rate_limit:
     case ReadWarningKind::unknown_leader:
     case ReadWarningKind::leader_cycle:
+    case ReadWarningKind::nonlinear_coupling:
       return clause(warning) + "; the joint is beside the chain";
     case ReadWarningKind::xacro_tag:
       if (warning.joint.empty()) {

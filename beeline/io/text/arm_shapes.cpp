@@ -108,7 +108,8 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
     refuse_hold(options);
     read = shapes_from_arm_json(text, path);
   }
-  read.allowed_pairs = exempted_pairs(srdf, read.links);
+  const std::vector<NamedPair> exempted = exempted_pairs(srdf, read.links);
+  read.allowed_pairs.insert(read.allowed_pairs.end(), exempted.begin(), exempted.end());
   return read;
 }
 
