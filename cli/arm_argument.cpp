@@ -36,7 +36,7 @@ void hint_at_built_in(const std::string& text) {
 
 Positional ArmArgument::argument() {
   return {.name = "ARM",
-          .help = "A built-in arm, a joint string or a file (.urdf, .json).",
+          .help = "A built-in arm, a joint string or a file (.urdf, .xacro, MuJoCo's .xml, .json).",
           .target = &text,
           .completes = Completes::arm};
 }
@@ -65,11 +65,13 @@ std::vector<Option> ArmArgument::options() {
 std::vector<Option> ArmArgument::chain_options() {
   return {
       Option("--base LINK",
-             "First link of the chain, any link of a URDF file. Default: its root link, or the "
+             "First link of the chain, any link of a URDF file or body of MJCF. Default: its root "
+             "link, or the "
              "link below a floating or planar joint.",
              &base),
       Option("--tip LINK",
-             "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
+             "Last link of the chain, any link of a URDF file, body or site of MJCF. Default: the "
+             "leaf that a joint "
              "moves, of several tool0 or, if only fixed joints are between them, the first; before "
              "the joints of a gripper.",
              &tip),

@@ -72,7 +72,8 @@ std::vector<SceneLine> exempted_lines(const CheckedScene& scene) {
     lines.push_back({"may touch", pair_text(pair)});
   }
   if (!scene.srdf_pairs.empty()) {
-    lines.push_back({"may touch", "by " + scene.srdf + ": " + pairs_text(scene.srdf_pairs)});
+    lines.push_back({"may touch", "by " + (scene.srdf.empty() ? "the arm's file" : scene.srdf) +
+                                      ": " + pairs_text(scene.srdf_pairs)});
   }
   if (!scene.exempted_pairs.empty()) {
     lines.push_back({"may touch", "by the scene's matrix: " + pairs_text(scene.exempted_pairs)});

@@ -14,6 +14,7 @@
 #include "arm_document.h"
 #include "format.h"
 #include "result_files.h"
+#include "screw_table.h"
 #include "verbs.h"
 
 namespace beeline::command {
@@ -23,7 +24,7 @@ struct ShowArguments {
   ArmArgument arm;
   LimitsArgument limits;
   UnitArgument unit;
-  std::string out;
+  std::string out, as;
 };
 
 /// The chain of a group, or why it is none.
@@ -103,6 +104,10 @@ Answer show(const ShowArguments& arguments) {
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
+  if (arguments.as == "screws") {
+    answer.text += screw_table(arm);
+    answer.document.add("screws", screw_document(arm));
+  }
   add_source(arguments.arm.text, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
@@ -129,10 +134,15 @@ Verb show_verb() {
                   {Option("--out FILE",
                           "Also write the arm to this .json file, with the shapes of its links "
                           "unless they are in a URDF file.",
-                          &arguments->out)},
+                          &arguments->out),
+                   Option("--as FORM",
+                          "Also print the arm as screws: the product of exponentials, with the "
+                          "screws in the world and in the tool and the home pose.",
+                          &arguments->as, {.choices = {"screws"}})},
                   arguments->arm.options(),
                   arguments->limits.options()}),
       .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                   {"The screws of a UR5, as in Lynch & Park", "beeline show ur5 --as screws"},
                    {"A UR5 with limits of its user",
                     "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
                    {"An arm file to change and use in place of the built-in arm",

@@ -118,7 +118,8 @@ std::string help_text(const Verb& verb, const std::string& command) {
 const std::string& conventions() {
   static const std::string text =
       "ARM is a built-in arm (panda; `beeline arms` lists them, in upper or lower case), a joint "
-      "string with link lengths in metres (RRR:3.5,3.5,2), or a file (.urdf, .json).\n"
+      "string with link lengths in metres (RRR:3.5,3.5,2), or a file (.urdf, .xacro, MuJoCo's "
+      ".xml, .json).\n"
       "\n"
       "Units are metres, radians and seconds. With --degrees, angles are read and printed in "
       "degrees; the value of a prismatic joint is always in metres.\n"

@@ -52,7 +52,8 @@ void bind_arm_files(nb::class_<Arm>& arm) {
   Signature load(
       "load", "Arm",
       "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
-      "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Issues a ModelWarning for what was "
+      "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.xacro`, MuJoCo's `.xml`, `.json`). Issues a "
+      "ModelWarning for what was "
       "selected or left out. Raises FileError for an invalid file, whose line it names.");
   chain(load.takes("source", path_like, "Name, joint string or path."));
   define_static(
@@ -66,10 +67,11 @@ void bind_arm_files(nb::class_<Arm>& arm) {
       load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
 
-  Signature urdf("from_urdf", "Arm",
-                 "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
-                 "world is the base link's frame. Issues a ModelWarning for what was selected or "
-                 "left out. Raises FileError for an invalid file, whose line it names.");
+  Signature urdf(
+      "from_urdf", "Arm",
+      "Reads the chain from `base` to `tip` of a URDF or MJCF file, or of the text of one. The "
+      "world is the base link's frame. Issues a ModelWarning for what was selected or "
+      "left out. Raises FileError for an invalid file, whose line it names.");
   chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
   define_static(
       arm,

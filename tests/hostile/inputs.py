@@ -60,6 +60,7 @@ FILES = {
     "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
     "scan.ply": SCAN, "pick.csv": PICK, "around.csv": PICK.replace(b"line,next", b"around,next"), "pick.json": PICK_CELL,
     "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
+    "arm.xml": (ROOT / "tests/fuzz/corpus/mjcf/whole").read_bytes(), "arm.xacro": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
@@ -72,8 +73,14 @@ POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
 COMMANDS = [line.split() for line in f"""
 show robot.urdf --tip gripper
 show gen3.json --json
+show arm.xml --tip grasp --json
+fk arm.xml --tip hand --q 0.1,0.2
+move arm.xml --tip hand --from 0,0 --to 0.1,0.2 --method quickest --self
+doctor arm.xml --tip left
+show arm.xacro --tip gripper
 fk dh.json --q 0.1,0.2
 show RRRP:1,2,0.5,1
+show RHP:1,0.2p0.05,1 --as screws --json
 fk px150.json --q 0.1,0.2,0.3,0.4,0.5 --all
 fk rrr --q 0.1,0.2,0.3 --json
 jacobian ur5.json --q 0,1,1,0,1,0 --frame tool

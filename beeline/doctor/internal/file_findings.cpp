@@ -5,10 +5,11 @@
 #include <beeline/doctor/internal/findings.h>
 #include <beeline/doctor/internal/reconciliation.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/link_tree.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_fault.h>
-#include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_tree.h>
+#include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/json.h>
 #include <beeline/io/text/urdf.h>
 
@@ -17,10 +18,16 @@ namespace {
 
 constexpr double one_turn = 6.4;  // rad
 
+UrdfFile links_of_file(const std::string& path) {
+  const std::string text = read_file(path);
+  const ExpandedText expanded(text, path);
+  return parse_link_tree(expanded.text(), path);
+}
+
 std::string in_line(int line) { return "line " + std::to_string(line); }
 
 void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
-  const UrdfFile file = parse_urdf(read_file(path), path);
+  const UrdfFile file = links_of_file(path);
   constexpr std::size_t most_angles = 10;  // a file has many joints beside the chain
   std::size_t angles = 0;
   for (const UrdfFile::Joint& joint : file.joints) {
@@ -132,6 +139,8 @@ std::string remedy_for(const ReadWarning& warning) {
       return "write the name of a joint of the file, or delete <mimic>";
     case ReadWarningKind::leader_cycle:
       return "delete <mimic> of the joint that leads the others";
+    case ReadWarningKind::nonlinear_coupling:
+      return "write a linear polycoef, or select a chain without the joint";
     case ReadWarningKind::constant_mimic:
       return "give the leader a type that moves, or make the joint fixed too";
     case ReadWarningKind::zero_multiplier:
@@ -169,7 +178,7 @@ void append_faults(const std::string& path, std::string (*text)(const ReadWarnin
                    std::vector<Finding>& found) {
   if (!is_urdf_path(path)) return;
   constexpr std::size_t most = 100;
-  const UrdfFile file = parse_urdf(read_file(path), path);
+  const UrdfFile file = links_of_file(path);
   const std::vector<UrdfFault> faults = faults_by_line(file);
   const std::vector<ReadWarning> listed = warnings_of(file, faults, most);
   for (const ReadWarning& warning : listed) found.push_back(finding_of(warning, text(warning)));

@@ -30,7 +30,9 @@ Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& 
 /// completion of the command and the errors follow.
 constexpr ArmFormat arm_formats[] = {
     {"urdf", true, arm_from_urdf, internal::shapes_from_urdf},
-    {"xml", true, arm_from_urdf, internal::shapes_from_urdf},
+    {"xml", true, arm_from_urdf, internal::shapes_from_urdf},  // URDF or MJCF, by the root element
+    {"mjcf", true, arm_from_urdf, internal::shapes_from_urdf},
+    {"xacro", true, arm_from_urdf, internal::shapes_from_urdf},
     {"json", false, parse_json, internal::shapes_from_arm_json},
 };
 
@@ -61,9 +63,6 @@ const ArmFormat* internal::arm_format_of(std::string_view path) {
 
 const ArmFormat& internal::arm_format_of_file(const std::string& path, const ChainEnds& ends) {
   const std::string ending = extension(path);
-  if (ending == "xacro") {
-    throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
-  }
   if (ending == "srdf") {
     throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
   }
@@ -158,6 +157,7 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::rate_limit:
     case ReadWarningKind::unknown_leader:
     case ReadWarningKind::leader_cycle:
+    case ReadWarningKind::nonlinear_coupling:
       return clause(warning) + "; the joint is beside the chain";
     case ReadWarningKind::xacro_tag:
       if (warning.joint.empty()) {

@@ -36,22 +36,24 @@ enum class ReadWarningKind {
   unknown_type,        ///< the type `value` of `joint` is not one of URDF
   zero_axis,           ///< the axis of `joint`, `numbers`, has no direction
   limits_reversed,     ///< the lower limit of `joint` exceeds the upper one: `numbers`
-  rate_limit,         ///< the limit `attribute` of `joint`, such as `velocity`, `numbers`, is below
-                      ///< Limits::min_rate
-  unknown_leader,     ///< `joint` mimics the joint `value`, which is not in the file; `others` are
-                      ///< the known joints, none if there are more than 10,000
-  leader_cycle,       ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
-                      ///< other
-  constant_mimic,     ///< `joint` mimics, by leaders perhaps, the fixed joint `value`: it is
-                      ///< constant at `numbers`
-  zero_multiplier,    ///< `joint` mimics the joint `value` with multiplier 0: it is constant at
-                      ///< `numbers`
-  unknown_element,    ///< `joint` or, if it is empty, the file contains `element`, which URDF does
-                      ///< not define; so do `count` more joints
-  unknown_attribute,  ///< `element` of `joint` has `attribute`, which URDF does not define; so do
-                      ///< `count` more joints
-  repeated_element,   ///< `joint` has `count` of `element`, of which the first one counts
-  further_faults      ///< there are `count` more
+  rate_limit,      ///< the limit `attribute` of `joint`, such as `velocity`, `numbers`, is below
+                   ///< Limits::min_rate
+  unknown_leader,  ///< `joint` mimics the joint `value`, which is not in the file; `others` are
+                   ///< the known joints, none if there are more than 10,000
+  leader_cycle,    ///< `joint`, which mimics the joint `value`, follows leaders that mimic each
+                   ///< other
+  constant_mimic,  ///< `joint` mimics, by leaders perhaps, the fixed joint `value`: it is
+                   ///< constant at `numbers`
+  nonlinear_coupling,  ///< `joint` follows the joint `value`, in MJCF, by a polynomial that is not
+                       ///< linear
+  zero_multiplier,     ///< `joint` mimics the joint `value` with multiplier 0: it is constant at
+                       ///< `numbers`
+  unknown_element,     ///< `joint` or, if it is empty, the file contains `element`, which URDF does
+                       ///< not define; so do `count` more joints
+  unknown_attribute,   ///< `element` of `joint` has `attribute`, which URDF does not define; so do
+                       ///< `count` more joints
+  repeated_element,    ///< `joint` has `count` of `element`, of which the first one counts
+  further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
 
@@ -104,11 +106,11 @@ std::string sentence(const ReadWarning& warning, OptionStyle style = OptionStyle
 
 /// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
 /// link lengths
-/// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is
-/// for URDF files only. Appends a warning to `warnings`, unless null, for each choice among several
-/// and each fault.
-/// Throws Error for any other text (the message suggests the most similar built-in name), and
-/// FileError for a file that cannot be read.
+/// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending: `.json`; `.urdf`, `.xml`,
+/// `.mjcf` and `.xacro`, of which the root element says whether it is URDF or MJCF, see
+/// read_urdf(). `ends` is for these only. Appends a warning to `warnings`, unless null, for each
+/// choice among several and each fault. Throws Error for any other text (the message suggests the
+/// most similar built-in name), and FileError for a file that cannot be read.
 Arm read_arm(const std::string& text, const ChainEnds& ends = {},
              std::vector<ReadWarning>* warnings = nullptr);
 

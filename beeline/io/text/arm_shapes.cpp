@@ -105,7 +105,8 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
   if (!options.srdf.empty()) srdf = read_srdf(options.srdf);
   const internal::ArmFormat& format = internal::arm_format_of_file(path, ends);
   ArmShapes read = format.shapes(text, path, ends, options, srdf.states);
-  read.allowed_pairs = exempted_pairs(srdf, read.links);
+  const std::vector<NamedPair> exempted = exempted_pairs(srdf, read.links);
+  read.allowed_pairs.insert(read.allowed_pairs.end(), exempted.begin(), exempted.end());
   return read;
 }
 

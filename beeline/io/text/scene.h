@@ -64,10 +64,11 @@ bool is_cloud_path(const std::string& path);
 /// coordinate that is not a finite number is refused: leave out points that a camera did not
 /// measure.
 ///
-/// In a URDF file of a cell each link with `<collision>` elements is an obstacle of this name, and
-/// its root link is the world. Joints are held at `options.hold` or, without a value, at 0 or the
-/// limit next to 0; mimic joints follow. Shapes and meshes are read as in read_arm_shapes(). Links
-/// with `<visual>` alone are no obstacles: Scene::links_without_shapes.
+/// In a URDF file of a cell each link with `<collision>` elements, in an MJCF file each body with
+/// geoms that collide, is an obstacle of this name, and its root link is the world. Joints are held
+/// at `options.hold` or, without a value, at 0 or the limit next to 0; mimic joints follow. Shapes
+/// and meshes are read as in read_arm_shapes(). Links that are only visible are no obstacles:
+/// Scene::links_without_shapes.
 ///
 /// A file `.scene` is the text that MoveIt's RViz panel exports, of either version, posed in the
 /// planning frame. A file `.yaml` or a JSON file with a `world` is a message
@@ -106,7 +107,8 @@ struct ArmShapes {
   std::map<std::string, double> held = {};
   /// The named state of the SRDF file from which a joint of `held` has its value, by joint.
   std::map<std::string, std::string> held_by_state = {};
-  /// The pairs of these bodies that the SRDF file exempts: they may touch.
+  /// The pairs of these bodies that the SRDF file exempts, or `<exclude>` of an MJCF file, and
+  /// those that several joints of one MJCF body connect: they may touch.
   std::vector<NamedPair> allowed_pairs = {};
   /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
   std::vector<std::string> links_without_shapes = {};
@@ -131,6 +133,10 @@ struct ArmShapes {
 /// without one, of the first named state of `options.srdf` that has a value for the joint within
 /// its limits, or else at 0 or the limit next to 0; mimic joints follow. Bodies are at a joint of
 /// the arm only if it connects them.
+///
+/// The shapes of an MJCF file are the geoms that can collide, whose contype or conaffinity is not
+/// 0: spheres, capsules, cylinders, boxes and meshes, which are files in `meshdir` or lists of
+/// vertices. Geoms of other types are refused; in a scene planes are half spaces without bounds.
 ///
 /// A mesh is taken as its convex hull, Shape::hull_of, which contains it; `scale` is honoured. STL
 /// (binary or ASCII) and OBJ files are read and, by builds with BEELINE_ASSIMP, Collada (its

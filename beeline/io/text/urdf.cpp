@@ -3,11 +3,13 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/link_tree.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/urdf_chain.h>
 #include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_frames.h>
 #include <beeline/io/text/internal/urdf_mimic.h>
+#include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/internal/ranges.h>
 
@@ -24,7 +26,7 @@ Joint moving_joint(const UrdfFile::Joint& urdf) {
   joint.link = urdf.child;
   joint.limits = urdf.limits;
   joint.mimic = urdf.mimic;
-  joint.screw = urdf.type == "prismatic" ? translation_screw(urdf.axis) : rotation_screw(urdf.axis);
+  joint.screw = internal::screw_of(urdf);
   return joint;
 }
 
@@ -58,17 +60,18 @@ Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& bef
     cure += std::string(cure.empty() ? "" : " or ") +
             internal::recommended("tip", chain[i].reversed ? joint.child : joint.parent);
   }
-  throw FileError(file.path, joint.line,
-                  "joint " + joint.name + " is " + internal::in_quotes(joint.type) +
-                      "; a chain has revolute, continuous, prismatic and fixed joints" +
+  const bool is_mjcf = file.is_mjcf;
+  const std::string type = is_mjcf && is_free(joint) ? "free" : joint.type;
+  throw FileError(path_of(file, joint), joint.line,
+                  "joint " + joint.name + " is " + internal::in_quotes(type) + "; a chain has " +
+                      (is_mjcf ? "hinge and slide joints"
+                               : "revolute, continuous, prismatic and fixed joints") +
                       (cure.empty() ? "" : "; " + cure + " selects a chain without it"));
 }
 
-}  // namespace
-
-Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
-                  std::vector<ReadWarning>* warnings) {
-  const UrdfFile file = internal::parse_urdf(text, path);
+/// Returns the arm of a chain of the file.
+Arm arm_of(const UrdfFile& file, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {
+  const std::string& path = file.path;
   const std::vector<ChainJoint> chain = internal::cut_chain(file, ends, warnings);
   std::vector<Joint> joints;
   Pose fixed = Pose::Identity();  // from the last moving joint's frame
@@ -102,6 +105,16 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }
+}
+
+}  // namespace
+
+Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
+                  std::vector<ReadWarning>* warnings) {
+  const internal::ExpandedText expanded(text, path);
+  return internal::with_lines_of(expanded, [&] {
+    return arm_of(internal::parse_link_tree(expanded.text(), path), ends, warnings);
+  });
 }
 
 Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {

@@ -47,9 +47,10 @@ TEST(ReadArm, FilesThatAreNoArmsAreNamed) {
   EXPECT_REFUSED(read_arm(folder.file("none.urdf")), "none.urdf: cannot be read: No such file");
   EXPECT_REFUSED(read_arm(folder.file("none.json")), "none.json: cannot be read: No such file");
   EXPECT_REFUSED(read_arm("arm.txt"),
-                 "arm.txt: is not a known kind of arm file; known are .urdf, .xml, .json");
+                 "arm.txt: is not a known kind of arm file; known are .urdf, .xml, .mjcf, "
+                 ".xacro, .json");
   EXPECT_REFUSED(read_arm("folder/arm"), "folder/arm: is not a known kind of arm file");
-  EXPECT_REFUSED(read_arm("arm.urdf.xacro"), "is a xacro file; run xacro first");
+  EXPECT_REFUSED(read_arm("arm.urdf.xacro"), "arm.urdf.xacro: cannot be read: No such file");
   EXPECT_REFUSED(read_arm(folder.write("a.urdf", testing::whole_urdf)),
                  "a.urdf: has 2 tips below base; choose one as the tip: left, right");
 }
@@ -60,7 +61,7 @@ TEST(ReadArm, EndsGoWithUrdfOnly) {
   for (const std::string& text : {std::string("panda"), std::string("RRR"), json}) {
     EXPECT_REFUSED(read_arm(text, {.base = "", .tip = "x"}),
                    "base and tip select a chain of a file that describes a tree of links (.urdf, "
-                   ".xml); \"");
+                   ".xml, .mjcf or .xacro); \"");
     EXPECT_REFUSED(read_arm(text, {.base = "x", .tip = ""}), "is not one");
   }
 }

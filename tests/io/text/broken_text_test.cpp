@@ -12,6 +12,7 @@
 
 #include <tests/io/text/limits_samples.h>
 #include <tests/io/text/mesh_samples.h>
+#include <tests/io/text/mjcf_samples.h>
 #include <tests/io/text/urdf_samples.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
@@ -48,6 +49,12 @@ std::vector<Case> cases() {
   return {
       {"urdf", testing::whole_urdf,
        [](const std::string& text) { arm_from_urdf(text, "a.urdf", {.base = "", .tip = "left"}); },
+       "<>/\"'=&;!?-[] \n0.e"},
+      {"mjcf", testing::whole_mjcf,
+       [](const std::string& text) {
+         arm_from_urdf(text, "a.xml", {.base = "", .tip = "left"});
+         arm_shapes_from_text(text, "a.xml", {.tip = "hand"});
+       },
        "<>/\"'=&;!?-[] \n0.e"},
       {"srdf", testing::whole_srdf,
        [](const std::string& text) {

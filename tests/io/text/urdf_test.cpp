@@ -322,8 +322,8 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
 TEST(Urdf, OtherTextIsRefused) {
   EXPECT_REFUSED(parse_urdf(""), "a.urdf: is not well-formed XML: it is empty");
   EXPECT_REFUSED(parse_urdf("{\"name\": \"a\"}"), "a.urdf");
-  EXPECT_REFUSED(parse_urdf("<mujoco/>"),
-                 "a.urdf:1: is not URDF: its root must be <robot>, not <mujoco>");
+  EXPECT_REFUSED(parse_urdf("<sdf/>"),
+                 "a.urdf:1: is not URDF: its root must be <robot>, not <sdf>");
   EXPECT_REFUSED(parse_urdf("<robot>\n<link>\n</robot>"), "is not well-formed XML");
   EXPECT_REFUSED(parse_urdf("<robot name=\"r\"/>"), "a.urdf: has no links");
   EXPECT_REFUSED(parse_urdf(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),

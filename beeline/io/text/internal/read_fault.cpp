@@ -145,6 +145,9 @@ std::string fact(const ReadWarning& fault) {
       return "joint " + fault.joint +
              (fault.value == fault.joint ? " mimics itself"
                                          : " follows leaders that mimic each other");
+    case ReadWarningKind::nonlinear_coupling:
+      return "joint " + fault.joint + " follows joint " + printable(fault.value) +
+             " by a polycoef that is not linear; only its first two coefficients may differ from 0";
     case ReadWarningKind::constant_mimic:
       return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
              ", which is fixed: it is constant at " + number(fault.numbers[0]);

@@ -4,9 +4,11 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/link_tree.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/srdf_file.h>
 #include <beeline/io/text/internal/urdf_chain.h>
+#include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/urdf.h>
 
 namespace beeline {
@@ -104,7 +106,8 @@ class GroupMembers {
 
 ChainEnds internal::group_ends(const Srdf& srdf, const std::string& group, std::string_view urdf,
                                const std::string& path) {
-  const UrdfFile file = parse_urdf(urdf, path);
+  const ExpandedText expanded(urdf, path);
+  const UrdfFile file = parse_link_tree(expanded.text(), path);
   GroupMembers members(srdf, file);
   members.add(group);
   try {

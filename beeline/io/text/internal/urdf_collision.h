@@ -11,11 +11,12 @@
 
 namespace beeline::internal {
 
-/// The shapes of the links of a URDF text.
+/// The shapes of the links of a URDF or MJCF text.
 struct UrdfShapes {
   /// Shapes of the `<collision>` elements, by the link's name, in the link's frame.
   std::unordered_map<std::string, std::vector<Shape>> of_link;
-  std::vector<std::string> only_visual;  ///< links with `<visual>` and without `<collision>`
+  std::vector<std::string> only_visual;   ///< links with `<visual>` and without `<collision>`
+  std::vector<NamedPair> may_touch = {};  ///< pairs that an MJCF file excludes from contact
 };
 
 /// Reads them. A mesh becomes its hull, see MeshHulls; `package` gives folders of packages. Throws

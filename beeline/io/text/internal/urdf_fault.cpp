@@ -11,7 +11,7 @@ namespace {
 ReadWarning warning_of(const UrdfFile& file, const UrdfFault& fault) {
   constexpr std::size_t most_compared = 10'000;  // beyond, the search for the nearest takes seconds
   ReadWarning warning = fault.warning;
-  warning.path = file.path;
+  warning.path = fault.index ? path_of(file, file.joints[*fault.index]) : file.path;
   if (warning.kind == ReadWarningKind::unknown_link && file.links.size() <= most_compared) {
     for (const auto& link : file.links) warning.others.push_back(link.name);
   }
@@ -25,7 +25,7 @@ ReadWarning warning_of(const UrdfFile& file, const UrdfFault& fault) {
 
 FileError error_of(const UrdfFile& file, const UrdfFault& fault, const std::string& cure) {
   const ReadWarning warning = warning_of(file, fault);
-  return {file.path, warning.line, clause(warning) + cure};
+  return {warning.path, warning.line, clause(warning) + cure};
 }
 
 std::vector<ReadWarning> warnings_of(const UrdfFile& file, const std::vector<UrdfFault>& faults,

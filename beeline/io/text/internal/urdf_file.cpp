@@ -269,6 +269,15 @@ bool has_one_dof(const UrdfFile::Joint& joint) {
   return joint.type == "revolute" || joint.type == "continuous" || joint.type == "prismatic";
 }
 
+Twist screw_of(const UrdfFile::Joint& joint) {
+  return joint.type == "prismatic" ? translation_screw(joint.axis)
+                                   : rotation_screw(joint.axis, joint.point);
+}
+
+const std::string& path_of(const UrdfFile& file, const UrdfFile::Joint& joint) {
+  return joint.included_from.empty() ? file.path : joint.included_from;
+}
+
 bool is_free(const UrdfFile::Joint& joint) {
   return joint.type == "floating" || joint.type == "planar";
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_held_joints.h>
 
 namespace beeline::internal {
@@ -115,9 +116,7 @@ Pose HeldJoints::pose(std::size_t index) const {
   if (!has_one_dof(joint)) return joint.origin;
   const double held = value(index);
   if (held == 0) return joint.origin;
-  const Twist screw =
-      joint.type == "prismatic" ? translation_screw(joint.axis) : rotation_screw(joint.axis);
-  return joint.origin * screw_motion(screw, held);
+  return joint.origin * screw_motion(screw_of(joint), held);
 }
 
 void HeldJoints::add_held(std::size_t index, const std::string& link,
@@ -125,14 +124,18 @@ void HeldJoints::add_held(std::size_t index, const std::string& link,
   const UrdfFile::Joint& joint = file_.joints[index];
   if (joint.type == "fixed") return;
   const std::vector<std::string>& types = urdf_joint_types();
-  if (std::find(types.begin(), types.end(), joint.type) == types.end()) {
+  if (!file_.is_mjcf && std::find(types.begin(), types.end(), joint.type) == types.end()) {
     throw FileError(file_.path, joint.line,
                     "joint " + joint.name + " is " + joint.type +
                         ", which is not a type of URDF, and it carries the shape of link " + link);
   }
+  for (const UrdfFault& fault : file_.faults) {
+    if (fault.index != index || fault.warning.kind != ReadWarningKind::nonlinear_coupling) continue;
+    throw error_of(file_, fault, "; it carries the shape of link " + link);
+  }
   const std::size_t leader = leaders_[index]->index;
   if (driving_.contains(leader)) {
-    throw FileError(file_.path, joint.line,
+    throw FileError(path_of(file_, joint), joint.line,
                     "joint " + joint.name + ", which carries the shape of link " + link +
                         ", is beside the chain and moves with it, by joint " +
                         file_.joints[leader].name + "; such a link cannot be placed");

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
 
-bool has_known_type(const UrdfFile::Joint& joint) {
+bool has_known_type(const UrdfFile& file, const UrdfFile::Joint& joint) {
+  if (file.is_mjcf) return true;  // its reader refuses others
   const std::vector<std::string>& known = urdf_joint_types();
   return std::find(known.begin(), known.end(), joint.type) != known.end();
 }
@@ -142,11 +143,9 @@ void fix_constant_joints(UrdfFile& file, const Leaders& leaders) {
   }
   for (const auto& [j, value] : constant) {
     UrdfFile::Joint& joint = file.joints[j];
-    joint.origin =
-        joint.origin *
-        (joint.type == "prismatic"
-             ? se3_exp(translation_screw(joint.axis) * value)
-             : se3_exp(rotation_screw(joint.axis) * std::remainder(value, 2 * std::numbers::pi)));
+    const bool slides = joint.type == "prismatic";
+    const double angle_or_length = slides ? value : std::remainder(value, 2 * std::numbers::pi);
+    joint.origin = joint.origin * se3_exp(screw_of(joint) * angle_or_length);
     joint.type = "fixed";
     joint.mimic.reset();
   }
@@ -167,7 +166,8 @@ void find_joint_faults(UrdfFile& file) {
                                          .numbers = std::move(numbers)},
                              .index = j});
     };
-    if (!has_known_type(joint)) add(ReadWarningKind::unknown_type, joint.line, {}, joint.type);
+    if (!has_known_type(file, joint))
+      add(ReadWarningKind::unknown_type, joint.line, {}, joint.type);
     if (!has_direction(joint.axis)) {
       add(ReadWarningKind::zero_axis, joint.axis_line,
           {joint.axis.x(), joint.axis.y(), joint.axis.z()});

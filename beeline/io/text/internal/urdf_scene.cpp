@@ -3,9 +3,10 @@
 #include <unordered_map>
 
 #include <beeline/error.h>
-#include <beeline/io/text/internal/urdf_collision.h>
+#include <beeline/io/text/internal/link_tree.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_held_joints.h>
+#include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/scene.h>
 
 namespace beeline {
@@ -59,15 +60,13 @@ std::vector<PlacedObstacle> placed_links(const UrdfFile& file, const internal::H
   return placed;
 }
 
-}  // namespace
-
-Scene scene_from_urdf(std::string_view text, const std::string& path, const ShapeOptions& options) {
-  if (!options.srdf.empty()) throw Error::of("srdf", "exempts pairs of an arm, not of a scene");
-  const UrdfFile file = internal::parse_urdf(text, path);
+Scene scene_of_links(std::string_view text, const std::string& path, const ShapeOptions& options) {
+  const UrdfFile file = internal::parse_link_tree(text, path);
   check_tree(file);
   const internal::HeldJoints held(file, {}, options.hold);
   const std::vector<PlacedObstacle> placed = placed_links(file, held);
-  auto shapes = internal::collision_shapes(text, path, options.package);
+  auto shapes =
+      internal::link_tree_shapes(text, path, options.package, internal::MjcfUse::obstacles);
   Scene scene{.links_without_shapes = std::move(shapes.only_visual)};
   std::vector<bool> is_added(file.joints.size());
   for (std::size_t i = 0; i < file.links.size(); ++i) {
@@ -82,7 +81,19 @@ Scene scene_from_urdf(std::string_view text, const std::string& path, const Shap
     }
   }
   if (!scene.obstacles.empty()) return scene;
-  throw FileError(path, 0, "has no <collision> elements, so that no link is an obstacle");
+  throw FileError(path, 0,
+                  std::string("has no ") +
+                      (file.is_mjcf ? "geoms that collide" : "<collision> elements") +
+                      ", so that no link is an obstacle");
+}
+
+}  // namespace
+
+Scene scene_from_urdf(std::string_view text, const std::string& path, const ShapeOptions& options) {
+  if (!options.srdf.empty()) throw Error::of("srdf", "exempts pairs of an arm, not of a scene");
+  const internal::ExpandedText expanded(text, path);
+  return internal::with_lines_of(expanded,
+                                 [&] { return scene_of_links(expanded.text(), path, options); });
 }
 
 }  // namespace beeline

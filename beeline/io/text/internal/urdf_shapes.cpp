@@ -1,15 +1,16 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
 #include <beeline/error.h>
+#include <beeline/io/text/internal/link_tree.h>
 #include <beeline/io/text/internal/urdf_chain.h>
-#include <beeline/io/text/internal/urdf_collision.h>
-#include <beeline/io/text/internal/urdf_file.h>
 #include <beeline/io/text/internal/urdf_held_joints.h>
 #include <beeline/io/text/internal/urdf_shapes.h>
+#include <beeline/io/text/internal/xacro.h>
 
 namespace beeline::internal {
 namespace {
@@ -143,7 +144,7 @@ class LinkPlacement {
     const std::size_t other = link_called(down ? joint.child : joint.parent);
     if (placed_[other]) {
       throw FileError(
-          file_.path, joint.line,
+          path_of(file_, joint), joint.line,
           "joint " + joint.name + " closes a loop of links; shapes are read of a tree of links");
     }
     const PlacedLink& from = *placed_[link];
@@ -164,14 +165,27 @@ class LinkPlacement {
   std::vector<std::size_t> reached_;
 };
 
-}  // namespace
+/// The pairs whose links both have shapes, each once.
+std::vector<NamedPair> pairs_with_shapes(const std::vector<NamedPair>& pairs,
+                                         const ArmShapes& shapes) {
+  std::unordered_set<std::string> links;
+  for (const LinkShapes& link : shapes.links) links.insert(link.name);
+  std::set<NamedPair> added;
+  std::vector<NamedPair> found;
+  for (const NamedPair& pair : pairs) {
+    const bool known = links.contains(pair[0]) && links.contains(pair[1]) && pair[0] != pair[1];
+    const NamedPair sorted{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
+    if (known && added.insert(sorted).second) found.push_back(pair);
+  }
+  return found;
+}
 
-ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
-                           const ShapeOptions& options, const std::vector<Srdf::State>& states) {
+ArmShapes shapes_of(std::string_view text, const std::string& path, const ChainEnds& ends,
+                    const ShapeOptions& options, const std::vector<Srdf::State>& states) {
   arm_from_urdf(text, path, ends);  // refuses what is no arm
-  const UrdfFile file = parse_urdf(text, path);
+  const UrdfFile file = parse_link_tree(text, path);
   LinkPlacement placement(file, cut_chain(file, ends), options.hold, states);
-  auto shapes = collision_shapes(text, path, options.package);
+  auto shapes = link_tree_shapes(text, path, options.package, MjcfUse::links);
   ArmShapes read{.links_without_shapes = std::move(shapes.only_visual),
                  .base_links = placement.base_links()};
   for (std::size_t i = 0; i < file.links.size(); ++i) {
@@ -179,7 +193,17 @@ ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const
     if (found == shapes.of_link.end()) continue;
     read.links.push_back(placement.body_of(i, std::move(found->second), read));
   }
+  read.allowed_pairs = pairs_with_shapes(shapes.may_touch, read);
   return read;
+}
+
+}  // namespace
+
+ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
+                           const ShapeOptions& options, const std::vector<Srdf::State>& states) {
+  const ExpandedText expanded(text, path);
+  return with_lines_of(expanded,
+                       [&] { return shapes_of(expanded.text(), path, ends, options, states); });
 }
 
 }  // namespace beeline::internal

@@ -242,6 +242,7 @@ std::vector<UrdfTree::End> UrdfTree::moved_ends(std::size_t base, Way way) const
       const UrdfFile::Joint& joint = file_.joints[j];
       const bool up = j == parent_joint_[visit.link];
       const std::size_t link = index_.at(up ? joint.parent : joint.child);
+      if (file_.links[link].site) continue;
       visits.push_back(
           {link, j, joint.type == "fixed" ? visit.body : link, visit.moved || has_one_dof(joint)});
     }

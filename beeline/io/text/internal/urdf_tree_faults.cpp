@@ -62,6 +62,7 @@ const UrdfFault* UrdfTree::first_fault_on(const std::vector<ChainJoint>& chain) 
       case ReadWarningKind::rate_limit:
       case ReadWarningKind::unknown_leader:
       case ReadWarningKind::leader_cycle:
+      case ReadWarningKind::nonlinear_coupling:
         return members.has(fault);
       case ReadWarningKind::repeated_name:
         return members.has_named(warning);

@@ -1,0 +1,90 @@
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <beeline/error.h>
+#include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/program_output.h>
+#include <beeline/io/text/internal/xacro.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr ProgramBounds xacro_bounds{.output = std::size_t{8} << 20,
+                                     .time = std::chrono::minutes(1)};
+
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// Whether a text has elements of xacro or, in a file of xacro, its expressions.
+bool needs_xacro(std::string_view text, bool is_xacro_file) {
+  const bool has_elements = contains(text, "<xacro:");
+  if (!is_xacro_file) return has_elements && contains(text, "xmlns:xacro");
+  return has_elements || contains(text, "${") || contains(text, "$(");
+}
+
+/// The message of a program, in one line of at most 400 bytes.
+std::string one_line(std::string_view message) {
+  constexpr std::size_t longest = 400;
+  std::string line;
+  for (std::size_t at = 0; at < message.size() && line.size() < longest;) {
+    const std::size_t end = std::min(message.find('\n', at), message.size());
+    std::string_view part = message.substr(at, end - at);
+    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+    if (!part.empty()) line += (line.empty() ? "" : "; ") + std::string(part);
+    at = end + 1;
+  }
+  if (line.size() > longest) line.resize(longest);
+  for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  return with_escaped_bytes(line);
+}
+
+/// Refuses a file that its program could not expand.
+[[noreturn]] void refuse_output(const std::string& path, const std::string& program,
+                                const ProgramOutput& read) {
+  switch (read.ending) {
+    case ProgramOutput::Ending::out_of_time:
+      throw FileError(path, 0, program + " has not ended after a minute");
+    case ProgramOutput::Ending::too_much_output:
+      throw FileError(path, 0, program + " writes more than 8 MiB");
+    default:
+      break;
+  }
+  const std::string message = one_line(read.messages.empty() ? read.output : read.messages);
+  throw FileError(path, 0, program + " fails" + (message.empty() ? "" : ": " + message));
+}
+
+}  // namespace
+
+ExpandedText::ExpandedText(std::string_view text, const std::string& path) : text_(text) {
+  const bool is_xacro_file = extension(path) == "xacro";
+  if (!needs_xacro(text, is_xacro_file)) return;
+  std::error_code fault;
+  const bool is_file = std::filesystem::is_regular_file(path, fault);
+  if (!is_file && !is_xacro_file) return;  // a text, of which xacro would need the file
+  std::optional<std::string> found;
+  for (const char* const name : {"xacrodoc", "xacro"}) {
+    if (found || !is_file) continue;
+    found = program_in_path(name);
+    program_ = name;
+  }
+  if (!found) {
+    program_.clear();
+    if (!is_xacro_file) return;
+    throw FileError(path, 0,
+                    "is a xacro file, which needs the program xacrodoc or xacro; install one "
+                    "(pip install xacrodoc, or apt install ros-DISTRO-xacro), or run xacro first "
+                    "and pass the URDF that it writes");
+  }
+  const std::string absolute = std::filesystem::absolute(path).string();  // begins with no dash
+  ProgramOutput read = run_program({*found, absolute}, xacro_bounds);
+  if (read.ending != ProgramOutput::Ending::succeeded || read.output.empty()) {
+    refuse_output(path, program_, read);
+  }
+  expanded_ = std::move(read.output);
+  is_expanded_ = true;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <beeline/error.h>
+
+namespace beeline::internal {
+
+/// The text of an arm's file after xacro. A file is expanded if its ending is `.xacro`, or if it
+/// declares `xmlns:xacro` and contains elements of xacro, by the program `xacrodoc` or, without it,
+/// `xacro`, that stands in a folder of PATH. It runs without a shell, for at most a minute, and may
+/// write 8 MiB. Another file is its own text, and so is one of another ending where neither is
+/// installed: its reader reports the elements that it needs.
+class ExpandedText {
+ public:
+  /// `text` must outlive this object. Throws FileError for a .xacro file where neither program is
+  /// installed, and with the program's own message where it fails.
+  ExpandedText(std::string_view text, const std::string& path);
+  ExpandedText(const ExpandedText&) = delete;
+  ExpandedText& operator=(const ExpandedText&) = delete;
+
+  std::string_view text() const { return is_expanded_ ? expanded_ : text_; }
+  /// The program's name, as lines of errors are of the text that it wrote; empty: none.
+  const std::string& program() const { return program_; }
+
+ private:
+  std::string_view text_;
+  std::string expanded_, program_;
+  bool is_expanded_ = false;
+};
+
+/// Returns what `read` returns. The lines of its FileErrors are of the expanded text: of one that a
+/// program wrote, the error says so.
+template <class Read>
+auto with_lines_of(const ExpandedText& expanded, const Read& read) {
+  if (expanded.program().empty()) return read();
+  try {
+    return read();
+  } catch (const FileError& error) {
+    if (error.line() == 0) throw;
+    throw FileError(error.path(), 0,
+                    "line " + std::to_string(error.line()) + " of the text that " +
+                        expanded.program() + " makes of it: " + error.fault());
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,128 @@
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+#include <beeline/io/text/scene.h>
+#include <beeline/io/text/urdf.h>
+
+#include <tests/io/text/urdf_samples.h>
+#include <tests/refusal.h>
+#include <tests/temporary_folder.h>
+
+// Files of xacro, with scripts in the place of the programs.
+
+namespace beeline {
+namespace {
+
+using testing::TemporaryFolder;
+
+/// Programs in a folder that is the whole PATH.
+class Programs {
+ public:
+  Programs() : before_(std::getenv("PATH")) { ::setenv("PATH", folder_.file(".").c_str(), 1); }
+  ~Programs() { ::setenv("PATH", before_.c_str(), 1); }
+
+  void add(const std::string& name, const std::string& script) const {
+    const std::string path = folder_.write(name, "#!/bin/sh\n" + script);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::string before_;
+};
+
+const std::string expanded =
+    testing::link("a") + testing::link("b") + testing::joint("j", "continuous", "a", "b");
+const std::string macro =
+    "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arm/></robot>";
+
+/// Writes a text from a script.
+std::string printing(const std::string& text) { return "/bin/cat <<'END'\n" + text + "END\n"; }
+
+TEST(Xacro, TheProgramsOutputIsTheFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a b.xacro", macro);
+  const Programs programs;
+  programs.add("xacro", "[ \"$1\" = '" + path + "' ] && [ $# = 1 ] && " +
+                            printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);
+  EXPECT_EQ(read_arm_shapes(path).links.size(), 0u);
+  EXPECT_EQ(read_arm(folder.write("a.urdf.xacro", testing::robot(expanded))).dof(), 1);
+}
+
+TEST(Xacro, ADeclaredNamespaceWithElementsIsXacroToo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.urdf", macro);
+  const std::string plain =
+      folder.write("b.urdf", "<robot name=\"r\" xmlns:xacro=\"x\">" + expanded + "</robot>");
+  const Programs programs;
+  EXPECT_REFUSED(read_arm(path), "a.urdf:1: is a xacro file (it contains <xacro:arm>)");
+  EXPECT_EQ(read_arm(plain).dof(), 1);
+  programs.add("xacro", printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);
+  programs.add("xacro", "exit 1\n");
+  EXPECT_EQ(read_arm(plain).dof(), 1);  // it has nothing to expand
+  EXPECT_EQ(arm_from_urdf(testing::robot(expanded), "c.urdf").dof(), 1);
+}
+
+TEST(Xacro, XacrodocIsPreferred) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  programs.add("xacro", "exit 1\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacro fails");
+  programs.add("xacrodoc", printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);
+}
+
+TEST(Xacro, WithoutAProgramTheErrorNamesIt) {
+  const TemporaryFolder folder;
+  const Programs programs;
+  EXPECT_REFUSED(read_arm(folder.write("a.xacro", macro)),
+                 "a.xacro: is a xacro file, which needs the program xacrodoc or xacro; install");
+  EXPECT_REFUSED(arm_from_text(macro, "nowhere/a.xacro"), "needs the program xacrodoc or xacro");
+}
+
+TEST(Xacro, ItsMessageIsPassedOn) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  programs.add("xacro",
+               "echo 'name x is not defined' >&2\necho 'line 5, \033[0mcolumn 3' >&2\nexit 2\n");
+  EXPECT_REFUSED(read_arm(path),
+                 "a.xacro: xacro fails: name x is not defined; line 5,  [0mcolumn 3");
+  programs.add("xacro", "kill -9 $$\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacro fails");
+  programs.add("xacro", "exit 0\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacro fails");
+}
+
+TEST(Xacro, LinesOfErrorsAreOfTheOutput) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  programs.add("xacro", printing(testing::robot(testing::link("a") + testing::link("b") +
+                                                testing::joint("j", "twisted", "a", "b"))));
+  EXPECT_REFUSED(read_arm(path),
+                 "a.xacro: line 4 of the text that xacro makes of it: joint j has an unknown type");
+}
+
+TEST(Xacro, OutputIsBounded) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  programs.add("xacro",
+               "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
+               "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
+               "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacro writes more than 8 MiB");
+  programs.add("xacro",
+               "i=0; while [ $i -lt 3000 ]; do echo bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb "
+               ">&2; i=$((i+1)); done\n" +
+                   printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);
+}
+
+}  // namespace
+}  // namespace beeline
