@@ -30,8 +30,8 @@ class Model:
 
     def is_arm(self, body):
         types = [self.model.jnt_type[joint] for joint in self.joints_above(body)]
-        other = (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_BALL)
-        return bool(types) and not any(kind in other for kind in types)
+        one_dof = (int(mujoco.mjtJoint.mjJNT_SLIDE), int(mujoco.mjtJoint.mjJNT_HINGE))
+        return bool(types) and all(kind in one_dof for kind in types)
 
     def frames(self):
         """The names of bodies and sites that joints move, with functions of their poses."""
