@@ -18,11 +18,9 @@ bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Whether a text has elements of xacro or, in a file of xacro, its expressions.
-bool needs_xacro(std::string_view text, bool is_xacro_file) {
-  const bool has_elements = contains(text, "<xacro:");
-  if (!is_xacro_file) return has_elements && contains(text, "xmlns:xacro");
-  return has_elements || contains(text, "${") || contains(text, "$(");
+/// Whether a text has elements or expressions of xacro.
+bool needs_xacro(std::string_view text) {
+  return contains(text, "<xacro:") || contains(text, "${") || contains(text, "$(");
 }
 
 /// The message of a program, in one line of at most 400 bytes.
@@ -59,20 +57,15 @@ std::string one_line(std::string_view message) {
 }  // namespace
 
 ExpandedText::ExpandedText(std::string_view text, const std::string& path) : text_(text) {
-  const bool is_xacro_file = extension(path) == "xacro";
-  if (!needs_xacro(text, is_xacro_file)) return;
+  if (extension(path) != "xacro" || !needs_xacro(text)) return;
   std::error_code fault;
-  const bool is_file = std::filesystem::is_regular_file(path, fault);
-  if (!is_file && !is_xacro_file) return;  // a text, of which xacro would need the file
   std::optional<std::string> found;
   for (const char* const name : {"xacrodoc", "xacro"}) {
-    if (found || !is_file) continue;
+    if (found || !std::filesystem::is_regular_file(path, fault)) continue;
     found = program_in_path(name);
     program_ = name;
   }
   if (!found) {
-    program_.clear();
-    if (!is_xacro_file) return;
     throw FileError(path, 0,
                     "is a xacro file, which needs the program xacrodoc or xacro; install one "
                     "(pip install xacrodoc, or apt install ros-DISTRO-xacro), or run xacro first "

@@ -7,11 +7,10 @@
 
 namespace beeline::internal {
 
-/// The text of an arm's file after xacro. A file is expanded if its ending is `.xacro`, or if it
-/// declares `xmlns:xacro` and contains elements of xacro, by the program `xacrodoc` or, without it,
-/// `xacro`, that stands in a folder of PATH. It runs without a shell, for at most a minute, and may
-/// write 8 MiB. Another file is its own text, and so is one of another ending where neither is
-/// installed: its reader reports the elements that it needs.
+/// The text of an arm's file after xacro. A file whose ending is `.xacro` is expanded by the
+/// program `xacrodoc` or, without it, `xacro`, that stands in a folder of PATH. It runs without a
+/// shell, for at most a minute, and may write 8 MiB. A file with another ending is its own text,
+/// because xacro executes expressions of Python: the reader reports elements of xacro in it.
 class ExpandedText {
  public:
   /// `text` must outlive this object. Throws FileError for a .xacro file where neither program is
