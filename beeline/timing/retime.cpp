@@ -146,6 +146,28 @@ class Sections {
   std::deque<internal::TimedSection> timed_;
 };
 
+/// Returns the reason if the trajectory leaves the position limits where it uses most of them:
+/// between two grid points of its path, which are tested before.
+Reason left_limits(const Arm& arm, const Trajectory& trajectory, const LimitFraction& used) {
+  if (used.fraction <= 1) return {};
+  const std::vector<double>& times = trajectory.times;
+  const auto after = std::upper_bound(times.begin(), times.end() - 1, used.time);
+  const auto k = static_cast<std::size_t>(after - times.begin()) - 1;
+  const std::vector<std::string>& names = trajectory.joint_names;
+  const auto joint = std::find(names.begin(), names.end(), used.joint) - names.begin();
+  const internal::Extremes between =
+      internal::extremes(internal::interval_polynomial(trajectory, k, static_cast<int>(joint)));
+  Configuration q = trajectory.positions[k];
+  for (const double extreme : {between.smallest, between.largest}) {
+    q[joint] = extreme;
+    std::vector<Reason> violations = limit_violations(arm, q);
+    if (violations.empty()) continue;
+    violations.front().code = ReasonCode::spline_outside_limits;
+    return violations.front();
+  }
+  return {};
+}
+
 /// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
 void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
             internal::BudgetMeter& budget, Retimed& timed) {
@@ -158,6 +180,13 @@ void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
     }
   }
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
+  if (budget.complete()) {
+    timed.reason = left_limits(arm, timed.trajectory, timed.limits.position);
+    if (!timed) {
+      timed.trajectory = {};
+      return;
+    }
+  }
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
   timed.ending = budget.ending();
   if (!budget.complete()) {
@@ -199,7 +228,10 @@ Retimed internal::retimed_paths(const Arm& arm, const std::vector<JointPath>& pa
     const TimedSection& section = sections.timed(i);
     if (!budget.complete() && !section.scaling) break;
     timed.reason = section.scaling.reason;
-    if (!timed) return timed;
+    if (!timed) {
+      timed.trajectory = {};
+      return timed;
+    }
     // The time scaling of a section is about half of its work.
     budget.report((steps + 0.5 * here) / count);
     const bool begun = timed.trajectory.size() > 0;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
+#include <beeline/certificate/verify.h>
 #include <beeline/model/catalog.h>
 #include <beeline/timing/retime.h>
 
@@ -105,6 +106,43 @@ TEST(MoveThrough, WithoutBlendsFollowsTheSplineOfRetime) {
   EXPECT_EQ(through.trajectory.positions, expected.trajectory.positions);
   EXPECT_EQ(through.trajectory.times, expected.trajectory.times);
   EXPECT_TRUE(through.blends.empty());
+}
+
+// A spline through configurations on a limit may leave it between the grid points of its path.
+TEST(MoveThrough, StaysWithinPositionLimitsOrIsRefused) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  int found = 0, refused = 0;
+  for (int i = 0; i < testing::cases(100); ++i) {
+    std::vector<Configuration> waypoints = random_waypoints(random, arm, 3).positions;
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (random.uniform(0, 1) < 0.4) waypoints[0][k] = arm.limits(k).upper;
+    }
+    waypoints[1] = waypoints[0];
+    waypoints[1][random.integer(0, arm.dof() - 1)] -= 1e-4;
+    const Retimed motion = move_through(arm, waypoints);
+    found += motion ? 1 : 0;
+    refused += motion.reason.code == ReasonCode::spline_outside_limits ? 1 : 0;
+    ASSERT_EQ(motion.trajectory.size() > 0, static_cast<bool>(motion));
+    if (!motion) continue;
+    const Verification verified = verify(arm, motion.trajectory);
+    ASSERT_TRUE(verified) << verified.reason;
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_GT(refused, 0);
+}
+
+// Of a path whose later section is refused no motion is left.
+TEST(MoveThrough, OfARefusedPathLeavesNothing) {
+  const Arm arm = built_in("panda");
+  const Configuration q = middle_configuration(arm), step = Configuration::Constant(7, 0.1);
+  Configuration on_limit = q + 2 * step, next = q + step;
+  on_limit[6] = arm.limits(6).upper;
+  next[6] = arm.limits(6).upper - 1e-3;
+  const Retimed motion =
+      move_through(arm, std::vector<Configuration>{q, q + step, q + step, on_limit, next, q});
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.trajectory.size(), 0U);
 }
 
 TEST(MoveThrough, RefusesWhatDoesNotFit) {

@@ -17,32 +17,32 @@ namespace {
 
 using testing::mujoco;
 
-Shape shape_of(const std::string& geom, const std::string& sections = "") {
+Shape shape_of_geom(const std::string& geom, const std::string& sections = "") {
   const std::string text = mujoco("<body name=\"a\"><joint/>" + geom + "</body>\n", sections);
   return arm_shapes_from_text(text, "a.xml").links.at(0).shapes.at(0);
 }
 
 TEST(MjcfShapes, SizesAreHalvesOfLengths) {
-  EXPECT_EQ(std::get<Sphere>(shape_of("<geom size=\"0.1 7 8\"/>").body).radius, 0.1);
+  EXPECT_EQ(std::get<Sphere>(shape_of_geom("<geom size=\"0.1 7 8\"/>").body).radius, 0.1);
   const auto capsule =
-      std::get<Capsule>(shape_of("<geom type=\"capsule\" size=\"0.1 0.2\"/>").body);
+      std::get<Capsule>(shape_of_geom("<geom type=\"capsule\" size=\"0.1 0.2\"/>").body);
   EXPECT_EQ(capsule.radius, 0.1);
   EXPECT_EQ(capsule.length, 0.4);
   const auto cylinder =
-      std::get<Cylinder>(shape_of("<geom type=\"cylinder\" size=\"0.1 0.2\"/>").body);
+      std::get<Cylinder>(shape_of_geom("<geom type=\"cylinder\" size=\"0.1 0.2\"/>").body);
   EXPECT_EQ(cylinder.radius, 0.1);
   EXPECT_EQ(cylinder.length, 0.4);
-  const auto box = std::get<Box>(shape_of("<geom type=\"box\" size=\"0.1 0.2 0.3\"/>").body);
+  const auto box = std::get<Box>(shape_of_geom("<geom type=\"box\" size=\"0.1 0.2 0.3\"/>").body);
   EXPECT_EQ(box.size, Vector3(0.2, 0.4, 0.6));
 }
 
 TEST(MjcfShapes, EndsGiveTheLengthAndThePose) {
   const Shape capsule =
-      shape_of("<geom type=\"capsule\" fromto=\"1 0 0 1 3 4\" size=\"0.1\" pos=\"9 9 9\"/>");
+      shape_of_geom("<geom type=\"capsule\" fromto=\"1 0 0 1 3 4\" size=\"0.1\" pos=\"9 9 9\"/>");
   EXPECT_DOUBLE_EQ(std::get<Capsule>(capsule.body).length, 5);
   EXPECT_LT((capsule.pose.translation() - Vector3(1, 1.5, 2)).norm(), 1e-15);
   EXPECT_LT((capsule.pose.linear().col(2) - Vector3(0, -0.6, -0.8)).norm(), 1e-15);
-  const Shape box = shape_of("<geom type=\"box\" fromto=\"0 0 0 0 0 2\" size=\"0.1\"/>");
+  const Shape box = shape_of_geom("<geom type=\"box\" fromto=\"0 0 0 0 0 2\" size=\"0.1\"/>");
   EXPECT_EQ(std::get<Box>(box.body).size, Vector3(0.2, 0.2, 2));
 }
 
@@ -50,7 +50,7 @@ TEST(MjcfShapes, DefaultsFillTheSizesThatAreNotGiven) {
   const std::string defaults =
       "<default><geom type=\"box\" size=\"1 2 3\" euler=\"0 0 90\"/><default class=\"c\"><geom "
       "size=\"4\"/></default></default>";
-  const Shape shape = shape_of("<geom class=\"c\" pos=\"1 0 0\"/>", defaults);
+  const Shape shape = shape_of_geom("<geom class=\"c\" pos=\"1 0 0\"/>", defaults);
   EXPECT_EQ(std::get<Box>(shape.body).size, Vector3(8, 4, 6));
   EXPECT_LT((shape.pose * Vector3(1, 0, 0) - Vector3(1, 1, 0)).norm(), 1e-15);
 }
