@@ -237,7 +237,7 @@ def test_joint_moves_blend_into_lines_and_into_joint_moves(beeline, written, opt
         assert move["blend"]["radius"] > 0 and 0 < move["blend"]["deviation_bound"] <= 0.03, move["blend"]["reason"]
         assert move["blend"]["begin"] < move["end"] <= move["blend"]["end"]
     assert [blend["move"] for blend in check.json["blends"]] == [1, 3, 4, 5]
-    assert durations[1] < durations[0] or "trapezoidal" in options  # one form from stop to stop
+    assert durations[1] < durations[0]
     text = beeline("line", "panda", *HOME, "--through", "corners.csv", *options).out
     assert text.count("        blend     samples ") == 4
     assert "blend         move 1 (joint, corners.csv:2): samples " in beeline(
