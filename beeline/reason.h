@@ -60,10 +60,6 @@ enum class ReasonCode {
   no_configuration_found,  ///< no configuration for a pose of the path
   too_many_samples,        ///< the branch needs more than `max_samples`
   path_not_proved,         ///< the tool is only proved to stay within a deviation of its path
-  blend_not_proved,        ///< the tool is only proved to pass a corner within a deviation
-  blend_smaller,           ///< a blend is smaller than its size allows; `details` may have why
-  blend_turns_back,        ///< the path turns back at a waypoint, and the arm stops there
-  blend_slower,            ///< the arm stops at a waypoint, as its blend would take longer
   program_too_long,        ///< the moves need more than `max_samples` together
   // Time.
   spline_outside_limits,     ///< a joint passes a limit between two samples

@@ -10,7 +10,6 @@
 #include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
-#include "blend_report.h"
 #include "budget_argument.h"
 #include "command/streams.h"
 #include "fault_report.h"
@@ -153,7 +152,9 @@ Json check_document(const CheckArguments& arguments, const Arm& arm, const Traje
                                  arguments.unit));
   document.add("samples", trajectory.size());
   document.add(json_reason(by_clearance ? checked.clearance->proof.reason : verification.reason));
-  document.add(arrival_members(verification, arguments.unit));
+  Json arrivals = Json::list();
+  for (const std::size_t arrival : verification.arrivals) arrivals.append(arrival + 1);
+  if (!verification.arrivals.empty()) document.add("arrivals", arrivals);
   if (checked.clearance) document.add("clearance", checked.clearance->document());
   if (!arguments.plot.empty()) document.add("plot", arguments.plot);
   return document;
@@ -176,7 +177,6 @@ std::string check_text(const CheckArguments& arguments, const Arm& arm,
     text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
   }
   text += recovery_text(arm, verification.recovery, arguments.unit);
-  if (verification) text += passed_text(verification, checked.moves, arguments.unit);
   if (checked.limits.ending == Ending::complete) {
     text += position_text(checked.limits) + limits_text(checked.limits);
   }

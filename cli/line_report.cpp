@@ -5,7 +5,6 @@
 
 #include <beeline/error.h>
 
-#include "blend_report.h"
 #include "format.h"
 #include "json_reason.h"
 #include "recover_argument.h"
@@ -70,8 +69,7 @@ std::string moves_text(const LineReport& report, const UnitArgument& unit) {
     }
     text += fmt::format("  {:>4}  {:<8}  {:<10}  {:<10}  {:<14}  {}   {}\n", i + 1, name(move.kind),
                         shown(duration_of(report, i)), shown(pause_after(report, i)),
-                        fmt::format("{:.4g} m/s", planned.tool_speed), bound, move.place) +
-            blend_text(planned.joint_blend, unit);
+                        fmt::format("{:.4g} m/s", planned.tool_speed), bound, move.place);
   }
   return text;
 }
@@ -88,8 +86,7 @@ Json json_moves(const LineReport& report, const UnitArgument& unit) {
                   {"dwell", pause_after(report, i)},
                   {"tool_speed", planned.tool_speed},
                   {"deviation_bound", planned.bound.position},
-                  {"orientation_bound", unit.shown(planned.bound.orientation)},
-                  {"blend", blend_document(planned.joint_blend, unit)}});
+                  {"orientation_bound", unit.shown(planned.bound.orientation)}});
   }
   return moves;
 }

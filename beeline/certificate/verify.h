@@ -146,18 +146,6 @@ struct VerifyOptions {
   Budget budget = {};
 };
 
-/// The part of a trajectory between a waypoint of a program that a blend with a joint motion passes
-/// and the line beside it. There the tool is not proved to follow the line within the tolerance.
-struct PassedWaypoint {
-  std::size_t move = 0;  ///< index of the move to the waypoint
-  /// Its first sample: the nearest to the waypoint if the line begins there, or the last on a line
-  /// that ends there.
-  std::size_t begin = 0;
-  /// Its last sample, likewise; equal to `begin` between two joint motions, which have no line.
-  std::size_t end = 0;
-  Deviation bound = {};  ///< proved deviation from the line at all times in this part
-};
-
 /// The proof that a trajectory follows a path within the arm's limits, or its faults.
 struct Verification {
   Fault fault = Fault::none;  ///< first fault in time
@@ -180,8 +168,6 @@ struct Verification {
   /// The beginning that leads back within the position limits, if the option `recover` accepts it;
   /// of a motion that starts within them none. The limits and the path are proved after it.
   std::optional<Recovery> recovery = std::nullopt;
-  /// For a program: the waypoints that blends with joint motions pass, as far as it was verified.
-  std::vector<PassedWaypoint> passed = {};
   /// How the check ended. Unless complete, the rest of the trajectory has not been checked, and
   /// nothing is proved; a fault that was found is valid but may not be the first.
   Ending ending = Ending::complete;

@@ -82,6 +82,17 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
   motion.status = status_of_blocked(motion.reason);
 }
 
+/// Replaces the motion by the one that stops where its blends are smaller than a radius, if there
+/// are such blends and that motion is quicker, or the only one.
+void with_stops_at(double radius, const CollisionModel& model, const FreeMotionOptions& options,
+                   BudgetMeter& budget, FreeMotion& motion) {
+  FreeMotion stopping{.path = motion.path, .blends = with_stops_below(radius, motion.blends)};
+  if (stopping.blends == motion.blends) return;
+  time_and_prove(model, options, budget, stopping);
+  if (stopping && (!motion || stopping.duration() < motion.duration()))
+    motion = std::move(stopping);
+}
+
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const FreeMotion& motion) {
@@ -111,23 +122,12 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                                           largest_blend(waypoints, k, options.joint_blend)));
   }
   time_and_prove(model, options, budget, motion);
-  const auto stop_below = [&](double radius) {
-    const auto plan = [&](const std::vector<double>& radii) {
-      FreeMotion stopping{.path = motion.path, .blends = radii};
-      time_and_prove(model, options, budget, stopping);
-      return stopping;
-    };
-    const auto is_better = [](const FreeMotion& stopping, const FreeMotion& blended) {
-      return stopping && (!blended || stopping.duration() < blended.duration());
-    };
-    prefer_stops_below(radius, motion.blends, plan, is_better, motion);
-  };
-  stop_below(small_blend);
+  with_stops_at(small_blend, model, options, budget, motion);
   // A trajectory differs from its path by its interpolation between samples, most at a low rate.
   const bool can_stop = motion.status == MotionStatus::not_decided ||
                         motion.status == MotionStatus::collides ||
                         motion.status == MotionStatus::outside_limits;
-  if (can_stop) stop_below(Limits::none);
+  if (can_stop) with_stops_at(Limits::none, model, options, budget, motion);
   return motion;
 }
 

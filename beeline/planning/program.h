@@ -43,8 +43,7 @@ struct Move {
   std::optional<double> speed = std::nullopt;
   /// Max deviation of the blend with the next move from the waypoint and from both lines, m. The
   /// max deviation in orientation is 5 rad for each metre: see blended_lines(). 0: no blend. Both
-  /// moves must be lines or joint moves. A blend with a joint move, PlannedBlend, replaces at most
-  /// half of each.
+  /// moves must be lines.
   double blend = 0;
   double dwell = 0;        ///< time at rest at the waypoint, s, 0 or more
   std::string place = {};  ///< place of the move in a file, for messages: pick.csv:5
@@ -113,33 +112,15 @@ class AttachmentError : public Error {
   std::string fault_;
 };
 
-/// The blend of a joint move with the next or preceding move: a quintic polynomial in joint space
-/// with the derivatives of both motions up to the second one at its ends. There the joints keep
-/// their limits, and the tool the lower limit of its speed. A line beside it is followed within the
-/// tolerance before `begin` or after `end` only.
-struct PlannedBlend {
-  std::size_t begin = 0;  ///< the sample at its beginning, or the last before it
-  std::size_t end = 0;    ///< the sample at its end, or the first after it
-  Configuration q = {};  ///< configuration at the waypoint, which the blend passes; empty: no blend
-  /// Proved deviation from the line beside the waypoint in the blend; 0 between two joint moves.
-  Deviation bound = {};
-  /// Length of the joint motion that it replaces on one side of the waypoint, the larger one, as
-  /// the norm of the difference; 0: no blend, the arm stops.
-  double radius = 0;
-  /// Why it is smaller than Move::blend allows, or a stop; otherwise none.
-  Reason reason = {};
-};
-
 /// The part of a trajectory that is one move.
 struct PlannedMove {
   std::size_t begin = 0;  ///< index of its first sample
   /// The sample at its waypoint or, if it blends into the next move, at the blend's end or the
   /// first after it. A dwell follows.
   std::size_t end = 0;
-  Deviation bound = {};           ///< proved deviation from its path; 0 for a joint motion
-  double tool_speed = 0;          ///< bound on the speed of the tool's origin, m/s
-  double blend_radius = 0;        ///< length of the part of both lines that the blend replaces, m
-  PlannedBlend joint_blend = {};  ///< blend at its waypoint, if one of both is a joint move
+  Deviation bound = {};     ///< proved deviation from its path; 0 for a joint motion
+  double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
+  double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
   /// Of a move around obstacles: FreePath::waypoints. The motion passes the inner ones in blends
   /// or stops there.
   std::vector<Configuration> waypoints = {};
@@ -180,8 +161,6 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A joint motion to a pose ends at a configuration from which the moves up to the next one are
 ///   possible. Of the configurations found, it ends at the one that it reaches first at the
 ///   velocity limits. No other move changes the branch: see move_along().
-/// - Blends with joint moves are as large as Move::blend, the limits and, in the scene of `model`,
-///   the clearance allow. PlannedMove::joint_blend says where they are, and why one is smaller.
 /// - A move `around` is a motion of move_around() with its default options in the scene of `model`,
 ///   with the parts that the tool carries at the time. The moves after it, up to where a part is
 ///   next attached or detached or to the next joint motion, keep the clearance. Of the
@@ -193,18 +172,17 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
-/// Attachments are at waypoints where the arm stops. Only moves `around` and blends with joint
-/// moves depend on them and on `model`, which is the arm in its scene: its links and limits are the
-/// same, its base may be at another pose. prove_clearance() with a program proves the clearance of
-/// the other moves.
+/// Attachments are at waypoints where the arm stops. Only moves `around` depend on them and on
+/// `model`, which is the arm in its scene: its links and limits are the same, its base may be at
+/// another pose. prove_clearance() with a program proves the clearance of the other moves.
 ///
 /// `budget` limits the planning of the whole program. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
 /// before its beginning or after the last move, and at a waypoint that the tool passes without a
-/// stop, and MoveError for a blend that is not between lines or joint moves or is at a dwell, for a
-/// via or a configuration of a move that cannot have one, for an arc without via, for a move
-/// `around` without a model, for a speed, blend or dwell out of range, for a configuration outside
-/// the limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
+/// stop, and MoveError for a blend that is not between two lines or is at a dwell, for a via or a
+/// configuration of a move that cannot have one, for an arc without via, for a move `around`
+/// without a model, for a speed, blend or dwell out of range, for a configuration outside the
+/// limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
 /// throws as prove_clearance() with a program does.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {},
@@ -216,10 +194,6 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   are at rest there, unless a blend or a spline passes the waypoint, and for each dwell. A
 ///   trajectory that does not begin at the first waypoint moves there first. Rest is to the
 ///   tolerance of verify() for the ends; a dwell is within 1e-5 rad or m of one configuration.
-/// - Where a blend with a joint move passes a waypoint, a sample is within Move::blend of it. A
-/// line
-///   beside it is followed from or to a sample on the waypoint's half of it, and in between the
-///   tool is within Move::blend of the line: see Verification::passed.
 /// - A joint motion to a pose ends at a rest there before the next waypoint: it may change the
 ///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves except joint motions from stop to stop. A joint motion only has to

@@ -104,32 +104,6 @@ std::string followed(const ReasonText& reason) {
                               : "the whole path");
 }
 
-/// What a blend with a joint motion is in place of the one that was asked for.
-std::string blend_text(const ReasonText& reason) {
-  const std::string stops = "the arm stops at the waypoint, ";
-  switch (reason.code()) {
-    case ReasonCode::blend_not_proved:
-      return "the tool is only proved to stay within " + reason.deviation_bound() +
-             " of its line in the blend";
-    case ReasonCode::blend_smaller: {
-      const bool is_stop = reason.value(radius) == 0;
-      const std::string text = is_stop
-                                   ? "the arm stops at the waypoint"
-                                   : "the blend is smaller than its size allows, with the radius " +
-                                         reason.number(radius);
-      return reason.details().empty()
-                 ? stops + "as the motions beside it leave too little for a blend"
-                 : text + ": " + sentence(reason.details().front());
-    }
-    case ReasonCode::blend_turns_back:
-      return stops + "as the path turns back there";
-    case ReasonCode::blend_slower:
-      return stops + "as a blend with the radius " + reason.number(radius) + " takes longer";
-    default:
-      return "";
-  }
-}
-
 }  // namespace
 
 std::string path_sentence(const ReasonText& reason) {
@@ -145,11 +119,6 @@ std::string path_sentence(const ReasonText& reason) {
     case ReasonCode::program_too_long:
       return "the motion up to here needs more than " + reason.number(max_samples) +
              " samples; lower the rate";
-    case ReasonCode::blend_not_proved:
-    case ReasonCode::blend_smaller:
-    case ReasonCode::blend_turns_back:
-    case ReasonCode::blend_slower:
-      return blend_text(reason);
     case ReasonCode::ended_on_path:
       return reason.ended() + followed(reason) + reason.how_to_continue();
     default: {

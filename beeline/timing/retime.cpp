@@ -258,22 +258,21 @@ Retimed internal::retimed_paths(const Arm& arm, const std::vector<JointPath>& pa
 
 namespace {
 
-/// The motion along straight joint motions with blends of these radii: a radius for each inner
-/// position of a section, and 0 between two sections.
-Retimed retimed_with(const std::vector<double>& radii, const Arm& arm,
+/// The motion along straight joint motions with blends of these radii, a list for each section.
+Retimed retimed_with(const std::vector<std::vector<double>>& radii, const Arm& arm,
                      const std::vector<std::vector<Configuration>>& sections,
                      const RetimeOptions& options, internal::BudgetMeter& budget) {
   std::vector<JointPath> paths;
-  auto begin = radii.begin();
-  for (const std::vector<Configuration>& section : sections) {
-    const auto end = begin + static_cast<std::ptrdiff_t>(section.size()) - 2;
-    for (JointPath& path : internal::blended_paths(section, {begin, end})) {
+  std::vector<double> blends;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    for (JointPath& path : internal::blended_paths(sections[i], radii[i])) {
       paths.push_back(std::move(path));
     }
-    if (end != radii.end()) begin = end + 1;
+    if (i > 0) blends.push_back(0);
+    blends.insert(blends.end(), radii[i].begin(), radii[i].end());
   }
   Retimed timed = internal::retimed_paths(arm, paths, options, budget);
-  timed.blends = radii;
+  timed.blends = std::move(blends);
   return timed;
 }
 
@@ -287,24 +286,18 @@ double shortest_duration(const Retimed& refused) {
 /// The motion with the largest blends or, if that is quicker, with stops in place of small ones.
 Retimed retimed_with_blends(const Arm& arm, const std::vector<std::vector<Configuration>>& sections,
                             const RetimeOptions& options, internal::BudgetMeter& budget) {
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    const std::vector<double> here = internal::largest_blends(sections[i], *options.joint_blend);
-    if (i > 0) radii.push_back(0);
-    radii.insert(radii.end(), here.begin(), here.end());
+  std::vector<std::vector<double>> radii, stopping;
+  for (const std::vector<Configuration>& section : sections) {
+    radii.push_back(internal::largest_blends(section, *options.joint_blend));
+    stopping.push_back(internal::with_stops_below(internal::small_blend, radii.back()));
   }
-  const auto plan = [&](const std::vector<double>& chosen) {
-    return retimed_with(chosen, arm, sections, options, budget);
-  };
-  Retimed timed = plan(radii);
-  if (!budget.complete()) return timed;
-  const auto is_better = [&](const Retimed& stopped, const Retimed& blended) {
-    if (!budget.complete()) return true;
-    return stopped ? !blended || stopped.duration() < blended.duration()
-                   : !blended && shortest_duration(stopped) < shortest_duration(blended);
-  };
-  internal::prefer_stops_below(internal::small_blend, radii, plan, is_better, timed);
-  return timed;
+  Retimed timed = retimed_with(radii, arm, sections, options, budget);
+  if (stopping == radii || !budget.complete()) return timed;
+  Retimed stopped = retimed_with(stopping, arm, sections, options, budget);
+  if (!budget.complete()) return stopped;
+  const bool quicker = stopped ? !timed || stopped.duration() < timed.duration()
+                               : !timed && shortest_duration(stopped) < shortest_duration(timed);
+  return quicker ? std::move(stopped) : std::move(timed);
 }
 
 /// The motion along the trajectory's positions, from rest to rest.

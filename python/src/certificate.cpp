@@ -133,7 +133,6 @@ void bind_certificates(nb::module_& m) {
   bind_record<MovingEnds>(m);
   bind_record<JointFault>(m);
   bind_record<FaultsOfKind>(m);
-  bind_record<PassedWaypoint>(m);
   bind_record<PathDeviation>(m);
   bind_record<Verification>(m);
   bind_path_deviation(m);

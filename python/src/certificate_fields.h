@@ -36,14 +36,10 @@ struct Fields<VerifyOptions>
               &VerifyOptions::recover, &VerifyOptions::budget> {};
 
 template <>
-struct Fields<PassedWaypoint> : Members<&PassedWaypoint::move, &PassedWaypoint::begin,
-                                        &PassedWaypoint::end, &PassedWaypoint::bound> {};
-
-template <>
 struct Fields<Verification>
     : Members<&Verification::fault, &Verification::reason, &Verification::sample,
               &Verification::time, &Verification::faults, &Verification::deviation,
               &Verification::path, &Verification::path_parameters, &Verification::arrivals,
-              &Verification::passed, &Verification::recovery, &Verification::ending> {};
+              &Verification::recovery, &Verification::ending> {};
 
 }  // namespace beeline::python

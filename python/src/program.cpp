@@ -105,7 +105,6 @@ void bind_programs(nb::module_& m) {
   bind_record<AttachedPart>(m);
   nb::class_<Program> program = bind_record<Program>(m);
   bind_load(program);
-  bind_record<PlannedBlend>(m);
   bind_record<PlannedMove>(m);
   bind_record<ProgramMotion>(m);
   Signature planned(

@@ -30,14 +30,9 @@ struct Fields<Program> : Members<&Program::moves, &Program::attachments> {
 };
 
 template <>
-struct Fields<PlannedBlend>
-    : Members<&PlannedBlend::begin, &PlannedBlend::end, &PlannedBlend::q, &PlannedBlend::bound,
-              &PlannedBlend::radius, &PlannedBlend::reason> {};
-
-template <>
 struct Fields<PlannedMove>
     : Members<&PlannedMove::begin, &PlannedMove::end, &PlannedMove::bound, &PlannedMove::tool_speed,
-              &PlannedMove::blend_radius, &PlannedMove::joint_blend, &PlannedMove::waypoints> {};
+              &PlannedMove::blend_radius, &PlannedMove::waypoints> {};
 
 template <>
 struct Fields<ProgramMotion>

@@ -77,7 +77,7 @@ void expect_move(const Arm& arm, const Program& program, const ProgramMotion& mo
   constexpr int parts = 200;
   const Trajectory& trajectory = motion.trajectory;
   const Move& move = program.moves[i];
-  const auto [begin, end, bound, speed, radius, joint_blend, waypoints] = motion.moves[i];
+  const auto [begin, end, bound, speed, radius, waypoints] = motion.moves[i];
   const double start = trajectory.times[begin], dt = (trajectory.times[end] - start) / parts;
   Configuration before = trajectory.positions[begin];
   const Line line{forward_kinematics(arm, before),
@@ -345,11 +345,7 @@ TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   };
   using Moves = std::vector<Move>;
   EXPECT_REFUSED(planned([](Moves& moves) { moves.clear(); }), "needs moves");
-  EXPECT_REFUSED(planned([](Moves& moves) {
-                   moves[0].kind = MoveKind::screw;
-                   moves[0].blend = 0.1;
-                 }),
-                 "move 1 (screw): a blend");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[0].blend = 0.1; }), "move 1 (joint): a blend");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].blend = 0.1; }), "move 2 (line): a dwell");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[2].blend = 0.1; }), "move 3 (line): a blend");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = -1; }), "move 2 (line): dwell");

@@ -192,22 +192,6 @@ def test_a_program_of_moves():
     assert not answer and answer.failed == 2 and "move 3" in answer.reason
 
 
-def test_joint_moves_blend():
-    there = np.array(HOME) + [0.3, 0.1, 0, -0.1, 0, 0.1, 0]
-    down = beeline.Move("line", moved(beeline.forward_kinematics(PANDA, there), z=-0.15))
-    stopping = beeline.Program([beeline.Move("joint", q=there), down])
-    program = beeline.Program([beeline.Move("joint", q=there, blend=0.02), down])
-    motion = beeline.move_program(PANDA, HOME, program)
-    blend = motion.moves[0].joint_blend
-    assert motion and blend.radius > 0 and blend.begin < blend.end and 0 < blend.bound.position <= 0.02
-    assert np.allclose(blend.q, there, rtol=0, atol=1e-12)
-    passed = beeline.verify(PANDA, motion.trajectory, program).passed
-    assert [(one.move, one.end) for one in passed] == [(0, motion.moves[0].end)]
-    assert not beeline.verify(PANDA, motion.trajectory, stopping)
-    assert motion.trajectory.duration < beeline.move_program(PANDA, HOME, stopping).trajectory.duration
-    assert motion.moves[1].joint_blend.radius == 0 and not motion.moves[1].joint_blend.reason
-
-
 def test_a_program_carries_a_part():
     arm = beeline.arms.rrr()
 

@@ -62,30 +62,6 @@ std::vector<Said> said_of_paths() {
   };
 }
 
-std::vector<Said> said_of_blends() {
-  using enum ReasonField;
-  return {
-      {{ReasonCode::blend_not_proved, off},
-       "the tool is only proved to stay within " + by_both + " of its line in the blend"},
-      {{ReasonCode::blend_smaller,
-        {{radius, 0.25}},
-        {{ReasonCode::program_too_long, {{max_samples, std::size_t{100}}}}}},
-       "the blend is smaller than its size allows, with the radius 0.25: the motion up to here "
-       "needs more than 100 samples; lower the rate"},
-      {{ReasonCode::blend_smaller,
-        {{radius, 0.0}},
-        {{ReasonCode::program_too_long, {{max_samples, std::size_t{100}}}}}},
-       "the arm stops at the waypoint: the motion up to here needs more than 100 samples; lower "
-       "the rate"},
-      {{ReasonCode::blend_smaller, {{radius, 0.0}}},
-       "the arm stops at the waypoint, as the motions beside it leave too little for a blend"},
-      {{ReasonCode::blend_turns_back, {}},
-       "the arm stops at the waypoint, as the path turns back there"},
-      {{ReasonCode::blend_slower, {{radius, 0.03}}},
-       "the arm stops at the waypoint, as a blend with the radius 0.03 takes longer"},
-  };
-}
-
 std::vector<Said> said_near_singularities() {
   using enum ReasonField;
   const std::string near =

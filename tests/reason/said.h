@@ -17,7 +17,6 @@ struct Said {
 
 // The reasons of the files of beeline/reason/, each code at least once.
 std::vector<Said> said_near_singularities();
-std::vector<Said> said_of_blends();
 std::vector<Said> said_of_clearances();
 std::vector<Said> said_of_control();
 std::vector<Said> said_of_inverse_kinematics();

@@ -60,10 +60,9 @@ namespace {
 
 TEST(Sentence, SaysWhatAReasonMeans) {
   std::set<ReasonCode> seen{ReasonCode::none};
-  for (const auto& group :
-       {said_of_searches(), said_of_inverse_kinematics(), said_of_paths(), said_of_times(),
-        said_of_trajectories(), said_of_clearances(), said_of_control(), said_of_reach(),
-        said_near_singularities(), said_of_blends()}) {
+  for (const auto& group : {said_of_searches(), said_of_inverse_kinematics(), said_of_paths(),
+                            said_of_times(), said_of_trajectories(), said_of_clearances(),
+                            said_of_control(), said_of_reach(), said_near_singularities()}) {
     for (const Said& said : group) {
       EXPECT_EQ(sentence(said.reason), said.sentence) << name(said.reason.code);
       seen.insert(said.reason.code);

@@ -12,7 +12,7 @@ const elsewhere = [
   /^none$/,
   /^ended/,
   /^excess_rises$/,
-  /^program_|^blend_|^passes_without_rest$|^dwell_too_short$|^tool_too_fast$/,
+  /^program_|^passes_without_rest$|^dwell_too_short$|^tool_too_fast$/,
   /^poses_|^no_mount_/,
   /^singular_velocity$|^too_few_joints$/,
 ];

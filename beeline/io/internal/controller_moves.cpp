@@ -152,9 +152,7 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     const PlannedMove& planned = motion.moves[i];
     ControllerMove written;
     written.kind = is_joint_motion(move.kind) ? MoveKind::joint : move.kind;
-    // How a controller blends joint moves is not known: it stops at their waypoints.
-    const PlannedBlend& blend = planned.joint_blend;
-    written.q = blend.radius > 0 ? blend.q : trajectory.positions[planned.end];
+    written.q = trajectory.positions[planned.end];
     written.target = frame_T_world * move.target;
     if (move.via) {
       const Pose from = forward_kinematics(arm, trajectory.positions[planned.begin]);

@@ -6,12 +6,6 @@ namespace beeline::internal {
 CurrentScene::CurrentScene(const CollisionModel& model, const Program& program)
     : model_(model), program_(program), parts_(model, program) {}
 
-CurrentScene::CurrentScene(const CurrentScene& other)
-    : model_(other.model_),
-      program_(other.program_),
-      parts_(other.parts_),
-      is_changed_(other.is_changed_) {}
-
 void CurrentScene::arrive(std::size_t moves, const ConfigurationRef& q) {
   parts_.change(moves, q);
   if (parts_.changed().empty()) return;

@@ -13,9 +13,6 @@ class CurrentScene {
   /// Before the first move. Both arguments must outlive the object; the model must have the parts.
   CurrentScene(const CollisionModel& model, const Program& program);
 
-  /// A copy makes its own model of what is carried.
-  CurrentScene(const CurrentScene& other);
-
   /// Continues after this number of moves, at rest at a configuration.
   void arrive(std::size_t moves, const ConfigurationRef& q);
 

@@ -11,8 +11,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double max_dwell = 1e6;    // seconds
-constexpr double least_line = 1e-6;  // metres; shorter lines do not blend
+constexpr double max_dwell = 1e6;  // seconds
 
 void check_count(const Program& program) {
   if (program.moves.size() <= max_moves) return;
@@ -47,22 +46,10 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
     throw Error(move.via ? "only arcs have a via position" : "an arc needs a via position");
   }
   if (move.blend == 0) return;
-  const auto blends = [](MoveKind kind) {
-    return kind == MoveKind::line || kind == MoveKind::joint;
-  };
-  if (!blends(move.kind) || i + 1 == program.moves.size() || !blends(program.moves[i + 1].kind)) {
-    throw Error("a blend must be between two lines, two joint moves, or a line and a joint move");
-  }
+  const bool lines = move.kind == MoveKind::line && i + 1 < program.moves.size() &&
+                     program.moves[i + 1].kind == MoveKind::line;
+  if (!lines) throw Error("a blend must be between two lines");
   if (move.dwell > 0) throw Error("a dwell and a blend at one waypoint exclude each other");
-}
-
-/// Whether move i and the next are in one section of a path, without a stop between them.
-bool continues_path(const Program& program, std::size_t i) {
-  if (i + 1 == program.moves.size()) return false;
-  const Move &move = program.moves[i], &next = program.moves[i + 1];
-  if (is_joint_motion(move.kind) || is_joint_motion(next.kind)) return false;
-  const bool spline = move.kind == MoveKind::spline && next.kind == MoveKind::spline;
-  return move.blend > 0 || (spline && move.dwell == 0);
 }
 
 /// Moves from one stop to the next, or from one sharp corner to the next.
@@ -122,7 +109,7 @@ std::size_t add_section(const Program& program, std::size_t i, Pose& from, doubl
                         ProgramPart& part) {
   std::vector<Pose> poses{from, program.moves[i].target};
   std::size_t last = i;
-  while (continues_path(program, last)) poses.push_back(program.moves[++last].target);
+  while (is_passed(program, last)) poses.push_back(program.moves[++last].target);
   check_distinct(program, i, poses);
   ProgramSection section;
   try {
@@ -191,21 +178,12 @@ void check_program(const Arm& arm, const Program& program, const std::optional<T
 }
 
 bool is_passed(const Program& program, std::size_t i) {
-  return continues_path(program, i) || (i + 1 < program.moves.size() && program.moves[i].blend > 0);
+  const Move& move = program.moves[i];
+  if (i + 1 == program.moves.size()) return false;
+  const bool spline =
+      move.kind == MoveKind::spline && program.moves[i + 1].kind == MoveKind::spline;
+  return move.blend > 0 || (spline && move.dwell == 0);
 }
-
-bool blends_after(const Program& program, const std::vector<ProgramPart>& parts, std::size_t p) {
-  const auto moves = [](const Segment& segment) {
-    const Line* const line = std::get_if<Line>(&segment);
-    return line != nullptr && span_of(*line) > least_line;
-  };
-  if (p + 1 >= parts.size() || !(program.moves[parts[p].last].blend > 0)) return false;
-  const ProgramPart &before = parts[p], &after = parts[p + 1];
-  return (before.joint || moves(before.route.path.segments.back())) &&
-         (after.joint || moves(after.route.path.segments.front()));
-}
-
-Deviation blend_tolerance(const Move& move) { return {move.blend, move.blend / metres_per_radian}; }
 
 Pose waypoint_of(const Arm& arm, const Move& move) {
   return move.q ? forward_kinematics(arm, *move.q) : move.target;

@@ -30,15 +30,8 @@ void check_move(const Arm& arm, const Program& program, std::size_t i);
 void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task,
                    double recover = 0);
 
-/// Whether the tool may pass the waypoint of move i without a stop.
+/// Whether the tool passes the waypoint of move i without a stop.
 bool is_passed(const Program& program, std::size_t i);
-
-/// Whether a joint motion blends from part p into the next or from it, as Move::blend asks for. A
-/// line that does not move, or that blends with other lines replace, does not.
-bool blends_after(const Program& program, const std::vector<ProgramPart>& parts, std::size_t p);
-
-/// The deviation that the blend after a move allows.
-Deviation blend_tolerance(const Move& move);
 
 /// The waypoint of a move as a pose.
 Pose waypoint_of(const Arm& arm, const Move& move);

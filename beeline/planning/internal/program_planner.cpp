@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/planning/internal/blended_moves.h>
+#include <beeline/planning/branch.h>
+#include <beeline/planning/internal/current_scene.h>
 #include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/pose_configurations.h>
-#include <beeline/planning/internal/program_branches.h>
+#include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_planner.h>
 #include <beeline/planning/internal/program_refusal.h>
 #include <beeline/planning/internal/program_trajectory.h>
@@ -22,9 +22,17 @@ namespace {
 
 constexpr std::size_t max_trajectory = 10'000'000;  // samples: some 3 GB for seven joints
 
-class ProgramPlanner : ProgramBranches {
+class ProgramPlanner {
  public:
-  using ProgramBranches::ProgramBranches;
+  ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options,
+                 const CollisionModel* model)
+      : arm_(arm), program_(program), budget_(options.budget), options_(options) {
+    if (model != nullptr) scene_.emplace(*model, program);
+    options_.budget = budget_.part();
+    options_.task = options.task.value_or(default_task(arm));
+    options_.suggest = false;
+    succeed();
+  }
 
   ProgramMotion run(const std::optional<Configuration>& start) {
     if (!plan(start)) {
@@ -39,6 +47,29 @@ class ProgramPlanner : ProgramBranches {
   }
 
  private:
+  /// Fails in a move. The reason contains the name of the move or, if given, the name of its part.
+  bool fail(std::size_t move, MotionStatus status, Reason reason, const std::string& name = {}) {
+    motion_.status = status;
+    motion_.reason = std::move(reason);
+    motion_.reason.set(ReasonField::move, move + 1);
+    motion_.reason.set(ReasonField::move_name, name.empty() ? move_name(program_, move) : name);
+    motion_.failed = move;
+    return false;
+  }
+
+  /// Forgets why the branches before this one are not possible.
+  bool succeed() {
+    motion_.status = MotionStatus::reached;
+    motion_.reason = {};
+    motion_.failed = program_.moves.size();
+    return true;
+  }
+
+  bool fail_ended(std::size_t move) {
+    return fail(move, status_of<MotionStatus>(budget_.ending()),
+                ended_reason(ReasonCode::ended, budget_.ending()));
+  }
+
   bool plan(const std::optional<Configuration>& start) {
     if (start) check_start(arm_, *start);
     const Move& first = program_.moves.front();
@@ -67,12 +98,6 @@ class ProgramPlanner : ProgramBranches {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       budget_.report(static_cast<double>(p) / static_cast<double>(parts_.size()));
       if (budget_.ended()) return fail_ended(parts_[p].first);
-      const std::size_t last = last_blended(p);
-      if (last > p && add_blended(p, last)) {
-        p = last;
-        ahead.reset();
-        continue;
-      }
       if (parts_[p].joint ? !add_joint_motion(p, ahead) : !add_path(p, ahead)) return false;
     }
     return finish();
@@ -109,6 +134,76 @@ class ProgramPlanner : ProgramBranches {
     return false;
   }
 
+  /// Sets q to the configuration with the tool at the pose that is reached soonest.
+  bool configuration_at(std::size_t move, const Pose& pose, const Configuration& from,
+                        std::optional<Configuration>& q) {
+    const auto found = configurations_for(arm_, *options_.task, pose, from, budget_.part());
+    if (!found.empty()) q = found.front();
+    return q || solution_at(move, pose, from, q);
+  }
+
+  /// Sets q to the solution of a search with all means, or fails with the reason why there is none.
+  bool solution_at(std::size_t move, const Pose& pose, const Configuration& from,
+                   std::optional<Configuration>& q) {
+    const InverseResult found = solution_for(arm_, *options_.task, pose, from, budget_.part());
+    if (found) q = found.solutions.front();
+    return found || fail(move, motion_status(found.status), found.reason);
+  }
+
+  /// Plans the path of a part.
+  bool follow(std::size_t p, const std::optional<Configuration>& q,
+              std::optional<PathMotion>& ahead) {
+    const ProgramPart& part = parts_[p];
+    ahead = move_along(arm_, q, part.route, options_);
+    if (*ahead) return true;
+    Reason& reason = ahead->reason;
+    if (const ReasonValue* const segment = reason.find(ReasonField::segment)) {
+      const std::size_t move = part.moves[std::get<std::size_t>(*segment) - 1];
+      return fail(move, ahead->status, reason);
+    }
+    if (part.first > 0 && reason.has(ReasonField::beginning)) {  // the waypoint of the move before
+      std::erase_if(reason.fields,
+                    [](const auto& entry) { return entry.first == ReasonField::beginning; });
+      return fail(part.first - 1, ahead->status, reason);
+    }
+    return fail(part.first, ahead->status, reason, part_name(program_, part));
+  }
+
+  /// Plans the path of a part, which must keep the clearance.
+  bool follow_free(std::size_t p, const Configuration& q, std::optional<PathMotion>& ahead) {
+    if (!follow(p, q, ahead)) return false;
+    const Reason reason = scene_->blocked_ahead(parts_[p], *ahead, budget_.part());
+    return !reason ||
+           fail(parts_[p].first, status_of_blocked(reason), reason, part_name(program_, parts_[p]));
+  }
+
+  /// Whether a branch of the path of part p begins at a configuration.
+  bool has_branch(std::size_t p, const Configuration& q) {
+    BranchOptions planning = branch_options(arm_, options_, 1);
+    planning.max_grid = 16;
+    planning.reasons = BranchOptions::Reasons::none;
+    planning.budget = budget_.part();
+    return bool(plan_path(arm_, q, parts_[p].route.path, planning));
+  }
+
+  /// Finds the configuration reached first of those from which the path of part p is possible.
+  bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
+                     std::optional<PathMotion>& ahead) {
+    const ToolPath& path = parts_[p].route.path;
+    for (const Configuration& candidate :
+         configurations_for(arm_, *options_.task, pose_at(path, 0), from, budget_.part())) {
+      if (budget_.ended()) break;
+      if (!has_branch(p, candidate) || !follow(p, candidate, ahead)) continue;
+      q = candidate;
+      return succeed();
+    }
+    if (!follow(p, std::nullopt, ahead)) return false;
+    q = ahead->trajectory.positions.front();
+    return succeed();
+  }
+
+  bool path_follows(std::size_t p) const { return p + 1 < parts_.size() && !parts_[p + 1].joint; }
+
   bool add_joint_motion(std::size_t p, std::optional<PathMotion>& ahead) {
     ahead.reset();
     const std::size_t i = parts_[p].first;
@@ -121,110 +216,16 @@ class ProgramPlanner : ProgramBranches {
     return pause(i);
   }
 
-  /// The last of the parts from p on of which each blends into the next.
-  std::size_t last_blended(std::size_t p) const {
-    while (blends_after(program_, parts_, p)) ++p;
-    return p;
-  }
-
-  /// Sets `to` to the configuration at which the straight joint motion of part p ends, and plans
-  /// the path after it.
-  bool find_target(std::size_t p, const Configuration& from, std::optional<Configuration>& to,
-                   std::optional<PathMotion>& ahead) {
-    const Move& move = program_.moves[parts_[p].first];
-    to = move.q;
-    return to || (path_follows(p) ? choose_branch(p + 1, from, to, ahead)
-                                  : configuration_at(parts_[p].first, move.target, from, to));
-  }
-
-  /// Appends the motion of parts that blend into each other. If there is none, returns false; the
-  /// parts then become motions from stop to stop, with the reasons why.
-  bool add_blended(std::size_t first, std::size_t last) {
-    const PathMotionOptions given = options_;
-    options_.rate = 0;
-    options_.interpolation = Interpolation::quintic;
-    std::vector<PathMotion> paths;
-    BlendedMoves moves(arm_, program_, parts_, given, budget_);
-    const bool planned = set_blended(first, last, moves, paths);
-    options_ = given;
-    succeed();
-    for (std::size_t p = first; p < last; ++p) {
-      reduced_[parts_[p].last] = {ReasonCode::blend_smaller, {{ReasonField::radius, 0.0}}};
-    }
-    if (!planned) return false;
-    const BlendedMotion motion = moves.plan(scene_ ? &*scene_ : nullptr);
-    for (std::size_t p = first; motion && p < last; ++p) reduced_.erase(parts_[p].last);
-    for (const auto& [move, reason] : moves.reasons()) reduced_[move] = reason;
-    if (!motion || !budget_.complete()) return false;
-    for (const PathMotion& path : paths) add_margins(path);
-    append_blended(motion, parts_[first].first);
-    return true;
-  }
-
-  /// Adds the joint motions and paths of some parts to moves that are blended.
-  bool set_blended(std::size_t first, std::size_t last, BlendedMoves& moves,
-                   std::vector<PathMotion>& paths) {
-    Configuration q = trajectory_.positions().back();
-    std::optional<PathMotion> ahead;
-    for (std::size_t p = first; p <= last; ++p) {
-      if (parts_[p].joint) {
-        std::optional<Configuration> to;
-        ahead.reset();
-        if (!find_target(p, q, to, ahead)) return false;
-        moves.add_joint_motion(p, q, *to);
-        q = *to;
-        continue;
-      }
-      if (!ahead && !follow(p, q, ahead)) return false;
-      if (!moves.add_path(p, *ahead)) return false;
-      q = ahead->trajectory.positions.back();
-      paths.push_back(std::move(*ahead));
-      ahead.reset();
-    }
-    return true;
-  }
-
-  /// Appends the motion of blended moves whose first move is given.
-  void append_blended(const BlendedMotion& motion, std::size_t first) {
-    const std::size_t before = trajectory_.last();
-    std::size_t shift = before;
-    for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
-      trajectory_.append(motion.trajectory, k);
-      if (k == 1) shift = trajectory_.last() - 1;
-    }
-    for (const PathSamples& path : motion.paths) {
-      planned_.push_back({path.part, shift + path.begin, path.path_parameters});
-    }
-    std::size_t p = 0;
-    for (std::size_t m = 0; m < motion.ends.size(); ++m) {
-      while (parts_[p].last < first + m) ++p;
-      const std::vector<double>& radii = parts_[p].blend_radii;
-      PlannedMove move{.begin = m == 0 ? before : shift + motion.begins[m],
-                       .end = shift + motion.ends[m],
-                       .blend_radius = radii.empty() ? 0 : radii[first + m - parts_[p].first],
-                       .joint_blend = motion.blends[m]};
-      move.joint_blend.begin += move.joint_blend.radius > 0 ? shift : 0;
-      move.joint_blend.end += move.joint_blend.radius > 0 ? shift : 0;
-      motion_.moves.push_back(move);
-      if (m + 1 == motion.ends.size() || !is_passed(program_, first + m)) {
-        if (scene_) scene_->arrive(first + m + 1, trajectory_.positions()[move.end]);
-      }
-    }
-    trajectory_.stop();
-  }
-
-  void add_margins(const PathMotion& path) {
-    motion_.limit_margin = std::min(motion_.limit_margin, path.limit_margin);
-    motion_.inverse_condition = std::min(motion_.inverse_condition, path.inverse_condition);
-  }
-
   /// Appends the straight joint motion of part p, and plans the path after it.
   bool move_straight_to(std::size_t p, std::optional<PathMotion>& ahead) {
     const std::size_t i = parts_[p].first;
     const Move& move = program_.moves[i];
     const Configuration from = trajectory_.positions().back();
-    std::optional<Configuration> to;
-    if (!find_target(p, from, to, ahead)) return false;
+    std::optional<Configuration> to = move.q;
+    if (!to && !(path_follows(p) ? choose_branch(p + 1, from, to, ahead)
+                                 : configuration_at(i, move.target, from, to))) {
+      return false;
+    }
     RetimeOptions timing = timing_options(options_);
     timing.tool_speed = move.speed.value_or(options_.tool_speed);
     timing.budget = budget_.part();
@@ -325,7 +326,8 @@ class ProgramPlanner : ProgramBranches {
   bool add_path(std::size_t p, std::optional<PathMotion>& ahead) {
     const ProgramPart& part = parts_[p];
     if (!ahead && !follow(p, trajectory_.positions().back(), ahead)) return false;
-    add_margins(*ahead);
+    motion_.limit_margin = std::min(motion_.limit_margin, ahead->limit_margin);
+    motion_.inverse_condition = std::min(motion_.inverse_condition, ahead->inverse_condition);
     const std::size_t begin = trajectory_.last();
     std::vector<double> path_parameters{ahead->path_parameters.front()};
     std::size_t k = 0;
@@ -365,7 +367,6 @@ class ProgramPlanner : ProgramBranches {
                  : fail_ended(program_.moves.size() - 1);
     }
     motion_.deviation = std::move(found.deviation);
-    for (const auto& [move, reason] : reduced_) motion_.moves[move].joint_blend.reason = reason;
     for (PlannedMove& move : motion_.moves) {
       for (std::size_t k = move.begin; k < move.end; ++k) {
         grow(move.bound, motion_.deviation.interval_bounds[k]);
@@ -376,9 +377,15 @@ class ProgramPlanner : ProgramBranches {
     return budget_.complete() || fail_ended(program_.moves.size() - 1);
   }
 
+  const Arm& arm_;
+  const Program& program_;
+  BudgetMeter budget_;
+  PathMotionOptions options_;
+  ProgramMotion motion_;
+  std::vector<ProgramPart> parts_;
   ProgramTrajectory trajectory_;
+  std::optional<CurrentScene> scene_ = std::nullopt;
   std::vector<PlannedPart> planned_;
-  std::map<std::size_t, Reason> reduced_;  // why moves have smaller blends, or none
 };
 
 }  // namespace

@@ -16,7 +16,6 @@ class ProgramTrajectory {
 
   const std::vector<Configuration>& positions() const { return trajectory_.positions; }
   std::size_t last() const { return trajectory_.size() - 1; }
-  double end_time() const { return trajectory_.times.back(); }
 
   /// Marks the last sample as a rest. With linear joints and no rate, the joints then rest before
   /// the next motion for at least its first interval and the last interval before. Their velocity

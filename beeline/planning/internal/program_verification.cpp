@@ -1,15 +1,19 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include <beeline/certificate/internal/fault_list.h>
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/set_fault.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/planning/internal/attachments.h>
-#include <beeline/planning/internal/program_checks.h>
+#include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/internal/waypoint_rests.h>
 #include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
 
@@ -17,15 +21,26 @@ using namespace internal;
 
 namespace {
 
-constexpr std::size_t max_candidates = 16;  // rests and blends at which a move may end
+constexpr double dwell_rounding = 2e-9;      // seconds
+constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
+constexpr std::size_t max_rests = 16;        // rests at which a move may end
 
 /// Proves the parts of a program one after the other. Each begins at the sample at which the one
 /// before it ends.
-class ProgramVerifier : ProgramChecks {
+class ProgramVerifier {
  public:
   ProgramVerifier(const Arm& arm, const Trajectory& trajectory, const Program& program,
                   const VerifyOptions& options, BudgetMeter& budget)
-      : ProgramChecks(arm, trajectory, program, options, budget) {
+      : arm_(arm),
+        trajectory_(trajectory),
+        program_(program),
+        options_(options),
+        budget_(budget),
+        task_(options.task.value_or(default_task(arm))),
+        rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
+    options_.task = task_;
+    options_.budget = budget.part();
+    result_.deviation.bound = {};
     interval_bounds_.resize(trajectory.size() - 1);
   }
 
@@ -62,6 +77,112 @@ class ProgramVerifier : ProgramChecks {
   }
 
  private:
+  bool fail(Fault fault, std::size_t k, Reason reason) {
+    set_fault(trajectory_, fault, k, std::move(reason), result_);
+    return false;
+  }
+
+  /// Fails at a move.
+  bool fail(Fault fault, std::size_t k, std::size_t move, Reason reason) {
+    reason.set(ReasonField::move, move + 1);
+    reason.set(ReasonField::segment_name, move_name(program_, move));
+    return fail(fault, k, std::move(reason));
+  }
+
+  Pose tool_at(std::size_t k) const { return forward_kinematics(arm_, trajectory_.positions[k]); }
+
+  /// Checks that the arm is at rest where move i ends.
+  bool check_stop(std::size_t i) {
+    if (rests_.rests_at(result_.arrivals.back())) return true;
+    return fail(Fault::moving, result_.arrivals.back(), i, {ReasonCode::passes_without_rest});
+  }
+
+  bool fail_to_reach(std::size_t move) {
+    const std::size_t last = trajectory_.size() - 1;
+    const Deviation away =
+        task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_at(last));
+    return fail(Fault::not_through, last,
+                {ReasonCode::waypoint_not_reached,
+                 {{ReasonField::move, move + 1},
+                  {ReasonField::segment_name, "the waypoint of " + move_name(program_, move)},
+                  {ReasonField::distance, away.position},
+                  {ReasonField::angle, away.orientation}}});
+  }
+
+  /// Checks the dwell of the move that ends at the last arrival, and sets `begin_` to its end. Time
+  /// at rest that belongs to a dwell before does not count.
+  bool check_dwell(std::size_t move) {
+    const std::size_t at = result_.arrivals.back();
+    begin_ = at;
+    const Move& goal = program_.moves[move];
+    const double dwell = goal.dwell;
+    if (dwell == 0) return true;
+    std::size_t from = at;
+    while (from > 0 && rests_.rests_after(from - 1, goal, at)) --from;
+    const double start = std::max(trajectory_.times[from], dwelled_until_);
+    // Not beyond the dwell: the arm may rest longer, and moves slowly at first.
+    const auto rested = [&] { return std::max(0.0, trajectory_.times[begin_] - start); };
+    while (rested() < dwell - dwell_rounding && begin_ + 1 < trajectory_.size() &&
+           rests_.rests_after(begin_, goal, at)) {
+      ++begin_;
+    }
+    dwelled_until_ = start + dwell;
+    if (rested() >= dwell - dwell_rounding) return true;
+    return fail(Fault::dwell, at, move,
+                {ReasonCode::dwell_too_short,
+                 {{ReasonField::duration, rested()},
+                  {ReasonField::dwell, dwell},
+                  {ReasonField::beyond_dwells, start > trajectory_.times[from]}}});
+  }
+
+  bool check_speed(std::size_t move, std::size_t from, std::size_t to,
+                   const std::optional<double>& limit) {
+    if (!limit || from >= to) return true;
+    const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to));
+    if (speed <= *limit * speed_rounding) return true;
+    return fail(
+        Fault::tool_speed, from, move,
+        {ReasonCode::tool_too_fast, {{ReasonField::speed, speed}, {ReasonField::limit, *limit}}});
+  }
+
+  /// Returns the sample before the samples from `from` to `at` that are within tolerance of the
+  /// pose.
+  std::size_t before_near(const Pose& pose, std::size_t from, std::size_t at) const {
+    while (at > from && rests_.offset(pose, at - 1) <= 1) --at;
+    return at > from ? at - 1 : at;
+  }
+
+  /// Returns the sample after the samples from `at` to `to` that are within tolerance of the pose.
+  std::size_t after_near(const Pose& pose, std::size_t at, std::size_t to) const {
+    while (at < to && rests_.offset(pose, at + 1) <= 1) ++at;
+    return at < to ? at + 1 : at;
+  }
+
+  /// Checks the speed of move i from sample `from` to `reached`, at the end of a segment which the
+  /// tool passes to the next move; returns the sample from which that move's own limit holds. Which
+  /// sample is the first of that move is only known to the tolerance.
+  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
+                                           std::size_t reached, std::size_t end) {
+    const Pose passed = pose_at(segment, 1);
+    const std::size_t before = before_near(passed, from, reached);
+    const std::size_t after = after_near(passed, reached, end);
+    const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
+    const std::optional<double> larger =
+        limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
+    if (!check_speed(i, from, before, limit) || !check_speed(i, before, after, larger)) return {};
+    return after;
+  }
+
+  /// Checks that the joints rest at the waypoint of the last move from `begin_` to the end.
+  bool check_rest(std::size_t move) {
+    const std::size_t at = result_.arrivals.back();
+    for (std::size_t k = begin_; k + 1 < trajectory_.size(); ++k) {
+      if (rests_.rests_after(k, program_.moves[move], at)) continue;
+      return fail(Fault::not_through, k, {ReasonCode::leaves_last_waypoint});
+    }
+    return true;
+  }
+
   /// The state from which a further candidate for the end of a move is verified.
   struct Checkpoint {
     Verification result;
@@ -80,42 +201,21 @@ class ProgramVerifier : ProgramChecks {
     bounds_end_ = begin_;
   }
 
-  /// Returns the elements of a list one after the other.
-  template <class T>
-  static auto each_of(std::vector<T> all) {
-    return [all = std::move(all), i = std::size_t(0)]() mutable {
-      return i < all.size() ? std::optional<T>(all[i++]) : std::nullopt;
-    };
-  }
-
-  /// Tries the candidates for the end of a move one after the other until one passes. If none does,
+  /// Tries the rests at which a move may end one after the other until one passes. If none does,
   /// what failed is the attempt that passed most moves, the first of them.
-  template <class Next, class Check>
-  bool check_candidates(std::size_t move, Next next, const Check& check) {
+  template <class Check>
+  bool check_candidates(std::span<const std::size_t> rests, const Check& check) {
     const Checkpoint before = checkpoint();
     std::optional<Checkpoint> failed;
-    for (std::size_t tried = 0; tried < max_candidates; ++tried) {
-      const auto candidate = next();
-      if (!candidate) break;
+    for (const std::size_t end : rests.first(std::min(rests.size(), max_rests))) {
       return_to(before);
-      if (check(*candidate)) return true;
+      if (check(end)) return true;
       if (result_.ending != Ending::complete) return false;
       if (!failed || result_.arrivals.size() > failed->result.arrivals.size())
         failed = checkpoint();
     }
-    if (!failed) return fail_to_reach(move);
-    return_to(std::move(*failed));
+    return_to(*failed);
     return false;
-  }
-
-  /// Returns the samples nearest to the waypoint of a move, one approach after the other.
-  auto each_approach(std::size_t move) const {
-    return [this, move, from = begin_]() mutable -> std::optional<std::size_t> {
-      const std::optional<NearSamples> near = near_waypoint(move, from);
-      if (!near) return std::nullopt;
-      from = near->last + 1;
-      return near->nearest;
-    };
   }
 
   /// The rests at which the joint move of part p may end. Before a joint move to another pose, the
@@ -137,14 +237,13 @@ class ProgramVerifier : ProgramChecks {
   /// different configurations.
   bool check_joint_move() {
     const std::size_t move = parts_[part_].first;
-    if (blends_after(program_, parts_, part_)) return check_blended_joint_move(move);
     std::vector<std::size_t> rests = joint_rests(part_);
     if (rests.empty()) {
       const auto passed = rests_.passes(program_.moves[move], begin_);
       if (!passed) return fail_to_reach(move);
       rests.push_back(*passed);
     }
-    return check_candidates(move, each_of(rests), [&](std::size_t end) {
+    return check_candidates(rests, [&](std::size_t end) {
       result_.arrivals.push_back(end);
       if (!check_speed(move, begin_, end, program_.moves[move].speed) || !check_stop(move) ||
           !check_dwell(move)) {
@@ -153,24 +252,6 @@ class ProgramVerifier : ProgramChecks {
       ++part_;
       if (part_ == parts_.size()) return check_rest(move);
       return parts_[part_].joint || check_path();
-    });
-  }
-
-  /// Checks a joint move that blends into the next one, and the path after it.
-  bool check_blended_joint_move(std::size_t move) {
-    const ProgramPart& next = parts_[part_ + 1];
-    return check_candidates(move, each_approach(move), [&](std::size_t nearest) {
-      PassedWaypoint passed{.move = move, .begin = nearest, .end = nearest};
-      if (!next.joint) {
-        const Line& line = std::get<Line>(next.route.path.segments.front());
-        passed = part_beside_line(move, nearest, line, true);
-      }
-      if (!check_speed(move, begin_, passed.begin, program_.moves[move].speed) ||
-          !check_blend(passed, passed.end)) {
-        return false;
-      }
-      ++part_;
-      return next.joint || check_path();
     });
   }
 
@@ -221,61 +302,31 @@ class ProgramVerifier : ProgramChecks {
     return rests;
   }
 
+  bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
+    const Route route = section_of(part, first, last);
+    // Lines that blends replace completely have no segment.
+    const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
+    const std::vector<std::size_t> rests = path_rests(route);
+    if (rests.empty()) return fail_to_reach(move);
+    // At the end of the program the path is checked to the last sample from any of them.
+    return check_candidates(std::span(rests).first(to_end ? 1 : rests.size()),
+                            [&](std::size_t end) {
+                              return check_section(part, route, {first, move, end, to_end});
+                            });
+  }
+
   struct SectionEnd {
     std::size_t first = 0;  ///< segment of the part
     std::size_t move = 0;   ///< its last one
     std::size_t sample = 0;
     bool is_last = false;  ///< of the program
-    /// Whether the tool blends from or to a joint motion at its ends.
-    bool from_blend = false, to_blend = false;
   };
-
-  bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
-    Route route = section_of(part, first, last);
-    // Lines that blends replace completely have no segment.
-    const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
-    const bool to_blend = move == part.last && blends_after(program_, parts_, part_);
-    SectionEnd end{.first = first, .move = move, .is_last = to_end};
-    end.from_blend = first == 0 && part_ > 0 && blends_after(program_, parts_, part_ - 1);
-    if (end.from_blend) {
-      Line& line = std::get<Line>(route.path.segments.front());
-      line.from = nearest_on(line, tool_at(begin_), task_);
-      route.path.spans.front() = span_of(line);
-    }
-    if (to_blend) return check_path_to_blend(part, route, end);
-    const std::vector<std::size_t> rests = path_rests(route);
-    if (rests.empty()) return fail_to_reach(move);
-    // At the end of the program the path is checked to the last sample from any of them.
-    const std::vector<std::size_t> tried(rests.begin(), to_end ? rests.begin() + 1 : rests.end());
-    return check_candidates(move, each_of(tried), [&](std::size_t sample) {
-      end.sample = sample;
-      return check_section(part, route, end);
-    });
-  }
-
-  /// Checks a section at whose end the tool blends into a joint motion.
-  bool check_path_to_blend(const ProgramPart& part, const Route& route, SectionEnd end) {
-    const Line& line = std::get<Line>(part.route.path.segments.back());
-    end.to_blend = true;
-    return check_candidates(end.move, each_approach(end.move), [&](std::size_t nearest) {
-      const PassedWaypoint passed = part_beside_line(end.move, nearest, line, false);
-      end.sample = passed.begin;
-      Route shorter = route;
-      Line& last = std::get<Line>(shorter.path.segments.back());
-      last.to = nearest_on(last, tool_at(end.sample), task_);
-      shorter.path.spans.back() = span_of(last);
-      if (!check_section(part, shorter, end)) return false;
-      result_.arrivals.pop_back();
-      return check_blend(passed, nearest);
-    });
-  }
 
   /// Checks a path from the sample `begin_` to a stop.
   bool check_section(const ProgramPart& part, const Route& route, const SectionEnd& end) {
     const std::size_t first = end.first, move = end.move;
     VerifyOptions options = options_;
-    options.moving = {end.from_blend || (options_.moving.start && begin_ == 0),
-                      end.to_blend || (options_.moving.end && end.is_last)};
+    options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && end.is_last};
     const std::size_t until = end.is_last ? trajectory_.size() - 1 : end.sample;
     const Verification found =
         verify(arm_, samples_between(trajectory_, begin_, until), route, options);
@@ -295,7 +346,7 @@ class ProgramVerifier : ProgramChecks {
       if (!after) return false;
       from = *after;
     }
-    return end.to_blend || (check_stop(move) && check_dwell(move));
+    return check_stop(move) && check_dwell(move);
   }
 
   /// Adds what was found from sample `begin_` on; returns whether it passed.
@@ -319,8 +370,18 @@ class ProgramVerifier : ProgramChecks {
     return false;
   }
 
+  const Arm& arm_;
+  const Trajectory& trajectory_;
+  const Program& program_;
+  VerifyOptions options_;
+  BudgetMeter& budget_;
+  Task task_;
+  WaypointRests rests_;
   std::vector<ProgramPart> parts_ = {};
-  std::size_t part_ = 0;                         // the next one
+  std::size_t part_ = 0;   // the next one
+  std::size_t begin_ = 0;  // the sample at which it begins
+  double dwelled_until_ = -std::numeric_limits<double>::infinity();  // end of the last dwell, s
+  Verification result_ = {};
   std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
   std::size_t bounds_end_ = 0;                   // of those that the last attempt wrote
 };

@@ -3,7 +3,6 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/planning/internal/waypoint_distance.h>
 #include <beeline/planning/internal/waypoint_rests.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
@@ -39,7 +38,13 @@ double WaypointRests::offset(const Pose& goal, std::size_t k) const {
 
 double WaypointRests::offset(const Move& move, std::size_t k) const {
   if (!move.q) return offset(move.target, k);
-  return joint_distance(arm_, trajectory_.positions[k], *move.q, tolerance_);
+  double largest = 0;
+  for (int i = 0; i < arm_.dof(); ++i) {
+    const bool slides = kind(arm_.joint_of(i)) == JointKind::prismatic;
+    const double tolerance = slides ? tolerance_.position : tolerance_.orientation;
+    largest = std::max(largest, std::abs(trajectory_.positions[k][i] - (*move.q)[i]) / tolerance);
+  }
+  return largest;
 }
 
 bool WaypointRests::is_slow(std::size_t k) const {

@@ -53,11 +53,9 @@ Trajectory JointBlend::curve(const std::vector<std::string>& joint_names) const 
 }
 
 bool turns_back(const JointBlend& blend) {
-  return turns_back(direction_of(blend.before, blend.at), direction_of(blend.at, blend.after));
-}
-
-bool turns_back(const Configuration& before, const Configuration& after) {
-  return (before + after).norm() < 2 * least_speed;
+  const Configuration sum =
+      direction_of(blend.before, blend.at) + direction_of(blend.at, blend.after);
+  return sum.norm() < 2 * least_speed;
 }
 
 JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_t k, double most) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include <beeline/path/joint_path.h>
@@ -32,9 +31,6 @@ struct JointBlend {
 /// Returns whether the path turns by so much at the waypoint that it would nearly rest in a blend.
 bool turns_back(const JointBlend& blend);
 
-/// The same for the directions of the motions before and after it, vectors of length 1.
-bool turns_back(const Configuration& before, const Configuration& after);
-
 /// Returns the blend at inner waypoint k, as large as `most` and the neighbours allow.
 JointBlend largest_blend(const std::vector<Configuration>& waypoints, std::size_t k, double most);
 
@@ -44,17 +40,6 @@ std::vector<double> largest_blends(const std::vector<Configuration>& waypoints, 
 
 /// Returns the radii with stops, 0, in place of those that are smaller than `radius`.
 std::vector<double> with_stops_below(double radius, std::vector<double> radii);
-
-/// Replaces a motion with blends of these radii by plan(), the motion with stops in place of blends
-/// smaller than `radius`, if there are some and is_better(), of this motion and the given one.
-template <class Motion, class Plan, class IsBetter>
-void prefer_stops_below(double radius, const std::vector<double>& radii, const Plan& plan,
-                        const IsBetter& is_better, Motion& motion) {
-  const std::vector<double> stopping = with_stops_below(radius, radii);
-  if (stopping == radii) return;
-  Motion stopped = plan(stopping);
-  if (is_better(stopped, motion)) motion = std::move(stopped);
-}
 
 /// Returns the paths of straight joint motions between waypoints, from stop to stop, with a blend
 /// at each inner waypoint whose radius is not 0. The radii of two neighbours are together at most
