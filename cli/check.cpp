@@ -174,7 +174,8 @@ std::string check_text(const CheckArguments& arguments, const Arm& arm,
   if (verification.fault != Fault::none) {
     text += faults_text(verification);
   } else if (verification && checked.has_path) {
-    text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
+    text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit,
+                           verification.recovery);
   }
   text += recovery_text(arm, verification.recovery, arguments.unit);
   if (checked.limits.ending == Ending::complete) {

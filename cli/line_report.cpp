@@ -32,7 +32,8 @@ std::string motion_text(const Arm& arm, const LineReport& report, const UnitArgu
                                  shown(report.trajectory.times.back()));
   if (report.method == "exact") {
     return text + recovery_text(arm, report.recovery, unit) +
-           deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
+           deviation_text(report.deviation, report.trajectory.interpolation(), unit,
+                          report.recovery) +
            limits_text(report.limits) + margins_text(report);
   }
   return text +

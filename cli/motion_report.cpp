@@ -32,7 +32,7 @@ Json json_usage(const LimitFraction& use) {
 }  // namespace
 
 std::string deviation_text(const PathDeviation& deviation, Interpolation interpolation,
-                           const UnitArgument& unit) {
+                           const UnitArgument& unit, const std::optional<Recovery>& recovery) {
   std::string text = "deviation     position     orientation\n";
   const auto add = [&](const char* label, double position, double angle,
                        const std::string& remark) {
@@ -43,8 +43,10 @@ std::string deviation_text(const PathDeviation& deviation, Interpolation interpo
       std::tie(deviation.sampled, deviation.measured, deviation.bound);
   add("at samples", sampled.position, unit.shown(sampled.orientation), "");
   add("measured", measured.position, unit.shown(measured.orientation), "   (between samples too)");
+  const std::string when =
+      recovery ? fmt::format("from {} s on", shown(recovery->time)) : "at all times";
   add("proved", rounded_up(bound.position, 3), rounded_up(unit.shown(bound.orientation), 3),
-      fmt::format("   (at all times, joints {} between samples)", name(interpolation)));
+      fmt::format("   ({}, joints {} between samples)", when, name(interpolation)));
   return text;
 }
 

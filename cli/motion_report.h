@@ -17,9 +17,11 @@ namespace beeline::command {
 
 /// Reports of a motion that several verbs print: as text, and as members added to a JSON document.
 
-/// The deviation of a motion from its path: at the samples, measured, proved.
+/// The deviation of a motion from its path, which begins after the recovery: at the samples,
+/// measured, proved.
 std::string deviation_text(const PathDeviation& deviation, Interpolation interpolation,
-                           const UnitArgument& unit);
+                           const UnitArgument& unit,
+                           const std::optional<Recovery>& recovery = std::nullopt);
 /// Members deviation_... and orientation_...; null if there is no deviation to report.
 Json deviation_members(const std::optional<PathDeviation>& deviation, const UnitArgument& unit);
 

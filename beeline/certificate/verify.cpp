@@ -195,6 +195,23 @@ struct Verifier {
          away(ReasonCode::waypoint_not_reached, left, segment_end_name(route.path, i)));
   }
 
+  /// Checks that no joint but those that return to their limits moves before sample `first`, where
+  /// the tool is on the path.
+  void check_recovery(std::size_t first) {
+    const Configuration& start = trajectory.positions.front();
+    for (std::size_t k = 0; k < first && result.fault == Fault::none; ++k) {
+      if (budget.ended(arm.dof())) return;
+      for (int i = 0; i < arm.dof(); ++i) {
+        if (excess_over(arm.limits(i), start[i]) > position_slack) continue;
+        const Extremes q = extremes(interval_polynomial(trajectory, k, i));
+        if (std::max(q.largest - start[i], start[i] - q.smallest) <= position_slack) continue;
+        const Deviation off = task_deviation(task, pose_at(route.path, 0), world_T_tool[k + 1]);
+        return fail(Fault::deviation, k + 1,
+                    away(ReasonCode::off_path, off, "the path's beginning"));
+      }
+    }
+  }
+
   /// Locates and checks all samples, from stop to stop.
   void prove_route() {
     const std::size_t segments = route.path.segments.size();
@@ -203,6 +220,7 @@ struct Verifier {
     std::size_t first = result.recovery ? result.recovery->sample : 0, begin = 0;
     result.path_parameters.assign(first + 1, 0);
     std::fill_n(result.deviation.interval_bounds.begin(), first, no_bound);
+    check_recovery(first);
     check_sample(first, task_deviation(task, pose_at(route.path, 0), world_T_tool[first]),
                  "the path's beginning");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {

@@ -140,8 +140,8 @@ struct VerifyOptions {
   double limit_tolerance = 0;
   /// Largest excess over a position limit at the first sample, 0 to 0.1 rad or m, from which the
   /// motion may recover, to rounding: each joint that starts outside returns, and its excess never
-  /// rises by more than position_slack. The path begins at the first sample at which all are within
-  /// their limits.
+  /// rises by more than twice position_slack. The path begins at the first sample at which all are
+  /// within their limits.
   double recover = 0;
   Budget budget = {};
 };

@@ -207,6 +207,7 @@ void begin_with_recovery(const Arm& arm, const Configuration& start, const Route
   motion.arrivals = std::move(proved.arrivals);
   motion.recovery = std::move(proved.recovery);
   motion.limits = limit_usage(arm, motion.trajectory, budget.part());
+  if (!budget.complete()) return set_refused(MotionStatus::not_proved, {});
   if (!options.blocked_by.reason) return;
   Reason blocked = options.blocked_by.reason(motion.trajectory, budget.part());
   if (blocked) set_refused(status_of_blocked(blocked), std::move(blocked));

@@ -168,6 +168,14 @@ Reason left_limits(const Arm& arm, const Trajectory& trajectory, const LimitFrac
   return {};
 }
 
+/// Sets how the computation of a motion of this many sections ended.
+void end_with(const internal::BudgetMeter& budget, std::size_t sections, Retimed& timed) {
+  timed.ending = budget.ending();
+  if (budget.complete()) return;
+  timed.reason = internal::ended_reason(ReasonCode::ended_in_retiming, timed.ending);
+  timed.reason.set(ReasonField::count, timed.sections).set(ReasonField::of, sections);
+}
+
 /// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
 void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
             internal::BudgetMeter& budget, Retimed& timed) {
@@ -188,11 +196,7 @@ void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
     }
   }
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
-  timed.ending = budget.ending();
-  if (!budget.complete()) {
-    timed.reason = internal::ended_reason(ReasonCode::ended_in_retiming, timed.ending);
-    timed.reason.set(ReasonField::count, timed.sections).set(ReasonField::of, sections);
-  }
+  end_with(budget, sections, timed);
 }
 
 /// Whether a trajectory has two different positions.
@@ -334,6 +338,7 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
   timed.recovery = recovery_of(arm, timed.trajectory);
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
+  end_with(budget, timed.sections, timed);
   return timed;
 }
 

@@ -104,7 +104,7 @@ move rrr --from 0.1,0.2,0.3 --method quickest --through rrr.json --joint-blend 0
 retime panda panda.csv --out out.csv --joint-blend 0.05
 move panda --from 0,-0.8,0,-0.0688,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --method quickest --recover 0.002 --out out.csv
 move panda --from 0,-0.8,0,-0.0688,0,1.6,0.8 --method quickest --through panda.csv --joint-blend 0.05 --recover 0.002 --out out.csv
-check panda panda.csv --recover slight
+check panda panda.csv --recover slight --moving-start --moving-end
 retime panda panda.csv --out out.csv --velocity 1 --acceleration 2 --jerk 50
 retime rrr rrr.json --out out.csv --rate 50 --profile quintic
 replay rrr rrr.csv --out out.csv --speed-at 0:0.2 --rate 100

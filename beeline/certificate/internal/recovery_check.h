@@ -9,9 +9,10 @@ namespace beeline::internal {
 /// Proves that the joints of a trajectory that start outside a position limit, by at most an
 /// amount, return monotonically: with e(t) the excess of a joint over that limit,
 ///
-///     e(b) <= max(e(a), 0) + position_slack  for all a < b.
+///     e(b) <= max(e(a), 0) + 2 position_slack  for all a < b.
 ///
-/// Hence the excess falls until the joint is within its limits, and it does not leave them again.
+/// Hence the excess never rises until the joint is within its limits, and it does not leave them
+/// again. Both intervals, the one of a and the one of b, count the slack.
 /// Before that, the joint has no limit on that side.
 class RecoveryCheck {
  public:

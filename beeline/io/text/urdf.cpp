@@ -112,7 +112,7 @@ Arm arm_of(const UrdfFile& file, const ChainEnds& ends, std::vector<ReadWarning>
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
                   std::vector<ReadWarning>* warnings) {
   const internal::ExpandedText expanded(text, path);
-  return internal::with_lines_of(expanded, [&] {
+  return internal::with_lines_of(expanded, path, [&] {
     return arm_of(internal::parse_link_tree(expanded.text(), path), ends, warnings);
   });
 }

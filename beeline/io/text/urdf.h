@@ -13,8 +13,7 @@
 namespace beeline {
 
 /// Returns whether a path has the ending of a file that read_urdf() reads, a tree of links:
-/// `.urdf`,
-/// `.xml`, `.mjcf` or `.xacro`, in any case of letters.
+/// `.urdf`, `.xml`, `.mjcf` or `.xacro`, in any case of letters.
 bool is_urdf_path(std::string_view path);
 
 /// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
@@ -56,23 +55,21 @@ bool is_urdf_path(std::string_view path);
 /// A file whose root element is `<mujoco>` is MJCF, MuJoCo's format; its bodies are the links, and
 /// the world is the link `world`:
 ///   - Hinge and slide joints are the arm's joints, with MuJoCo's coordinates: at `ref` a body is
-///   at
-///     its pose. Ball and free joints are refused on the chain; a free joint above the arm places
-///     it in the world, as a floating joint does. Several joints of a body follow each other; all
-///     but the last one move links that are called `BODY.1`, `BODY.2` and so on.
+///     at its pose. Ball and free joints are refused on the chain; a free joint above the arm
+///     places it in the world, as a floating joint does. Several joints of a body follow each
+///     other; all but the last one move links that are called `BODY.1`, `BODY.2` and so on.
 ///   - Default classes, `<frame>`, all forms of orientations, `<compiler>` and `<include>` are
-///   read.
-///     An included file must be in the folder of the file. `<replicate>`, `<attach>`, `<composite>`
-///     and `<flexcomp>` are refused.
+///     read. An included file must be in the folder of the file. `<replicate>`, `<attach>`,
+///     `<composite>` and `<flexcomp>` are refused.
 ///   - An equality constraint of two joints with a linear polycoef is a mimic joint; of one joint,
 ///     it fixes the joint. Other constraints, and ranges of actuators, are ignored.
 ///   - `ends` may name sites, too, which are no ends of the tree unless they are named. A site with
 ///     the name of a body is called `NAME_`. Bodies and joints without names are called `body2` and
 ///     `joint0`, by MuJoCo's indices.
 ///
-/// A file `.xacro`, or one with `xmlns:xacro` and elements of xacro, is expanded by the program
-/// `xacrodoc` or `xacro`, if one is in a folder of PATH. Programs run for at most a minute. Other
-/// files with elements of xacro are read as described above.
+/// A file `.xacro` is expanded by the program `xacrodoc` or `xacro`, if one is in a folder of PATH.
+/// Programs run for at most a minute. Other files with elements of xacro are read as described
+/// above.
 /// Throws FileError for text that is neither URDF nor MJCF; for a `.xacro` file where no program is
 /// installed or it fails, with its message; for what is malformed in MJCF; several roots or tips
 /// without a choice by `ends`; a tip that is unknown, not connected to the base, or not moved by

@@ -37,6 +37,13 @@ void MjcfDefaults::read(const XMLElement& element, std::size_t own, int depth) {
   const XmlElements& reader = reader_of(element);
   for (const XMLElement* at : document_->children(element)) {
     if (std::string_view(at->Name()) == "default") continue;
+    // In MuJoCo a class keeps what main had when the class began.
+    if (own == main_class && classes_.size() > 1 && at->FirstAttribute() != nullptr) {
+      reader_of(*at).refuse(at->GetLineNum(),
+                            "a second <default> changes the class main after "
+                            "other classes, which is not supported; set it in "
+                            "the first");
+    }
     for (const auto* given = at->FirstAttribute(); given != nullptr; given = given->Next()) {
       classes_[own].elements[{at->Name(), given->Name()}] = at;
     }

@@ -16,8 +16,8 @@ namespace beeline::internal {
 ///
 /// `<include file="PATH"/>` stands for the children of the root of another file. PATH is relative
 /// to the folder of the model or, if no file is there, to the folder of the file that includes it.
-/// It must be in the folder of the model, also after its symbolic links have been followed, so that
-/// a model of a stranger reads nothing else. As in MuJoCo, each file can be included once.
+/// It must be in the folder of the model, also after its symbolic links have been followed. Meshes
+/// may be elsewhere. As in MuJoCo, each file can be included once.
 class MjcfDocument {
  public:
   /// Throws FileError for text that parse_xml() refuses or whose root is not `<mujoco>`; for an

@@ -46,6 +46,8 @@ class MjcfMeshes {
       geom.refuse("mesh", unknown_name("mesh", printable(name), known).what());
     }
     const XMLElement& element = *found->second;
+    const auto known = shapes_.find(&element);
+    if (known != shapes_.end()) return known->second;
     const MjcfAttributes mesh(element, &model_.defaults,
                               model_.defaults.class_of(element, "class", MjcfDefaults::main_class));
     const Vector3 scale = mesh.vector("scale", Vector3::Ones());
@@ -58,7 +60,7 @@ class MjcfMeshes {
       MjcfDocument::reader_of(element).refuse(element.GetLineNum(), error.what());
     }
     shape.pose = pose_of_file(mesh, scale);
-    return shape;
+    return shapes_.emplace(&element, std::move(shape)).first->second;
   }
 
  private:
@@ -106,6 +108,7 @@ class MjcfMeshes {
   const MjcfModel& model_;
   MeshHulls hulls_;
   std::map<std::string, const XMLElement*> meshes_;
+  std::unordered_map<const XMLElement*, Shape> shapes_;  // hulls of large meshes take a second
 };
 
 /// Whether a geom takes part in collisions; the others are visible only.

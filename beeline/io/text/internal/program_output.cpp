@@ -5,9 +5,25 @@
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/program_output.h>
+
+#ifdef __EMSCRIPTEN__  // a web page starts no programs
+
+namespace beeline::internal {
+
+std::optional<std::string> program_in_path(const std::string& /*name*/) { return std::nullopt; }
+
+ProgramOutput run_program(const std::vector<std::string>& command,
+                          const ProgramBounds& /*bounds*/) {
+  throw Error("the program " + command.front() + " cannot be run here");
+}
+
+}  // namespace beeline::internal
+
+#else
 
 #include <fcntl.h>
 #include <poll.h>
@@ -25,13 +41,24 @@ using Ending = ProgramOutput::Ending;
 
 constexpr std::size_t max_messages = std::size_t{64} << 10;
 
-/// The two ends of a pipe, which close themselves.
+/// The two ends of a pipe, which close themselves. Their numbers are not those of the standard
+/// streams, which the host may have closed.
 class Pipe {
  public:
   Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw Error("a pipe cannot be created: " + std::generic_category().message(errno));
+    std::array<int, 2> made{-1, -1};
+    bool works = ::pipe(made.data()) == 0;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      ends_[i] = works ? ::fcntl(made[i], F_DUPFD_CLOEXEC, 3) : -1;
+      works = works && ends_[i] >= 0;
     }
+    const int fault = errno;
+    for (const int end : made) {
+      if (end >= 0) ::close(end);
+    }
+    if (works) return;
+    close_end(0);
+    throw Error("a pipe cannot be created: " + std::generic_category().message(fault));
   }
   ~Pipe() {
     close_end(0);
@@ -60,8 +87,19 @@ pid_t started(const std::vector<std::string>& command, const Pipe& output, const
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output.to(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, messages.to(), STDERR_FILENO);
+  // The host's treatment of signals is not the program's.
+  sigset_t none, pipes;
+  sigemptyset(&none);
+  sigemptyset(&pipes);
+  sigaddset(&pipes, SIGPIPE);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setsigdefault(&attributes, &pipes);
   pid_t process = 0;
-  const int fault = posix_spawn(&process, list[0], &actions, nullptr, list.data(), environ);
+  const int fault = posix_spawn(&process, list[0], &actions, &attributes, list.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) {
     throw Error("the program " + command.front() +
@@ -84,8 +122,8 @@ bool read_block(int from, std::size_t most, std::string& text, bool& is_cut) {
 }
 
 /// Reads both pipes to their ends. Returns early with the bound that is exceeded.
-Ending read_all(Pipe& output, Pipe& messages, const ProgramBounds& bounds, ProgramOutput& read) {
-  const ProgramClock::time_point deadline = ProgramClock::now() + bounds.time;
+Ending read_all(Pipe& output, Pipe& messages, std::size_t most, ProgramClock::time_point deadline,
+                ProgramOutput& read) {
   bool too_much = false, cut = false;
   while (output.from() >= 0 || messages.from() >= 0) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - ProgramClock::now());
@@ -95,7 +133,7 @@ Ending read_all(Pipe& output, Pipe& messages, const ProgramBounds& bounds, Progr
     const int found = ::poll(ready.data(), ready.size(), static_cast<int>(left.count()));
     if (found < 0 && errno != EINTR) return Ending::failed;
     if (found <= 0) continue;
-    if (ready[0].revents != 0 && !read_block(output.from(), bounds.output, read.output, too_much)) {
+    if (ready[0].revents != 0 && !read_block(output.from(), most, read.output, too_much)) {
       output.close_end(0);
     }
     if (too_much) return Ending::too_much_output;
@@ -106,15 +144,21 @@ Ending read_all(Pipe& output, Pipe& messages, const ProgramBounds& bounds, Progr
   return Ending::succeeded;
 }
 
-/// Waits for the end of a process; returns whether it succeeded. If the host ignores SIGCHLD, the
-/// system keeps no status.
-bool waited_for(pid_t process) {
+/// Waits for the end of a process, which is killed at the deadline; returns how it ended. If the
+/// host ignores SIGCHLD, the system keeps no status.
+Ending end_of(pid_t process, ProgramClock::time_point deadline) {
   int status = 0;
-  pid_t found = -1;
-  do {
-    found = ::waitpid(process, &status, 0);
-  } while (found < 0 && errno == EINTR);
-  return found < 0 ? errno == ECHILD : WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  bool is_killed = false;
+  while (true) {
+    const bool is_late = ProgramClock::now() >= deadline;
+    if (is_late && !is_killed) is_killed = ::kill(process, SIGKILL) == 0;
+    const pid_t found = ::waitpid(process, &status, is_late ? 0 : WNOHANG);
+    if (found == process) break;
+    if (found < 0 && errno != EINTR) return Ending::succeeded;
+    if (found == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  if (WIFEXITED(status)) return WEXITSTATUS(status) == 0 ? Ending::succeeded : Ending::failed;
+  return is_killed ? Ending::out_of_time : Ending::failed;
 }
 
 }  // namespace
@@ -141,17 +185,20 @@ ProgramOutput run_program(const std::vector<std::string>& command, const Program
   const pid_t process = started(command, output, messages);
   output.close_end(1);
   messages.close_end(1);
+  const ProgramClock::time_point deadline = ProgramClock::now() + bounds.time;
   ProgramOutput read;
   try {
-    read.ending = read_all(output, messages, bounds, read);
+    read.ending = read_all(output, messages, bounds.output, deadline, read);
   } catch (...) {  // no memory
-    ::kill(process, SIGKILL);
-    waited_for(process);
+    end_of(process, ProgramClock::time_point::min());
     throw;
   }
-  if (read.ending != Ending::succeeded) ::kill(process, SIGKILL);
-  if (!waited_for(process) && read.ending == Ending::succeeded) read.ending = Ending::failed;
+  const bool is_read = read.ending == Ending::succeeded;
+  const Ending ending = end_of(process, is_read ? deadline : ProgramClock::time_point::min());
+  if (is_read) read.ending = ending;
   return read;
 }
 
 }  // namespace beeline::internal
+
+#endif

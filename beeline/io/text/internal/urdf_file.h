@@ -19,7 +19,7 @@ struct UrdfFault {
 
 /// The links and joints of a URDF file, in the file's order, with their lines. Inertias, meshes,
 /// transmissions and everything else that does not affect kinematics are ignored. An MJCF file is
-/// read into the same, see parse_mjcf().
+/// read into the same, see mjcf_file.h.
 struct UrdfFile {
   struct Link {
     std::string name;

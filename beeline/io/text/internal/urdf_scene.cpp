@@ -92,7 +92,7 @@ Scene scene_of_links(std::string_view text, const std::string& path, const Shape
 Scene scene_from_urdf(std::string_view text, const std::string& path, const ShapeOptions& options) {
   if (!options.srdf.empty()) throw Error::of("srdf", "exempts pairs of an arm, not of a scene");
   const internal::ExpandedText expanded(text, path);
-  return internal::with_lines_of(expanded,
+  return internal::with_lines_of(expanded, path,
                                  [&] { return scene_of_links(expanded.text(), path, options); });
 }
 

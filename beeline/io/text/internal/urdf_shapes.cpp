@@ -202,7 +202,7 @@ ArmShapes shapes_of(std::string_view text, const std::string& path, const ChainE
 ArmShapes shapes_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
                            const ShapeOptions& options, const std::vector<Srdf::State>& states) {
   const ExpandedText expanded(text, path);
-  return with_lines_of(expanded,
+  return with_lines_of(expanded, path,
                        [&] { return shapes_of(expanded.text(), path, ends, options, states); });
 }
 

@@ -30,14 +30,14 @@ class ExpandedText {
 };
 
 /// Returns what `read` returns. The lines of its FileErrors are of the expanded text: of one that a
-/// program wrote, the error says so.
+/// program wrote, the errors about the file at `path` say so.
 template <class Read>
-auto with_lines_of(const ExpandedText& expanded, const Read& read) {
+auto with_lines_of(const ExpandedText& expanded, const std::string& path, const Read& read) {
   if (expanded.program().empty()) return read();
   try {
     return read();
   } catch (const FileError& error) {
-    if (error.line() == 0) throw;
+    if (error.line() == 0 || error.path() != path) throw;
     throw FileError(error.path(), 0,
                     "line " + std::to_string(error.line()) + " of the text that " +
                         expanded.program() + " makes of it: " + error.fault());
