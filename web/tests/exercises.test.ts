@@ -17,6 +17,8 @@ import {
 import { checkDrawing, movedParts, type Part } from "../src/lessons/drawn_arm.js";
 import type { Names } from "../src/lessons/formula.js";
 import { checkFormulas, planarPose, rpJacobian } from "../src/lessons/formula_checks.js";
+import { exercises } from "../src/lessons/exercises.js";
+import { figureNames } from "../src/page/lesson_figures.js";
 import { loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
@@ -160,6 +162,9 @@ const answers: Record<string, { solved(answer: string): boolean; right: string[]
       "1.92 rad",
       "11π/18",
       "110.0",
+      "110°.",
+      "1.92 rad;",
+      "109½",
     ],
     wrong: ["", "-250", "-110", "250", "50", "-50", "110 rad", "1.92", "470", "hundred", "π"],
   },
@@ -248,12 +253,13 @@ const answers: Record<string, { solved(answer: string): boolean; right: string[]
       "0; L3; 1",
       "0.0, 2.0, 1.0",
       "J3 = (0, 2, 1)",
+      "(0, 2, 1).",
     ],
     wrong: ["", "2, 0, 1", "0, 2", "0, -2, 1", "1, 0, 2", "0, 3.5, 1", "0, 2, 0", "0, 2, 1, 0", "two", "021"],
   },
   spare: {
     solved: (typed) => checkCount(typed, 7).solved,
-    right: ["7", " 7 ", "7 joints", "seven", "Seven joints", "6+1", "6 + 1", "7.", "n = 7", "+7", "(7)"],
+    right: ["7", " 7 ", "7 joints", "seven", "Seven joints", "6+1", "6 + 1", "7.", "7 joints.", "n = 7", "+7", "(7)"],
     wrong: ["", "6", "4", "8", "77", "six", "many", "6 joints", "6.5", "-7"],
   },
   singular: {
@@ -276,6 +282,13 @@ const answers: Record<string, { solved(answer: string): boolean; right: string[]
       "30,-180,20 → along the arm",
       "0,0,0 → 0",
       "-45,1,90 → -45 deg",
+      "30,0,20 → Along the links.",
+      "30,0,20 → along the line of the first two links",
+      "30,0,20 → along link 1",
+      "30,0,20 → radially",
+      "30,0,20 → towards the base",
+      "30,0,20 → towards or away from joint 1",
+      "30,0,20 → 30°.",
     ],
     wrong: [
       "30,90,20 → 30",
@@ -288,6 +301,13 @@ const answers: Record<string, { solved(answer: string): boolean; right: string[]
       "30,0,20 → up",
       "30,10,20 → 30",
       "30,0,20 → 45",
+      "30,0,20 → not along the links",
+      "30,0,20 → along",
+      "30,0,20 → along the y axis",
+      "30,0,20 → along link 3",
+      "30,0,20 → at right angles to the radial direction",
+      "30,0,20 → towards the moon",
+      "30,0,20 → not towards the base",
     ],
   },
 };
@@ -314,6 +334,13 @@ test("the verdict on a wrong answer names the mistake", () => {
   expect(checkString("PP", "PPP").says).toBe("Not yet: that has 2 letters, and the arm has 3 joints.");
   expect(checkAngle("-250", 110, 0, { joints: [] }, []).says).toBe("Not yet: it is not −250°.");
   expect(checkLost("30", [0, 1, 0]).says).toBe("The arm is not singular: θ2 is 57° away from where it would be.");
+  expect(checkLost("30", null)).toEqual({
+    solved: false,
+    says: "This is asked of the arm rrr: press “Show the lesson’s arm” first.",
+  });
+  expect(checkAngle("±90°", 90, 180, { joints: [] }, []).says).toBe(
+    "The angle cannot be read: “±” is not known here: use numbers, sin and cos.",
+  );
   expect(checkDrawing(drawing("P 0 0, R 1 0, tool 2 0")).says).toBe(
     "Not yet: at θ1 = 90°, d2 = 1.0 m your tool is at (1.00, 1.00, 90°), and the tool of RP at (0.00, 2.00, 90°).",
   );
@@ -341,16 +368,18 @@ test("a drawn arm moves as the core moves the same arm", () => {
 });
 
 const texts = fileURLToPath(new URL("../src/lessons/text", import.meta.url));
-test("every exercise has a test here, a hint and a solution, and every figure of the chapter is in a lesson", () => {
+test("every exercise has a test here, a hint and a solution, and blocks name exercises and figures that there are", () => {
   const all = readdirSync(texts).map((name) => readFileSync(`${texts}/${name}`, "utf8"));
   const blocks = all.flatMap((text) => [...text.matchAll(/```check (\S+)\s*?\n([\s\S]*?)```/g)]);
   const tested = [...Object.keys(answers), "rp", "formula-rp"];
   expect(new Set(blocks.map(([, name]) => name))).toEqual(new Set(tested));
+  expect(new Set(Object.keys(exercises))).toEqual(new Set(tested));
   for (const [, name, body = ""] of blocks) {
     expect(body, name).toMatch(/^hint:/m);
     expect(body, name).toMatch(/^solution:/m);
   }
   const figures = all.flatMap((text) => [...text.matchAll(/```figure (\S+)/g)].map(([, name]) => name));
+  expect(new Set(figures)).toEqual(new Set(figureNames));
   expect(figures).toEqual(expect.arrayContaining(["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9"]));
   for (const text of all) expect(text).toMatch(/^Sources?: /m);
 });

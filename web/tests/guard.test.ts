@@ -3,6 +3,11 @@ import { toolPosition } from "../src/core/pose.js";
 import { compile, instantiateCommand } from "../src/core/load.js";
 import type { GuardedStep, NearestPair, SceneDocument } from "../src/core/scene.js";
 import { SceneModule } from "../src/core/scene_module.js";
+import { Guard } from "../src/page/guard.js";
+import type { Overlays } from "../src/page/overlays.js";
+import type { SceneModel } from "../src/page/scene_model.js";
+import { initialState, type PageState } from "../src/state/page_state.js";
+import { Store } from "../src/state/store.js";
 import { commandParts, loadCore, random } from "./native.js";
 
 const seed = Number(process.env["BEELINE_SEED"] ?? 20260301);
@@ -127,4 +132,31 @@ test("an arm in an obstacle can move out, and not deeper", async () => {
     expect(q[0]).toBeCloseTo(-0.5, 3);
     expect(spare(q)).toBeGreaterThan(0);
   }
+});
+
+test("a hand that lets go does not take what the next hand is held back by", async () => {
+  const answers: ((step: GuardedStep) => void)[] = [];
+  const model = {
+    nearest: [],
+    namesOf: () => ["hand", "wall"],
+    guarded: () => new Promise<GuardedStep>((resolve) => answers.push(resolve)),
+  } as unknown as SceneModel;
+  let ghost: number[] | null = null;
+  const overlays = { want: (q: number[] | null) => (ghost = q) } as unknown as Overlays;
+  const guard = new Guard(new Store<PageState>({ ...initialState, q: [0] }), model, overlays);
+  const step: GuardedStep = { q: [0.5], heldBy: [0, 1], isGoalFree: true, isOnItsWay: false };
+  const answered = (to: number): Promise<void> => new Promise((resolve) => guard.lead([to], false, () => resolve()));
+
+  void answered(1);
+  const first = guard.released();
+  guard.stop(); // the next hand presses before the answer
+  const second = answered(2);
+  answers[0]?.(step);
+  await expect.poll(() => answers.length).toBe(2);
+  answers[1]?.(step);
+  await second;
+  expect(await first).toBeNull();
+  expect(ghost).toEqual([2]);
+  expect((await guard.released())?.to).toEqual([2]);
+  expect(ghost).toBeNull();
 });

@@ -335,7 +335,7 @@ test("on a phone the handle makes the text taller", async () => {
   const before = await height();
   await page.getByRole("button", { name: "Taller text" }).click();
   await expect.poll(height).toBeGreaterThan(before + 100);
-  await page.getByRole("button", { name: "Larger picture" }).click();
+  await page.getByRole("button", { name: "Taller text", expanded: true }).click();
   await expect.poll(height).toBe(before);
   await page.context().close();
 });

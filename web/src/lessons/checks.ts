@@ -3,6 +3,7 @@ import type { StepResponse } from "../core/step_response.js";
 import { shown } from "../elements/element.js";
 import { valueOf } from "./expression.js";
 import { readFormula, type Names } from "./formula.js";
+import { withoutEnd } from "./formula_tokens.js";
 
 /** What a check answers: whether the exercise is solved, and a sentence; `at`: the joint values that it speaks of. */
 export interface Verdict {
@@ -75,7 +76,7 @@ export function checkString(text: string, wanted: string): Verdict {
 
 /** An angle that was typed, degrees: a number is in degrees; with rad, π or the name of a joint in radians. */
 export function angleTyped(text: string, names: Names, q: number[]): number {
-  const formula = readFormula(text.replace(/(?<=[\d)πi\s])rad(?:ians?)?\s*$/i, ""), names);
+  const formula = readFormula(withoutEnd(text).replace(/(?<=[\d)πi\s])rad(?:ians?)?\s*$/i, ""), names);
   const isNumber = /^[^a-zα-ωπ°]*$/i.test(text.slice(text.lastIndexOf("=") + 1));
   return valueOf(formula, q) * (isNumber ? 1 : 180 / Math.PI);
 }
@@ -95,13 +96,31 @@ export function checkAngle(text: string, wanted: number, turn: number, names: Na
 
 const nearSingular = 3; // degrees of θ2 from 0 or 180
 
-/** Whether the arm RRR is singular at q, and a typed direction, degrees, is the one in which joint 3 cannot move there. */
-export function checkLost(text: string, q: number[]): Verdict {
+/** The direction of the links, in words. */
+const links = "(?:line of )?(?:(?:(?:first )?two |first )?links?(?: 1(?: and 2)?)?|arm)";
+const base = "(?:base|origin|joint 1)";
+const alongLinks = new RegExp(
+  `^(?:along ${links}|(?:in )?radial direction|radial(?:ly)?|(?:towards?|away from|(?:to|towards?) (?:and|or) away from) ${base})$`,
+);
+
+/** Whether words name the direction of the first two links. */
+function isAlongLinks(text: string): boolean {
+  const plain = withoutEnd(text)
+    .toLowerCase()
+    .replace(/\bthe\b/g, " ")
+    .replace(/\s+/g, " ");
+  return alongLinks.test(plain.trim());
+}
+
+/** Whether the arm rrr is singular at q, and a typed direction, degrees, is the one in which joint 3 cannot move there. q is
+ * null where another arm is shown. */
+export function checkLost(text: string, q: number[] | null): Verdict {
+  if (!q) return { solved: false, says: "This is asked of the arm rrr: press “Show the lesson’s arm” first." };
   const bend = ((q[1] ?? NaN) * 180) / Math.PI;
   const off = Math.abs(bend - 180 * Math.round(bend / 180));
   if (!(off <= nearSingular))
     return { solved: false, says: `The arm is not singular: θ2 is ${shown(off, 0)}° away from where it would be.` };
-  if (/along|radial|toward/i.test(text)) return { solved: true, says: "Right: along the line of the first two links." };
+  if (isAlongLinks(text)) return { solved: true, says: "Right: along the line of the first two links." };
   const names: Names = { joints: ["revolute", "revolute", "revolute"] };
   const verdict = checkAngle(text, ((q[0] ?? 0) * 180) / Math.PI, 180, names, q, nearSingular);
   return verdict.solved ? { solved: true, says: "Right: along the line of the first two links, θ1." } : verdict;
@@ -109,7 +128,7 @@ export function checkLost(text: string, q: number[]): Verdict {
 
 /** Whether typed numbers, with commas, semicolons or blanks between them, are the wanted ones. */
 export function checkNumbers(text: string, wanted: number[], names: Names): Verdict {
-  const typed = text.slice(text.lastIndexOf("=") + 1).replace(/\s*(?:m|rad)\s*\/\s*s\b/g, "");
+  const typed = withoutEnd(text.slice(text.lastIndexOf("=") + 1)).replace(/\s*(?:m|rad)\s*\/\s*s\b/g, "");
   const items = wanted.length === 1 ? [typed] : itemsOf(typed);
   if (typed.trim() === "" || items.length !== wanted.length)
     return { solved: false, says: `Type ${wanted.length === 1 ? "a number" : `${wanted.length} numbers`}.` };
@@ -135,7 +154,7 @@ function itemsOf(typed: string): string[] {
 /** Whether a typed count is the wanted one: 7, 7 joints, seven. */
 export function checkCount(text: string, wanted: number): Verdict {
   const words = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-  const typed = text
+  const typed = withoutEnd(text)
     .trim()
     .toLowerCase()
     .replace(/\s*joints?$/, "");

@@ -46,14 +46,19 @@ class Board {
     "aria-label": "Drawing: arrow keys move the cross, Enter places a part",
   });
   private readonly parts = svg("g", { class: "drawn" });
-  private readonly moved = svg("g", { class: "drawn moved" });
+  private readonly compared = svg("g", { class: "drawn moved" });
   private readonly wanted = svg("g", { class: "drawn wanted" });
   private readonly cross = svg("path", { class: "cross", d: "M-6 0H6M0 -6V6" });
   private cursor: [number, number] = [0, 0];
 
-  constructor(private readonly add: (x: number, y: number) => void) {
-    this.root.append(grid(), this.wanted, this.moved, this.parts, this.cross);
+  /** `add` places a part; `moved` says where a key has moved the cross, which the eye sees. */
+  constructor(
+    private readonly add: (x: number, y: number) => void,
+    private readonly moved: (x: number, y: number) => void,
+  ) {
+    this.root.append(grid(), this.wanted, this.compared, this.parts, this.cross);
     this.root.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
       const box = this.root.getBoundingClientRect();
       const metres = (right - left) / box.width;
       this.go(left + (event.clientX - box.x) * metres, high - (event.clientY - box.y) * metres);
@@ -79,7 +84,7 @@ class Board {
       { kind: "P", x: 1, y: 0 },
       { kind: "tool", x: 1 + drawnAt.slide, y: 0 },
     ];
-    place(this.moved, q ? drawn : [], q ? movedParts(drawn, changeTo(drawn, q)) : []);
+    place(this.compared, q ? drawn : [], q ? movedParts(drawn, changeTo(drawn, q)) : []);
     place(this.wanted, q ? real : [], q ? movedParts(real, changeTo(real, q)) : []);
   }
 
@@ -97,8 +102,10 @@ class Board {
       ArrowDown: [0, -snap],
     };
     const step = steps[event.key];
-    if (step) this.go(this.cursor[0] + step[0], this.cursor[1] + step[1]);
-    else if (event.key === "Enter" || event.key === " ") this.add(...this.cursor);
+    if (step) {
+      this.go(this.cursor[0] + step[0], this.cursor[1] + step[1]);
+      this.moved(...this.cursor);
+    } else if (event.key === "Enter" || event.key === " ") this.add(...this.cursor);
     else return;
     event.preventDefault();
   }
@@ -144,12 +151,14 @@ export function drawingExercise(): Exercise {
     list.textContent = parts.map(({ kind, x, y }) => `${kind} at (${x}, ${y})`).join(", ");
     answer.show({ solved: false, says: "" });
   };
-  const board = new Board((x, y) => {
+  const add = (x: number, y: number): void => {
     const last = parts.at(-1);
-    if (last?.kind === "tool" || parts.length >= most) return; // nothing is behind the tool
+    if (last?.kind === "tool" || parts.length >= most) return; // nothing is beyond the tool
     take([...parts, { kind, x, y }]);
     choose(kind === "R" ? "P" : "tool");
-  });
+  };
+  const cross = element("p", { class: "unseen", "aria-live": "polite" });
+  const board = new Board(add, (x, y) => (cross.textContent = `Cross at (${x}, ${y})`));
   const back = element("button", { type: "button", onclick: () => take(parts.slice(0, -1)) }, "Take back");
   const check = (): void => {
     const found = checkDrawing(parts);
@@ -160,9 +169,9 @@ export function drawingExercise(): Exercise {
   board.show(parts);
   const text =
     "Draw the arm RP at θ1 = 0 and d2 = 1: joint 1 at the origin, a link of length 1, joint 2, which slides away from it, " +
-    "and the tool. A click places the next part; a joint P slides towards the part behind it.";
+    "and the tool. A click places the next part; a joint P slides towards the next part.";
   const tools = element("p", { class: "pair" }, ...choices.map(({ button }) => button), back);
   const holder = element("div");
-  holder.append(board.root);
+  holder.append(board.root, cross);
   return { root: exercise(text, check, tools, holder, list, checkButton(), answer.root) };
 }

@@ -59,7 +59,7 @@ export function checkDrawing(parts: Part[]): Verdict {
   if (joints.length !== 2) return no(`The arm RP has two joints; there ${counted(joints.length)} in the drawing.`);
   if (joints.join("") === "RR") return no("Both joints of the drawing turn: the second one of RP slides.");
   if (joints.join("") === "PP") return no("Both joints of the drawing slide: the first one of RP turns.");
-  if (parts.at(-1)?.kind !== "tool") return no("Place the tool, behind the last joint.");
+  if (parts.at(-1)?.kind !== "tool") return no("Place the tool, beyond the last joint.");
   for (const [turn, slide] of drawingChecks) {
     const wanted: Pose = [(1 + slide) * Math.cos(turn), (1 + slide) * Math.sin(turn), turn];
     const found = movedParts(parts, changeTo(parts, [turn, slide])).at(-1) as Pose;

@@ -18,6 +18,7 @@ import { checkButton, exercise, verdict, type Exercise, type ExerciseContext } f
 import { formulaExercise, type FormulaTask } from "./formula_exercise.js";
 import { planarPose, rpJacobian } from "./formula_checks.js";
 import type { Names } from "./formula.js";
+import { sameArm } from "../state/page_state.js";
 
 /** The pose of the tool of the arm RP, whose link has the length 1. */
 const rpPose: FormulaTask = {
@@ -71,7 +72,10 @@ function singular(context: ExerciseContext): Exercise {
     "Direction",
     "Bring the arm rrr into a configuration where J is singular. Joint 3 then cannot move in one direction: " +
       "type its angle against the x axis.",
-    (typed) => checkLost(typed, context.services.store.get().q ?? []),
+    (typed) => {
+      const { arm, q } = context.services.store.get();
+      return checkLost(typed, sameArm(arm, { text: "rrr" }) ? (q ?? []) : null);
+    },
     "30°",
   );
   root.querySelector(".formula")?.before(measure);
@@ -93,9 +97,11 @@ function constantJacobian({ arm }: ExerciseContext): Exercise {
   const check = (typed: string): Verdict => {
     try {
       const made = arm(armTyped(typed));
-      const found = checkConstantJacobian(made, Math.random);
-      made.release();
-      return found;
+      try {
+        return checkConstantJacobian(made, Math.random);
+      } finally {
+        made.release();
+      }
     } catch (error) {
       return { solved: false, says: (error as Error).message };
     }

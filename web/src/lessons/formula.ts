@@ -201,7 +201,7 @@ class Reader {
   private unknown(text: string): string {
     const { joints, lengths = [] } = this.names;
     const values = joints.map((kind, k) => `${letters[kind]}${k + 1}`);
-    const known = [...values, ...lengths.map((_, k) => `L${k + 1}`)].join(", ");
-    return `“${text.replace(/[‹›]/g, "")}” is not known here: use ${known}, numbers, sin and cos`;
+    const known = [...values, ...lengths.map((_, k) => `L${k + 1}`), "numbers"].join(", ");
+    return `“${text.replace(/[‹›]/g, "")}” is not known here: use ${known}, sin and cos`;
   }
 }

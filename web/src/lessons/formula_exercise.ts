@@ -78,11 +78,14 @@ export function formulaExercise(context: ExerciseContext, { arm, names, asked }:
   const check = (): void => {
     const real = context.arm(arm);
     const texts = fields.map(({ input }) => input.value);
-    const found = checkFormulas(texts, asked, real, names, Math.random);
-    real.release();
-    at = found.at;
-    setPlace.hidden = at === undefined;
-    answer.show(found);
+    try {
+      const found = checkFormulas(texts, asked, real, names, Math.random);
+      at = found.at;
+      setPlace.hidden = at === undefined;
+      answer.show(found);
+    } finally {
+      real.release();
+    }
   };
   const rows = fields.map(({ root }) => root);
   const root = exercise(text, check, ...rows, checkButton(setArm, setPlace), answer.root);

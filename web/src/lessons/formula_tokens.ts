@@ -61,14 +61,22 @@ function longName(letter = ""): "cos" | "sin" {
   return letter === "c" ? "cos" : "sin";
 }
 
+/** A text without the full stop or semicolon at its end. */
+export function withoutEnd(text: string): string {
+  return text.replace(/[.;]?\s*$/, "");
+}
+
 /** One way to write what can be written in many: in plain text, as books are set, in LaTeX. */
 function plain(text: string): string {
-  return text
+  return withoutEnd(text)
     .slice(text.lastIndexOf("=") + 1) // x = …
     .replace(/^\s*\w+\s*:/, "")
     .replace(/[₀-₉]+/g, (digits) => `‹${digits.normalize("NFKC")}›`)
     .replace(/[⁰¹²³⁴-⁹]+/g, (digits) => `^${digits.normalize("NFKC")} `)
     .replace(/[º˚]/g, "°")
+    .replace(/(?<![a-zα-ω_›\d.,])(\d+)\s*([¼-¾⅐-⅞])/giu, "($1+$2)") // 3½ is a sum
+    .replace(/(?<=\d\s*)[¼-¾⅐-⅞]/g, " $&") // no digit of the number or index in front of it
+    .replace(/(?<!\d\s*)[¼-¾⅐-⅞]/g, "($&)")
     .replace(/[\u2061-\u2064\u200b]/g, "") // invisible signs
     .normalize("NFKC")
     .toLowerCase()

@@ -87,18 +87,18 @@ export class ArmFiles {
     this.remark.text = "";
   }
 
-  /** Shows the arm of a text: JSON, or a URDF with its meshes whose chain ends at `tip`. Where the chain cannot end
+  /** Shows the arm of a text: JSON, or a URDF with its meshes or a model of MuJoCo, whose chain ends at `tip`. Where the chain cannot end
    * without a choice, it is asked for. `remark` is said of the arm once it is shown. */
   openText(name: string, text: string, meshes: PathFile[] = [], remark = "", tip = ""): void {
-    const isUrdf = /\.urdf$/i.test(name);
+    const isTree = isXml(name);
     if (tip === "") this.tips.ask([]);
     try {
       const json = this.jsonOf(name, text, tip);
-      this.urdf = isUrdf ? { json, text, tip, files: meshes } : null;
+      this.urdf = isTree ? { json, text, tip, files: meshes } : null;
       this.remark = { json, text: remark };
-      this.store.set({ arm: { json: isUrdf ? json : sameShapes(json, text) }, q: null, goal: null, waypoints: [] });
+      this.store.set({ arm: { json: isTree ? json : sameShapes(json, text) }, q: null, goal: null, waypoints: [] });
     } catch (error) {
-      const ends = isUrdf && tip === "" ? this.endsThatDo(name, text) : [];
+      const ends = isTree && tip === "" ? this.endsThatDo(name, text) : [];
       if (ends.length === 0) return this.chooser.refuse((error as Error).message);
       this.tips.ask(ends);
       this.chooser.ask(this.tips.root);
@@ -178,6 +178,11 @@ function armFiles(files: PathFile[], besideMeshes: boolean): PathFile[] {
     if (found.length > 0) return found;
   }
   return besideMeshes ? [] : files.slice(0, 1);
+}
+
+/** Whether a file describes a tree of links in XML: a URDF, or a model of MuJoCo. */
+function isXml(name: string): boolean {
+  return /\.(urdf|xml|mjcf|xacro)$/i.test(name);
 }
 
 function names(files: PathFile[]): string {

@@ -63,7 +63,9 @@ export class Guard {
 
   /** The hand has let go. Returns what holds the arm back, once it has come as far as it can. */
   async released(): Promise<HeldBack | null> {
+    const { turn } = this;
     await this.running;
+    if (turn !== this.turn) return null; // what is held now belongs to another hand
     const { held } = this;
     this.hold(null);
     return held;

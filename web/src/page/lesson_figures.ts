@@ -310,27 +310,25 @@ const scenes: Record<string, Scenes> = {
   },
 };
 
+const again = (q: number[]): Links => [["from the start again", address("rrr", q, `&goal=${goal.join(",")}`)]];
+
+/** The figures of controllers by the names that the lessons use. */
+const controllers: Record<string, (services: Services, player: LessonPlayer) => LessonFigure> = {
+  "1.7": (services, player) =>
+    new ControlFigure(services, player, ["joint"], "Figure 1.7: joint-space control from rest", again(rrr(0, 0, 0))),
+  "cartesian-control": (services, player) =>
+    new ControlFigure(services, player, ["cartesian"], "Cartesian control to the same goal", again(bent)),
+  "both-controls": (services, player) =>
+    new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers", again(bent)),
+  "1.9": (services, player) =>
+    new WaypointsFigure(services, player, "Figure 1.9: straight paths through three waypoints", again(left)),
+};
+
+/** The names of all figures. */
+export const figureNames = [...Object.keys(scenes), ...Object.keys(controllers)];
+
 /** Makes a figure by the name that a lesson uses; null: there is none. */
 export function lessonFigure(name: string, services: Services, player: LessonPlayer): LessonFigure | null {
   const found = scenes[name];
-  if (found) return new SceneFigure(player, found);
-  const again = (q: number[]): Links => [["from the start again", address("rrr", q, `&goal=${goal.join(",")}`)]];
-  switch (name) {
-    case "1.7":
-      return new ControlFigure(
-        services,
-        player,
-        ["joint"],
-        "Figure 1.7: joint-space control from rest",
-        again(rrr(0, 0, 0)),
-      );
-    case "cartesian-control":
-      return new ControlFigure(services, player, ["cartesian"], "Cartesian control to the same goal", again(bent));
-    case "both-controls":
-      return new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers", again(bent));
-    case "1.9":
-      return new WaypointsFigure(services, player, "Figure 1.9: straight paths through three waypoints", again(left));
-    default:
-      return null;
-  }
+  return found ? new SceneFigure(player, found) : (controllers[name]?.(services, player) ?? null);
 }

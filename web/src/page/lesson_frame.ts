@@ -38,7 +38,8 @@ export class Contents {
       if (id === opened) one.setAttribute("aria-current", "page");
       else one.removeAttribute("aria-current");
       one.classList.toggle("done", done.has(id));
-      one.title = done.has(id) ? `${title}: done` : "";
+      const tick = element("span", { class: "unseen" }, ", done"); // the sign ✓ is drawn
+      one.replaceChildren(title, ...(done.has(id) ? [tick] : []));
     });
     const position = lessons.findIndex(({ id }) => id === opened) + 1;
     this.summary.textContent = `Contents · lesson ${position} of ${lessons.length} · ${done.size} done`;
@@ -54,7 +55,7 @@ export function headOf({ section, minutes, needs }: Lesson, open: Open): HTMLEle
   return root;
 }
 
-/** The end of a lesson: its tick, and the lessons before and behind it. */
+/** The end of a lesson: its tick, and the lessons before and after it. */
 export function footOf({ id }: Lesson, open: Open, ticked: () => void): { root: HTMLElement; tick(): void } {
   const at = lessons.findIndex((one) => one.id === id);
   const box = element("input", { type: "checkbox" });

@@ -115,7 +115,7 @@ export function inverseSteps({ arm }: Shown, q: number[]): HTMLElement {
     "ol",
     { class: "steps" },
     element("li", {}, `The tool: x = ${text(x, 2)}, y = ${text(y, 2)}, θ = ${text(angle / degree, 1)}°.`),
-    element("li", {}, `Joint 3, two metres behind it: (${text(wx, 2)}, ${text(wy, 2)}).`),
+    element("li", {}, `Joint 3, two metres before it: (${text(wx, 2)}, ${text(wy, 2)}).`),
     element("li", {}, `Its distance from the base: ${text(Math.sqrt(square), 2)}, so cos θ₂ = ${text(cosine, 3)}.`),
     element("li", {}, `One elbow: θ = (${shownAngles(angles[0] ?? [])}).`),
     element("li", {}, `The other: θ = (${shownAngles(angles[1] ?? [])}).`),

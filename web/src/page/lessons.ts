@@ -30,6 +30,8 @@ export class LessonsSection implements PageSection {
   private readonly other = element("p", { class: "other-arm", hidden: true });
   private shown: Shown | null = null;
   private opened = "";
+  /** The opened lesson could not be loaded: choosing it again tries again. */
+  private hasFailed = false;
   private figures: LessonFigure[] = [];
   private exercises: Exercise[] = [];
   private tick: () => void = () => undefined;
@@ -95,9 +97,12 @@ export class LessonsSection implements PageSection {
 
   private async load(lesson: Lesson): Promise<void> {
     this.opened = lesson.id;
-    const failed = { default: "<p>This lesson cannot be loaded.</p>" };
-    const [{ default: html }, scene] = await Promise.all([lesson.load().catch(() => failed), stateOf(lesson.scene)]);
+    this.hasFailed = false;
+    const failed = { default: "<p>This lesson cannot be loaded: choose it again, or reload the page.</p>" };
+    const [loaded, scene] = await Promise.all([lesson.load().catch(() => failed), stateOf(lesson.scene)]);
     if (this.opened !== lesson.id) return;
+    this.hasFailed = loaded === failed;
+    const html = loaded.default;
     this.leaveFigures();
     this.figures = [];
     this.player.take([]);
@@ -151,8 +156,11 @@ export class LessonsSection implements PageSection {
     const now = sameArm(scene.arm, before.arm) ? before.arm : scene.arm;
     if (before.section !== "lessons") this.replaced = { state: armOf(before), by: now };
     else if (this.replaced) this.replaced.by = now;
+    const again = this.hasFailed;
+    if (again) this.opened = "";
     this.takesFocus = takesFocus && id !== this.opened;
     store.set({ ...armOf(scene), arm: now, lesson: id, section: "lessons" });
+    if (again && this.opened === "") void this.load(lessonOf(id)); // nothing else has changed
   }
 
   private fill(place: HTMLElement): void {
