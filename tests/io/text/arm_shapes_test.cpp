@@ -223,7 +223,8 @@ TEST(ArmShapes, AreRefusedWhereTheyCannotBePlaced) {
 
 TEST(ArmShapes, AreReadInTheFormatOfTheEnding) {
   EXPECT_REFUSED(arm_shapes_from_text("{}", "arm.txt"),
-                 "arm.txt: is not a known kind of arm file; known are .urdf, .xml, .json");
+                 "arm.txt: is not a known kind of arm file; known are .urdf, .xml, "
+                 ".mjcf, .xacro, .json");
   const std::string json = arm_to_json(built_in("rrr"));
   EXPECT_TRUE(arm_shapes_from_text(json, "arm.JSON").links.empty());
   EXPECT_REFUSED(arm_shapes_from_text(json, "arm.xml"), "arm.xml:");

@@ -36,7 +36,8 @@ TEST(ReadArm, BuiltInNamesAreFoundInAnyCase) {
 TEST(ReadArm, UnknownNamesGetTheNearestOne) {
   EXPECT_REFUSED(read_arm("pnda"), "unknown arm \"pnda\"; did you mean \"panda\"? (known: cr5, ");
   EXPECT_REFUSED(read_arm("pnda"),
-                 "or give a joint string such as RRR:3.5,3.5,2, or a file (.urdf, .xml, .json)");
+                 "or give a joint string such as RRR:3.5,3.5,2, or a file (.urdf, .xml, .mjcf, "
+                 ".xacro, .json)");
   EXPECT_REFUSED(read_arm(""), "unknown arm \"\"");
   EXPECT_REFUSED(read_arm("rrr:1,2,3"), "unknown arm \"rrr:1,2,3\"");
   EXPECT_REFUSED(read_arm("RRR:1"), "3 letters but 1 items");
@@ -61,7 +62,7 @@ TEST(ReadArm, EndsGoWithUrdfOnly) {
   for (const std::string& text : {std::string("panda"), std::string("RRR"), json}) {
     EXPECT_REFUSED(read_arm(text, {.base = "", .tip = "x"}),
                    "base and tip select a chain of a file that describes a tree of links (.urdf, "
-                   ".xml, .mjcf or .xacro); \"");
+                   ".xml, .mjcf, .xacro); \"");
     EXPECT_REFUSED(read_arm(text, {.base = "x", .tip = ""}), "is not one");
   }
 }
