@@ -210,7 +210,8 @@ void begin_with_recovery(const Arm& arm, const Configuration& start, const Route
   if (!budget.complete()) return set_refused(MotionStatus::not_proved, {});
   if (!options.blocked_by.reason) return;
   Reason blocked = options.blocked_by.reason(motion.trajectory, budget.part());
-  if (blocked) set_refused(status_of_blocked(blocked), std::move(blocked));
+  const MotionStatus status = status_of_blocked(blocked);
+  if (blocked) set_refused(status, std::move(blocked));
 }
 
 }  // namespace
