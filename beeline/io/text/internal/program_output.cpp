@@ -41,8 +41,8 @@ using Ending = ProgramOutput::Ending;
 
 constexpr std::size_t max_messages = std::size_t{64} << 10;
 
-/// The two ends of a pipe, which close themselves. Their numbers are not those of the standard
-/// streams, which the host may have closed.
+/// The two ends of a pipe, which close themselves. Their numbers differ from the numbers of the
+/// standard streams, which the host may have closed.
 class Pipe {
  public:
   Pipe() {
