@@ -186,8 +186,7 @@ TEST(RecoveryOfLines, RefusesAmountsOutOfRangeAndFartherStarts) {
     EXPECT_REFUSED(move_through(arm, std::vector{q, q}, {.recover = wrong}), "recover must be");
   }
   q[2] = arm.limits(2).upper + 0.05;
-  EXPECT_REFUSED(move_in_lines(arm, q, {to}, {.recover = 0.04}),
-                 "the motion cannot start: joint joint3");
+  EXPECT_REFUSED(move_in_lines(arm, q, {to}, {.recover = 0.04}), "the motion cannot start: ");
 }
 
 }  // namespace
