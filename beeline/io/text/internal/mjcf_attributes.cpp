@@ -16,6 +16,15 @@ constexpr int max_class_depth = 20;  // bounds the time of a look-up
 
 const XmlElements& reader_of(const XMLElement& element) { return MjcfDocument::reader_of(element); }
 
+/// Whether kinematics or shapes depend on attributes of this name.
+bool is_read(std::string_view attribute) {
+  constexpr std::string_view names[] = {
+      "axis",    "axisangle", "conaffinity", "contype", "euler",  "file", "fitscale", "fromto",
+      "limited", "mesh",      "pos",         "quat",    "range",  "ref",  "refpos",   "refquat",
+      "scale",   "size",      "type",        "vertex",  "xyaxes", "zaxis"};
+  return std::find(std::begin(names), std::end(names), attribute) != std::end(names);
+}
+
 }  // namespace
 
 MjcfDefaults::MjcfDefaults(const MjcfDocument& document) : document_(&document) {
@@ -37,14 +46,14 @@ void MjcfDefaults::read(const XMLElement& element, std::size_t own, int depth) {
   const XmlElements& reader = reader_of(element);
   for (const XMLElement* at : document_->children(element)) {
     if (std::string_view(at->Name()) == "default") continue;
-    // In MuJoCo a class keeps what main had when the class began.
-    if (own == main_class && classes_.size() > 1 && at->FirstAttribute() != nullptr) {
-      reader_of(*at).refuse(at->GetLineNum(),
-                            "a second <default> changes the class main after "
-                            "other classes, which is not supported; set it in "
-                            "the first");
-    }
     for (const auto* given = at->FirstAttribute(); given != nullptr; given = given->Next()) {
+      // In MuJoCo a class keeps what main had when the class began.
+      if (own == main_class && classes_.size() > 1 && is_read(given->Name())) {
+        reader_of(*at).refuse(at->GetLineNum(),
+                              std::string("a second <default> sets ") + given->Name() +
+                                  " of the class main after other classes, which is not "
+                                  "supported; set it in the first");
+      }
       classes_[own].elements[{at->Name(), given->Name()}] = at;
     }
   }
