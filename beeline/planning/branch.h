@@ -107,9 +107,9 @@ struct BranchOptions {
 ///   joint the graph has the curves of self-motion that a motion can reach, traced along the path,
 ///   and the smallest margin to the joint limits over the whole path is maximised first, up to a
 ///   fifth: see internal/self_motion_graph.h for the programme. With more redundant joints, if no
-///   motion is complete and not blocked, it follows the motion that keeps all rows of the tool's
-///   pose, if there is one: relative to the path, the tool then keeps the pose that it has at the
-///   start, or the path's pose.
+///   motion is complete and 5 mm beyond the clearance, it also tries the motion that keeps all rows
+///   of the tool's pose: relative to the path, the tool then keeps the pose that it has at the
+///   start, or the path's pose. The one with more spare clearance is taken.
 /// - Any other arm follows the best of all branches.
 ///
 /// If none is complete, returns the one that reaches farthest, with its reason. If the budget ends

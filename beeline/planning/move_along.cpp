@@ -169,15 +169,6 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   return failure;
 }
 
-/// Refuses a planned motion.
-void refuse(MotionStatus status, Reason reason, PathMotion& motion) {
-  PathMotion refused;
-  refused.status = status;
-  refused.reason = std::move(reason);
-  refused.path_parameter = motion.path_parameter;
-  motion = std::move(refused);
-}
-
 /// Puts the recovery from the start before a planned motion, slows it down to the options'
 /// duration, and proves the whole.
 void begin_with_recovery(const Arm& arm, const Configuration& start, const Route& route,

@@ -14,6 +14,14 @@ MotionStatus status_of_blocked(const Reason& reason) {
                            : status_of<MotionStatus>(std::get<Ending>(*ending));
 }
 
+void refuse(MotionStatus status, Reason reason, PathMotion& motion) {
+  PathMotion refused;
+  refused.status = status;
+  refused.reason = std::move(reason);
+  refused.path_parameter = motion.path_parameter;
+  motion = std::move(refused);
+}
+
 namespace {
 
 /// Replaces a motion that is blocked by the reason.
@@ -21,11 +29,8 @@ void refuse_blocked(const BlockedMotions& blocked_by, BudgetMeter& budget, PathM
   if (!motion) return;
   Reason reason = blocked_by.reason(motion.trajectory, budget.part());
   if (!reason) return;
-  PathMotion refused;
-  refused.status = status_of_blocked(reason);
-  refused.reason = std::move(reason);
-  refused.path_parameter = motion.path_parameter;
-  motion = std::move(refused);
+  const MotionStatus status = status_of_blocked(reason);
+  refuse(status, std::move(reason), motion);
 }
 
 BlockedBranch blocked_branch(const Configuration& start, const PathMotion& motion) {

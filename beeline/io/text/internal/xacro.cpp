@@ -60,10 +60,12 @@ ExpandedText::ExpandedText(std::string_view text, const std::string& path) : tex
   if (extension(path) != "xacro" || !needs_xacro(text)) return;
   std::error_code fault;
   std::optional<std::string> found;
-  for (const char* const name : {"xacrodoc", "xacro"}) {
-    if (found || !std::filesystem::is_regular_file(path, fault)) continue;
-    found = program_in_path(name);
-    program_ = name;
+  if (std::filesystem::is_regular_file(path, fault)) {
+    for (const char* const name : {"xacrodoc", "xacro"}) {
+      program_ = name;
+      found = program_in_path(name);
+      if (found) break;
+    }
   }
   if (!found) {
     throw FileError(path, 0,
@@ -77,7 +79,6 @@ ExpandedText::ExpandedText(std::string_view text, const std::string& path) : tex
     refuse_output(path, program_, read);
   }
   expanded_ = std::move(read.output);
-  is_expanded_ = true;
 }
 
 }  // namespace beeline::internal

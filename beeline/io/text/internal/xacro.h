@@ -19,14 +19,13 @@ class ExpandedText {
   ExpandedText(const ExpandedText&) = delete;
   ExpandedText& operator=(const ExpandedText&) = delete;
 
-  std::string_view text() const { return is_expanded_ ? expanded_ : text_; }
+  std::string_view text() const { return program_.empty() ? text_ : expanded_; }
   /// The program's name, as lines of errors are of the text that it wrote; empty: none.
   const std::string& program() const { return program_; }
 
  private:
   std::string_view text_;
   std::string expanded_, program_;
-  bool is_expanded_ = false;
 };
 
 /// Returns what `read` returns. The lines of its FileErrors are of the expanded text: of one that a
