@@ -13,6 +13,7 @@
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/recovery.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
