@@ -11,6 +11,9 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 /** BEELINE_MODULE: the folder of core.wasm, beeline.wasm and their scripts; default: where `make web` makes them. */
 const module = process.env["BEELINE_MODULE"] ?? at("../build-web-core/web");
 
+/** Where the errata stand. */
+const documents = at("../docs");
+
 const parts = { "core-module": "core", "command-module": "beeline", worker: "command_worker" };
 
 const checks = { bundlerTimings: false }; // on a busy machine: how long plugins take tells a user nothing
@@ -19,7 +22,7 @@ const checks = { bundlerTimings: false }; // on a busy machine: how long plugins
 export default defineConfig(({ mode }) => ({
   base: "./",
   plugins: [lessons(), arms(module), opening(module), mode === "saved" ? savedPage(parts) : preload("core", ".wasm")],
-  resolve: { alias: { "beeline-module": module } },
+  resolve: { alias: { "beeline-module": module, "beeline-documents": documents } },
   build: {
     outDir: at("../build/web"),
     emptyOutDir: mode !== "saved",
@@ -29,5 +32,5 @@ export default defineConfig(({ mode }) => ({
     rolldownOptions: { checks, ...(mode === "saved" ? { output: { codeSplitting: false } } : {}) },
   },
   worker: { format: "es", rolldownOptions: { checks } },
-  server: { fs: { allow: [at("."), module] } },
+  server: { fs: { allow: [at("."), module, documents] } },
 }));

@@ -1,3 +1,4 @@
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
 // Vitest would leave one of two cores idle.
@@ -7,6 +8,7 @@ const maxWorkers = 2;
 export const patience = 120_000;
 
 export default defineConfig({
+  resolve: { alias: { "beeline-documents": fileURLToPath(new URL("../docs", import.meta.url)) } },
   test: {
     testTimeout: 0,
     hookTimeout: 0,

@@ -76,6 +76,8 @@ export async function addressOf(state: PageState): Promise<string> {
   if (!state.showShapes) words.set("shapes", "0");
   writeReach(words, state);
   if (state.lesson !== "") words.set("lesson", state.lesson);
+  if (state.only !== "") words.set("only", state.only);
+  if (!state.help) words.set("help", "0");
   return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";").replaceAll("%3D", "=");
 }
 
@@ -111,6 +113,8 @@ export async function stateOf(hash: string, longest = longestAddress): Promise<P
     showShapes: words.get("shapes") !== "0",
     ...reachOf(words),
     lesson: words.get("lesson") ?? "",
+    only: words.get("only") ?? "",
+    help: words.get("help") !== "0",
   };
 }
 
@@ -138,6 +142,8 @@ const named: [string, keyof PageState][] = [
   ["shapes", "showShapes"],
   ...reachWords,
   ["lesson", "lesson"],
+  ["only", "only"],
+  ["help", "help"],
 ];
 
 /** What an address holds of the state, and nothing else. */

@@ -34,9 +34,17 @@ export function checkReach(pose: ArrayLike<number>, goal: { x: number; y: number
   return { solved: false, says: `The tool is ${away.toFixed(2)} m and ${turn.toFixed(0)}° away.` };
 }
 
-/** The joint string or name that somebody has typed: pp, P-P, a gantry. */
+/** The joint string or name that somebody has typed: pp, P-P, a gantry, rrr 3.5 3.5 2. */
 export function armTyped(text: string): string {
-  const plain = text.trim().replace(/^(?:an?|the)\s+/i, "");
+  const plain = withoutEnd(text)
+    .trim()
+    .replace(/^(?:an?|the)\s+/i, "");
+  const [, joints, lengths = ""] = /^([rpsche][rpsche\s,–-]*?)[\s:(]+([\d.][\d\s.,;]*)\)?$/i.exec(plain) ?? [];
+  if (joints !== undefined)
+    return `${joints.replace(/[\s,–-]+/g, "").toUpperCase()}:${lengths
+      .trim()
+      .split(/[\s,;]+/)
+      .join(",")}`;
   if (/^(?:gantry|cartesian)\b/i.test(plain)) return "gantry";
   const letters = plain
     .replace(/prismatic/gi, "P")
@@ -151,13 +159,48 @@ function itemsOf(typed: string): string[] {
   return items.length === 1 ? inner.split(",") : items;
 }
 
-/** Whether a typed count is the wanted one: 7, 7 joints, seven. */
-export function checkCount(text: string, wanted: number): Verdict {
-  const words = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+const words =
+  "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen nineteen".split(
+    " ",
+  );
+const tens = ["twenty", "thirty", "forty"];
+
+/** The number that words below fifty name, thirty-two; -1: none. */
+function counted(text: string): number {
+  const below = words.indexOf(text);
+  if (below >= 0) return below;
+  const [ten = "", one = "zero", ...others] = text.split(/[\s-]+/);
+  const [high, low] = [tens.indexOf(ten), words.indexOf(one)];
+  return high < 0 || low < 0 || low > 9 || others.length > 0 ? -1 : 20 + 10 * high + low;
+}
+
+/** Whether a typed count of things is the wanted one: 7, 7 joints, seven, after 18 steps. */
+export function checkCount(text: string, wanted: number, thing: string): Verdict {
   const typed = withoutEnd(text)
     .trim()
     .toLowerCase()
-    .replace(/\s*joints?$/, "");
-  const count = words.indexOf(typed);
+    .replace(/^after\s+/, "")
+    .replace(new RegExp(`\\s*${thing}s?$`), "");
+  const count = counted(typed);
   return checkNumbers(count < 0 ? typed : String(count), [wanted], { joints: [] });
+}
+
+/** Whether an arm is the wanted one: its links have the same poses in random configurations. */
+export function checkSameArm(arm: Arm, wanted: Arm, random: () => number): Verdict {
+  const no = (says: string): Verdict => ({ solved: false, says: `Not yet: ${says}` });
+  if (arm.dof !== wanted.dof) return no(`that arm has ${arm.dof} joints, and the wanted one ${wanted.dof}.`);
+  const rest = new Array<number>(arm.dof).fill(0);
+  const kinds = (one: Arm): string[] => one.skeleton(rest).joints.map(({ kind }) => kind);
+  const other = kinds(arm).findIndex((kind, k) => kind !== kinds(wanted)[k]);
+  if (other >= 0) return no(`joint ${other + 1} is ${kinds(arm)[other] ?? ""} there.`);
+  const ends = [rest, ...Array.from({ length: trials }, () => rest.map(() => 2 * random() - 1))];
+  for (const q of ends) {
+    const [here, there] = [arm.forward(q), wanted.forward(q)];
+    for (const [k, pose] of here.entries()) {
+      const off = pose.some((value, i) => Math.abs(value - (there[k]?.[i] ?? NaN)) > close);
+      if (off && k < wanted.dof) return no(`link ${k} does not end where it should.`);
+      if (off) return no("the tool is not where it should be.");
+    }
+  }
+  return { solved: true, says: "Right: it is the same arm in all configurations." };
 }

@@ -1,7 +1,8 @@
 import { element } from "../elements/element.js";
 import { children, pathOf, set, svg } from "../elements/svg.js";
-import { changeTo, checkDrawing, drawnAt, movedParts, type Part } from "./drawn_arm.js";
-import { checkButton, exercise, verdict, type Exercise } from "./exercise.js";
+import { changeTo, drawnAt, movedParts, type Part } from "./drawn_arm.js";
+import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
+import { partsText } from "./judges.js";
 
 const scale = 64; // units of the drawing for a metre
 const [left, right, low, high] = [-0.75, 3.25, -0.75, 2.5]; // m
@@ -111,6 +112,11 @@ class Board {
   }
 }
 
+/** The board without a drawing, for paper. */
+export function emptyBoard(): SVGSVGElement {
+  return svg("svg", { class: "board", viewBox: `0 0 ${(right - left) * scale} ${(high - low) * scale}` }, grid());
+}
+
 function grid(): SVGGElement {
   const lines: string[] = [];
   for (let x = Math.ceil(left / snap) * snap; x <= right; x += snap) lines.push(pathOf([at(x, low), at(x, high)]));
@@ -131,7 +137,7 @@ function grid(): SVGGElement {
 }
 
 /** The student draws the arm RP: joints and tool are placed with the mouse, and links join them. */
-export function drawingExercise(): Exercise {
+export function drawingExercise(context: ExerciseContext): Exercise {
   const answer = verdict();
   const list = element("p", { class: "quiet", "aria-live": "polite" });
   let parts: Part[] = [];
@@ -161,17 +167,14 @@ export function drawingExercise(): Exercise {
   const board = new Board(add, (x, y) => (cross.textContent = `Cross at (${x}, ${y})`));
   const back = element("button", { type: "button", onclick: () => take(parts.slice(0, -1)) }, "Take back");
   const check = (): void => {
-    const found = checkDrawing(parts);
+    const found = judged(context, "draw-rp", partsText(parts));
     const [turn, slide] = found.at ?? [];
     board.compare(parts, turn === undefined || slide === undefined ? null : [turn, slide]);
     answer.show(found);
   };
   board.show(parts);
-  const text =
-    "Draw the arm RP at θ1 = 0 and d2 = 1: joint 1 at the origin, a link of length 1, joint 2, which slides away from it, " +
-    "and the tool. A click places the next part; a joint P slides towards the next part.";
   const tools = element("p", { class: "pair" }, ...choices.map(({ button }) => button), back);
   const holder = element("div");
   holder.append(board.root, cross);
-  return { root: exercise(text, check, tools, holder, list, checkButton(), answer.root) };
+  return { root: exercise(check, tools, holder, list, checkButton(), answer.root), answer: () => partsText(parts) };
 }

@@ -1,6 +1,7 @@
 import { element } from "../elements/element.js";
 import type { Services, Shown } from "../page/section.js";
 import type { Verdict } from "./checks.js";
+import { judges } from "./judges.js";
 
 /** What an exercise needs of the page. */
 export interface ExerciseContext {
@@ -10,9 +11,11 @@ export interface ExerciseContext {
   arm(text: string): Shown["arm"];
 }
 
-/** An exercise in a lesson. */
+/** An exercise in a lesson. Its task, hints and solution stand in the lesson's text. */
 export interface Exercise {
   root: HTMLElement;
+  /** The answer as it stands, as its judge reads it. */
+  answer(): string;
   /** The arm that it shows, where that is not the lesson's. */
   arm?: string;
   /** The arm has moved, or the lesson was opened. */
@@ -32,14 +35,21 @@ export function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
 }
 
 /** A form: Enter checks as the button does. */
-export function exercise(text: string, check: () => void, ...children: HTMLElement[]): HTMLElement {
+export function exercise(check: () => void, ...children: HTMLElement[]): HTMLElement {
   const form = element("form", { class: "exercise", "aria-label": "Exercise", novalidate: true });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     check();
   });
-  form.append(element("h2", {}, "Exercise"), element("p", {}, text), ...children);
+  form.append(element("h2", {}, "Exercise"), ...children);
   return form;
+}
+
+/** The verdict on an answer to an exercise. */
+export function judged(context: ExerciseContext, name: string, answer: string): Verdict {
+  const judge = judges[name];
+  if (!judge) throw new Error(`nobody judges the exercise ${name}`);
+  return judge(answer, { arm: (text) => context.arm(text), random: Math.random });
 }
 
 export function checkButton(...others: HTMLElement[]): HTMLElement {

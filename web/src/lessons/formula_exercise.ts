@@ -1,18 +1,11 @@
 import { poseOfRpy } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
-import { checkButton, exercise, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
+import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { mathOf, valueOf, type Expression } from "./expression.js";
 import { readFormula, type Names } from "./formula.js";
-import { checkFormulas, planarPose, type Asked } from "./formula_checks.js";
-
-/** Formulas of an arm that are asked for. */
-export interface FormulaTask {
-  /** Its name or joint string. */
-  arm: string;
-  names: Names;
-  asked: Asked[];
-}
+import { planarPose } from "./formula_checks.js";
+import type { FormulaTask } from "./judges.js";
 
 /** A field for a formula, and beside it the formula typeset as it was read. */
 interface Field {
@@ -44,7 +37,11 @@ function field(name: string, names: Names, changed: () => void): Field {
 
 /** An exercise that asks for formulas. Where they are the pose of the tool, the picture of that arm has the pose that
  * they describe, also while it moves. */
-export function formulaExercise(context: ExerciseContext, { arm, names, asked }: FormulaTask, text: string): Exercise {
+export function formulaExercise(
+  context: ExerciseContext,
+  exerciseName: string,
+  { arm, names, asked }: FormulaTask,
+): Exercise {
   const { services } = context;
   const answer = verdict();
   let at: number[] | undefined;
@@ -75,19 +72,14 @@ export function formulaExercise(context: ExerciseContext, { arm, names, asked }:
     draw();
   };
   const fields: Field[] = asked.map(({ name }) => field(name, names, changed));
+  const typed = (): string => fields.map(({ input }) => input.value.replaceAll(";", " ")).join("; ");
   const check = (): void => {
-    const real = context.arm(arm);
-    const texts = fields.map(({ input }) => input.value);
-    try {
-      const found = checkFormulas(texts, asked, real, names, Math.random);
-      at = found.at;
-      setPlace.hidden = at === undefined;
-      answer.show(found);
-    } finally {
-      real.release();
-    }
+    const found = judged(context, exerciseName, typed());
+    at = found.at;
+    setPlace.hidden = at === undefined;
+    answer.show(found);
   };
   const rows = fields.map(({ root }) => root);
-  const root = exercise(text, check, ...rows, checkButton(setArm, setPlace), answer.root);
-  return { root, arm, update: draw };
+  const root = exercise(check, ...rows, checkButton(setArm, setPlace), answer.root);
+  return { root, arm, update: draw, answer: typed };
 }

@@ -131,4 +131,23 @@ export const lessons: Lesson[] = [
     "RRRR:3,2.5,2,1.5&q=0.9,-0.8,-0.7,-0.6",
     () => import("./text/15_redundant.md"),
   ),
+  lesson(
+    ["proof", "16 A proof between samples"],
+    null,
+    [8, "comparison"],
+    `rrr&q=${at(112, -52, -60)}`,
+    () => import("./text/16_proof.md"),
+  ),
+];
+
+/** Pages beside the lessons: for teachers. */
+export const appendices: Lesson[] = [
+  lesson(["teachers", "For teachers"], null, [0], `rrr&q=${at(112, -52, -60)}`, () => import("./text/teachers.md")),
+  lesson(
+    ["errata", "Errata of the chapter"],
+    null,
+    [0],
+    `rrr&q=${at(112, -52, -60)}`,
+    () => import("beeline-documents/errata.md"),
+  ),
 ];

@@ -26,7 +26,9 @@ export class AddressBar {
   async write(state: PageState): Promise<void> {
     const turn = ++this.turn;
     const before = this.written;
-    const step = before !== null && (["section", "arm", "lesson"] as const).some((key) => before[key] !== state[key]);
+    const isFramed = state.only !== ""; // the browser's Back belongs to the page around it
+    const step =
+      !isFramed && before !== null && (["section", "arm", "lesson"] as const).some((key) => before[key] !== state[key]);
     if (!step) await new Promise((resolve) => setTimeout(resolve, calm));
     if (turn !== this.turn) return;
     const hash = `#${await addressOf(state)}`;

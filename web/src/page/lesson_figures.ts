@@ -5,6 +5,7 @@ import { slide, slider } from "../panels/slider.js";
 import { ControlRuns, type ControlKind } from "./control_runs.js";
 import { columns, exponentials, inverseSteps, jacobians, transforms } from "./lesson_numbers.js";
 import { through, type LessonPlayer } from "./lesson_player.js";
+import { ProofFigure } from "./proof_figure.js";
 import type { Services, Shown } from "./section.js";
 import { selfMotion } from "./self_motion.js";
 
@@ -322,6 +323,7 @@ const controllers: Record<string, (services: Services, player: LessonPlayer) => 
     new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers", again(bent)),
   "1.9": (services, player) =>
     new WaypointsFigure(services, player, "Figure 1.9: straight paths through three waypoints", again(left)),
+  proof: (services, player) => new ProofFigure(services, player, [a, b]),
 };
 
 /** The names of all figures. */

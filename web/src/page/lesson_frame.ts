@@ -1,5 +1,5 @@
 import { element } from "../elements/element.js";
-import { lessons, type Lesson } from "../lessons/lessons.js";
+import { appendices, lessons, type Lesson } from "../lessons/lessons.js";
 import { doneLessons, setDone } from "../lessons/progress.js";
 
 type Open = (id: string) => void;
@@ -20,13 +20,16 @@ export class Contents {
   private readonly links: HTMLAnchorElement[];
 
   constructor(open: Open) {
-    this.links = lessons.map(({ id, title }) => link(id, title, open));
-    const list = element("ul", {}, ...this.links.map((one) => element("li", {}, one)));
+    this.links = [...lessons, ...appendices].map(({ id, title }) => link(id, title, open));
+    const items = this.links.map((one) => element("li", {}, one));
+    const lists = [items.slice(0, lessons.length), items.slice(lessons.length)].map((some) =>
+      element("ul", {}, ...some),
+    );
     this.root = element(
       "details",
       { class: "contents" },
       this.summary,
-      element("nav", { "aria-label": "Lessons" }, list),
+      element("nav", { "aria-label": "Lessons" }, ...lists),
     );
   }
 
@@ -34,7 +37,7 @@ export class Contents {
   show(opened: string): void {
     const done = doneLessons();
     this.links.forEach((one, i) => {
-      const { id = "", title = "" } = lessons[i] ?? {};
+      const { id = "", title = "" } = [...lessons, ...appendices][i] ?? {};
       if (id === opened) one.setAttribute("aria-current", "page");
       else one.removeAttribute("aria-current");
       one.classList.toggle("done", done.has(id));
@@ -42,7 +45,8 @@ export class Contents {
       one.replaceChildren(title, ...(done.has(id) ? [tick] : []));
     });
     const position = lessons.findIndex(({ id }) => id === opened) + 1;
-    this.summary.textContent = `Contents · lesson ${position} of ${lessons.length} · ${done.size} done`;
+    const place = position > 0 ? `lesson ${position} of ${lessons.length} · ` : "";
+    this.summary.textContent = `Contents · ${place}${done.size} done`;
   }
 }
 

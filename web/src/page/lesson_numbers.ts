@@ -1,3 +1,4 @@
+import { linkLengths } from "../core/line_bound.js";
 import { headingOf } from "../core/pose.js";
 import { element, shown as text } from "../elements/element.js";
 import { jointColour } from "../scene/colours.js";
@@ -42,11 +43,9 @@ const rowsOf = (pose: ArrayLike<number>): Rows => planar(headingOf(pose), pose[1
 
 /** The link transforms of a planar arm and their product, eq. 1.1: Figure 1.4. */
 export function transforms({ arm }: Shown, q: number[]): HTMLElement {
-  const zero = q.map(() => 0);
-  const lengths = arm.skeleton(zero).joints.map(({ centre }) => centre[0] ?? 0);
-  const ends = [...lengths.slice(1), arm.forward(zero).at(-1)?.[12] ?? 0];
+  const lengths = linkLengths(arm);
   const links = q.map((value, k): [string, Rows] => {
-    const length = (ends[k] ?? 0) - (lengths[k] ?? 0);
+    const length = lengths[k] ?? 0;
     const rows = planar(value, length * Math.cos(value), length * Math.sin(value));
     return [indexed("T", String(k + 1), String(k)), rows];
   });

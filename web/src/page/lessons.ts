@@ -2,20 +2,30 @@ import { partOf, stateOf } from "../address/address.js";
 import { element } from "../elements/element.js";
 import type { Exercise, ExerciseContext } from "../lessons/exercise.js";
 import { exercises } from "../lessons/exercises.js";
-import { lessons, type Lesson } from "../lessons/lessons.js";
+import { appendices, lessons, type Lesson } from "../lessons/lessons.js";
+import { keepResult } from "../lessons/results.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
+import { handIn } from "./hand_in.js";
 import { lessonFigure, type LessonFigure } from "./lesson_figures.js";
 import { Contents, footOf, headOf } from "./lesson_frame.js";
+import { keepPart, openElsewhere, partsOf, type LessonPart } from "./lesson_part.js";
 import { LessonPlayer } from "./lesson_player.js";
+import { resultsReader } from "./results_reader.js";
 import type { PageSection, Services, Shown } from "./section.js";
-import { sheetHandle } from "./sheet.js";
+import { sheetBar } from "./sheet.js";
+import { worksheet } from "./worksheet.js";
 
 /** The arm of a state, and how it is shown. */
 function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
   return { arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid };
 }
 
-const lessonOf = (wanted: string): Lesson => lessons.find(({ id }) => id === wanted) ?? (lessons[0] as Lesson);
+const lessonOf = (wanted: string): Lesson =>
+  [...lessons, ...appendices].find(({ id }) => id === wanted) ?? (lessons[0] as Lesson);
+
+/** A lesson that is open, and which part of it. */
+type Opened = Pick<PageState, "lesson" | "only" | "help">;
+const isSame = (a: Opened, b: Opened): boolean => a.lesson === b.lesson && a.only === b.only && a.help === b.help;
 
 /** The chapter as lessons: text, equations, figures, links that set the arm, exercises that are checked. */
 export class LessonsSection implements PageSection {
@@ -24,12 +34,15 @@ export class LessonsSection implements PageSection {
   readonly player: LessonPlayer;
   private readonly text = element("article");
   private readonly foot = element("div");
+  private readonly handIn = handIn();
+  /** From a part that is shown alone to the whole page. */
+  private readonly whole = element("a", { class: "whole", target: "_blank" });
   private readonly open = (id: string): void => void this.turnTo(id, true);
   private readonly contents = new Contents(this.open);
   /** Said where another arm is in the picture than the lesson's. */
   private readonly other = element("p", { class: "other-arm", hidden: true });
   private shown: Shown | null = null;
-  private opened = "";
+  private opened: Opened | null = null;
   /** The opened lesson could not be loaded: choosing it again tries again. */
   private hasFailed = false;
   private figures: LessonFigure[] = [];
@@ -49,23 +62,28 @@ export class LessonsSection implements PageSection {
     this.text.addEventListener("click", (event) => void this.follow(event));
     this.text.addEventListener("solved", ({ target }) => this.solve(target as HTMLElement));
     const back = element("button", { type: "button" }, "Show the lesson’s arm");
-    back.addEventListener("click", () => this.open(this.opened));
+    back.addEventListener("click", () => this.open(this.opened?.lesson ?? ""));
     this.other.append("Another arm is in the picture. ", back);
-    this.root.append(sheetHandle(), this.contents.root, this.other, this.text, this.foot);
+    this.root.append(sheetBar(), this.contents.root, this.other, this.text, this.foot, this.handIn.root, this.whole);
   }
 
   take(shown: Shown): void {
     this.shown = shown;
   }
 
+  /** The exercises and figures of the lesson that is open. */
+  parts(): LessonPart[] {
+    return partsOf(this.text);
+  }
+
   update(q: number[]): void {
-    const { lesson, arm } = this.services.store.get();
+    const { lesson, arm, only, help } = this.services.store.get();
     if (!this.shown) return;
     for (const figure of this.figures) figure.update(this.shown, q);
     for (const exercise of this.exercises) exercise.update?.();
     this.other.hidden = this.arms.length === 0 || this.arms.some((one) => sameArm(one, arm));
-    const wanted = lessonOf(lesson);
-    if (wanted.id !== this.opened) void this.load(wanted);
+    const wanted = { lesson: lessonOf(lesson).id, only, help };
+    if (!this.opened || !isSame(wanted, this.opened)) void this.load(wanted);
   }
 
   leave(): void {
@@ -95,12 +113,13 @@ export class LessonsSection implements PageSection {
     return section === "lessons" && replaced && sameArm(replaced.by, arm) ? replaced.state : {};
   }
 
-  private async load(lesson: Lesson): Promise<void> {
-    this.opened = lesson.id;
+  private async load(opened: Opened): Promise<void> {
+    const lesson = lessonOf(opened.lesson);
+    this.opened = opened;
     this.hasFailed = false;
     const failed = { default: "<p>This lesson cannot be loaded: choose it again, or reload the page.</p>" };
     const [loaded, scene] = await Promise.all([lesson.load().catch(() => failed), stateOf(lesson.scene)]);
-    if (this.opened !== lesson.id) return;
+    if (this.opened !== opened) return;
     this.hasFailed = loaded === failed;
     const html = loaded.default;
     this.leaveFigures();
@@ -108,14 +127,21 @@ export class LessonsSection implements PageSection {
     this.player.take([]);
     this.services.draw({ waypoints: [], extent: [] });
     this.text.innerHTML = html; // ours, made when the page was built
+    if (!opened.help) for (const hint of this.text.querySelectorAll("[data-check] details")) hint.remove();
+    if (opened.only !== "" && opened.only !== "lesson") keepPart(this.text, opened.only);
+    if (opened.only !== "") openElsewhere(this.text);
+    this.whole.textContent = `Lesson ${lesson.title}, in the whole page`;
+    this.whole.href = `#section=lessons&lesson=${lesson.id}`;
     this.exercises = [];
     this.arms = [scene.arm];
+    const isLesson = lessons.includes(lesson);
     const foot = footOf(lesson, this.open, () => this.contents.show(lesson.id));
-    this.foot.replaceChildren(foot.root);
+    this.foot.replaceChildren(...(isLesson ? [foot.root] : []));
     this.tick = () => foot.tick();
-    this.text.querySelector("h1")?.after(headOf(lesson, this.open));
+    if (isLesson) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
     this.showFigures();
+    this.showTools();
     for (const math of this.text.querySelectorAll('math[display="block"]'))
       if (math.scrollWidth > math.clientWidth) math.setAttribute("tabindex", "0"); // keys scroll it
     this.contents.show(lesson.id);
@@ -144,6 +170,17 @@ export class LessonsSection implements PageSection {
     }
   }
 
+  private showTools(): void {
+    const tools: Record<string, () => HTMLElement> = {
+      worksheet: () => worksheet(this.services),
+      results: () => resultsReader({ arm: this.arm, random: Math.random }),
+    };
+    for (const place of this.text.querySelectorAll<HTMLElement>("[data-tool]")) {
+      const tool = tools[place.dataset["tool"] ?? ""]?.();
+      if (tool) place.replaceChildren(tool);
+    }
+  }
+
   private leaveFigures(): void {
     for (const figure of this.figures) figure.leave();
   }
@@ -157,10 +194,10 @@ export class LessonsSection implements PageSection {
     if (before.section !== "lessons") this.replaced = { state: armOf(before), by: now };
     else if (this.replaced) this.replaced.by = now;
     const again = this.hasFailed;
-    if (again) this.opened = "";
-    this.takesFocus = takesFocus && id !== this.opened;
+    if (again) this.opened = null;
+    this.takesFocus = takesFocus && id !== this.opened?.lesson;
     store.set({ ...armOf(scene), arm: now, lesson: id, section: "lessons" });
-    if (again && this.opened === "") void this.load(lessonOf(id)); // nothing else has changed
+    if (again && this.opened === null) void this.load({ lesson: id, only: before.only, help: before.help }); // nothing else
   }
 
   private fill(place: HTMLElement): void {
@@ -179,8 +216,13 @@ export class LessonsSection implements PageSection {
     const number = this.exercises.length;
     if (number > 1) exercise.root.setAttribute("aria-label", `Exercise ${number}`);
     if (exercise.arm !== undefined) this.arms.push({ text: exercise.arm });
+    exercise.root.querySelector("h2")?.after(...place.querySelectorAll(".task"));
     exercise.root.append(...place.childNodes); // hints and the solution
     place.replaceChildren(exercise.root);
+    place.addEventListener("solved", () => {
+      keepResult({ name: place.dataset["check"] ?? "", answer: exercise.answer(), time: Date.now() });
+      this.handIn.refresh();
+    });
   }
 
   /** An exercise is solved: with the last one of a lesson, the lesson is done. */
@@ -194,6 +236,7 @@ export class LessonsSection implements PageSection {
     const link = (event.target as HTMLElement).closest("a");
     const address = link?.getAttribute("href") ?? "";
     if (event.defaultPrevented || !address.startsWith("#")) return;
+    if (link?.target === "_blank") return;
     event.preventDefault();
     this.player.pause();
     const part = await partOf(address);

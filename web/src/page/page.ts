@@ -12,7 +12,7 @@ import { element } from "../elements/element.js";
 import { fading } from "../elements/fading.js";
 import { icon } from "../elements/icons.js";
 import { selectNumbers } from "../elements/select_numbers.js";
-import { lessons } from "../lessons/lessons.js";
+import { appendices, lessons } from "../lessons/lessons.js";
 import { follow, sessionOf } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
@@ -25,6 +25,7 @@ import { savedAddress, savedTrajectory } from "../share/save_page.js";
 import { initialState, sameArm, sections, type ArmSource, type PageState, type Section } from "../state/page_state.js";
 import { Store } from "../state/store.js";
 import { AddressBar } from "./address_bar.js";
+import { Alone } from "./alone.js";
 import { ArmFiles } from "./arm_files.js";
 import { ArmPanel } from "./arm_panel.js";
 import { Control } from "./control.js";
@@ -62,7 +63,7 @@ const idle = 1000; // milliseconds until the worker is loaded, which plans and p
  * are read. */
 async function stateAt(hash: string, longest?: number): Promise<PageState> {
   const state = await stateOf(hash, longest);
-  const scene = lessons.find(({ id }) => id === state.lesson)?.scene;
+  const scene = [...lessons, ...appendices].find(({ id }) => id === state.lesson)?.scene;
   if (scene === undefined || state.section !== "lessons") return state;
   return { ...state, ...(await partOf(scene)), ...(await partOf(hash, longest)) };
 }
@@ -83,6 +84,7 @@ export class Page {
   private readonly files: ArmFiles;
   private readonly chooser: ArmChooser;
   private readonly address = new AddressBar();
+  private readonly alone: Alone;
   private readonly undo: Undo;
   private readonly welcome: HTMLElement;
   private readonly live = element("span", { role: "status", class: "live", hidden: true });
@@ -150,6 +152,7 @@ export class Page {
       ["lessons", this.lessons],
     ]);
     this.links = new Map(sections.map((name) => [name, this.link(name)]));
+    this.alone = new Alone(document);
     this.build();
     store.subscribe((_, changed) => this.changed(changed));
     document.defaultView?.addEventListener("popstate", () => this.address.forget());
@@ -188,7 +191,7 @@ export class Page {
     if (trajectory !== null) page.line.recording.open("motion.csv", trajectory);
     page.undo.begin();
     if (fresh && page.shown) page.begin(page.shown);
-    else setTimeout(() => worker.prepare(), idle);
+    else if (state.only === "") setTimeout(() => worker.prepare(), idle); // a page of frames does not need it in each
     return page;
   }
 
@@ -205,7 +208,11 @@ export class Page {
     const place = (id: string): HTMLElement => this.document.getElementById(id) as HTMLElement;
     const settings = settingsDialog(this.store);
     const help = helpDialog();
-    const share = new ShareDialog(this.services, () => this.shown);
+    const share = new ShareDialog(
+      this.services,
+      () => this.shown,
+      () => this.lessons.parts(),
+    );
     const roots = [...this.sections.values()].map(({ root }) => root);
     place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
@@ -226,6 +233,7 @@ export class Page {
     this.document.body.append(this.chooser.dialog, share.root, settings, help);
     selectNumbers(this.document);
     this.showSections();
+    this.alone.update(this.store.get());
   }
 
   /** Follows the joint values that a program posts to `beeline view`. */
@@ -243,6 +251,7 @@ export class Page {
 
   private changed(changed: ReadonlySet<keyof PageState>): void {
     if (changed.has("section")) this.showSections();
+    this.alone.update(this.store.get());
     const { arm } = this.store.get();
     // A panel that was hidden has missed the changes since.
     const missed = changed.has("section") ? (Object.keys(initialState) as (keyof PageState)[]) : [];

@@ -87,6 +87,8 @@ const keys = [
 const documents = [
   ["the chapter with code", "chapter"],
   ["this page", "howto/page"],
+  ["lessons in a course", "howto/course"],
+  ["errata of the chapter", "errata"],
   ["what Beeline cannot do", "limitations"],
 ] as const;
 

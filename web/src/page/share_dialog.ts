@@ -3,7 +3,14 @@ import { dialog } from "../elements/dialog.js";
 import { element } from "../elements/element.js";
 import { saveFile } from "../share/save_file.js";
 import { pageAsDocument } from "../share/save_page.js";
+import type { LessonPart } from "./lesson_part.js";
 import type { Services, Shown } from "./section.js";
+
+/** Makes the frames of a page as high as what they hold; without it they scroll. */
+const follower =
+  '<script>addEventListener("message", ({ data, source }) => { if (data && data.beeline === "height") ' +
+  'for (const frame of document.querySelectorAll("iframe")) if (frame.contentWindow === source) frame.height = data.height; ' +
+  "});</script>";
 
 const tooLong = "This is too long for a link. Use “One file”.";
 
@@ -13,13 +20,26 @@ export class ShareDialog {
   private readonly link = element("input", { id: "share-link", readonly: true });
   private readonly frame = element("textarea", { id: "share-frame", readonly: true, rows: 3 });
   private readonly says = element("p", { role: "status", class: "quiet" });
+  /** What of a lesson is shared: all of the page, the lesson alone, or a part of it. */
+  private readonly part = element("select", { id: "share-part" });
+  private readonly help = element("input", { type: "checkbox", id: "share-help", checked: true });
+  private readonly choice: HTMLElement;
   /** Beside the buttons that copy. */
   private readonly copied: HTMLElement[] = [];
 
   constructor(
     private readonly services: Services,
     private readonly shown: () => Shown | null,
+    private readonly parts: () => LessonPart[],
   ) {
+    this.choice = element(
+      "p",
+      {},
+      element("label", { for: "share-part" }, "Without the surroundings"),
+      this.part,
+      element("label", { for: "share-help" }, this.help, " with hints and solutions"),
+    );
+    for (const control of [this.part, this.help]) control.addEventListener("change", () => void this.write());
     const copy = (from: HTMLInputElement | HTMLTextAreaElement, what: string): HTMLElement => {
       const says = element("span", { role: "status", class: "good" });
       this.copied.push(says);
@@ -40,6 +60,7 @@ export class ShareDialog {
     this.root = dialog(
       "Share",
       "small",
+      this.choice,
       element("p", {}, element("label", { for: "share-link" }, "A link to the arm as it stands"), this.link),
       copy(this.link, "link"),
       save("Picture", "A PNG of what is seen", () => this.savePicture()),
@@ -52,8 +73,27 @@ export class ShareDialog {
   }
 
   async open(): Promise<void> {
+    const isLesson = this.services.store.get().section === "lessons";
+    this.choice.hidden = !isLesson;
+    const choices: LessonPart[] = [
+      { name: "", title: "no, the whole page" },
+      { name: "lesson", title: "the lesson" },
+      ...(isLesson ? this.parts() : []),
+    ];
+    this.part.replaceChildren(...choices.map(({ name, title }) => element("option", { value: name }, title)));
+    await this.write();
+    this.root.showModal();
+  }
+
+  /** The link and the frame of what is chosen. A part of a lesson begins as the lesson does. */
+  private async write(): Promise<void> {
     for (const place of [this.says, ...this.copied]) place.textContent = "";
-    const hash = await addressOf(this.services.store.get());
+    const state = this.services.store.get();
+    const only = this.part.value;
+    const help = this.help.checked ? "" : "&help=0";
+    const lesson = state.lesson === "" ? "definitions" : state.lesson;
+    const hash = only === "" ? await addressOf(state) : `section=lessons&lesson=${lesson}&only=${only}${help}`;
+    this.help.disabled = only === "";
     const address = location.href.replace(/#.*|$/, () => `#${hash}`);
     const fits = hash.length <= longestAddress;
     this.link.value = fits ? address : tooLong;
@@ -61,9 +101,8 @@ export class ShareDialog {
     const title = `Beeline: ${name}`.replace(/[&"<>]/g, "");
     const source = address.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
     this.frame.value = fits
-      ? `<iframe src="${source}" title="${title}" width="100%" height="640" style="border: 0"></iframe>`
+      ? `<iframe src="${source}" title="${title}" width="100%" height="640" style="border: 0"></iframe>${only === "" ? "" : follower}`
       : tooLong;
-    this.root.showModal();
   }
 
   private async copy(from: HTMLInputElement | HTMLTextAreaElement, what: string, says: HTMLElement): Promise<void> {

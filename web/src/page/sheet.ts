@@ -3,7 +3,7 @@ import { element } from "../elements/element.js";
 const far = 24; // pixels of a pull; what moves less is a click
 
 /** The handle of the text on a phone, where it is a sheet below the picture: a click or a pull makes it taller or lower. */
-export function sheetHandle(): HTMLElement {
+function sheetHandle(): HTMLElement {
   const handle = element("button", {
     type: "button",
     class: "sheet-handle",
@@ -25,4 +25,30 @@ export function sheetHandle(): HTMLElement {
     handle.setAttribute("aria-expanded", String(tall));
   });
   return handle;
+}
+
+/** The upper edge of the sheet: its handle, and a button that leads from the text to the sliders below it and back. */
+export function sheetBar(): HTMLElement {
+  const button = element("button", { type: "button", class: "sheet-jump" }, "Sliders");
+  const bar = element("div", { class: "sheet-bar" }, sheetHandle(), button);
+  let text = 0; // where the text was read
+  const arms = (): Element | null => document.querySelector(".arm-panel");
+  const isAtSliders = (sheet: Element): boolean => {
+    const { top, height } = sheet.getBoundingClientRect();
+    return (arms()?.getBoundingClientRect().top ?? Infinity) < top + height / 2;
+  };
+  const name = (): void => {
+    const sheet = bar.closest("#side");
+    if (sheet) button.textContent = isAtSliders(sheet) ? "Text" : "Sliders";
+  };
+  button.addEventListener("click", () => {
+    const sheet = bar.closest("#side");
+    if (!sheet) return;
+    if (isAtSliders(sheet)) return sheet.scrollTo({ top: text });
+    text = sheet.scrollTop;
+    const down = (arms()?.getBoundingClientRect().top ?? 0) - sheet.getBoundingClientRect().top - bar.offsetHeight;
+    sheet.scrollBy({ top: down });
+  });
+  document.getElementById("side")?.addEventListener("scroll", name, { passive: true });
+  return bar;
 }

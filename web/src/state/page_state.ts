@@ -56,6 +56,10 @@ export interface PageState {
   showSurface: boolean;
   showSlice: boolean;
   lesson: string;
+  /** What is shown without the surroundings: "lesson", or the name of an exercise or a figure of the lesson; empty: all. */
+  only: string;
+  /** Exercises have their hints and solutions. */
+  help: boolean;
 }
 
 export const initialState: PageState = {
@@ -87,6 +91,8 @@ export const initialState: PageState = {
   showSurface: true,
   showSlice: true,
   lesson: "",
+  only: "",
+  help: true,
 };
 
 /** What Undo takes back; the others are how it is looked at. */

@@ -1,0 +1,34 @@
+import { figureOf } from "../lessons/exercises.js";
+
+/** A part of a lesson that can stand alone: its name in the address, and what it is called. */
+export interface LessonPart {
+  name: string;
+  title: string;
+}
+
+const blocks = (text: HTMLElement): HTMLElement[] => [
+  ...text.querySelectorAll<HTMLElement>("[data-check], [data-figure]"),
+];
+const nameOf = ({ dataset }: HTMLElement): string => dataset["check"] ?? dataset["figure"] ?? "";
+
+/** The exercises and figures of a lesson that is shown. */
+export function partsOf(text: HTMLElement): LessonPart[] {
+  return blocks(text).map((block) => {
+    const words = block.querySelector("figcaption, legend, .task")?.textContent ?? "";
+    const title = block.dataset["check"] === undefined ? words : `Exercise: ${words.slice(0, 48)} …`;
+    return { name: nameOf(block), title };
+  });
+}
+
+/** Leaves one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where there is no
+ * such part the text stays. */
+export function keepPart(text: HTMLElement, name: string): void {
+  const wanted = [figureOf[name], name];
+  const kept = blocks(text).filter((block) => wanted.includes(nameOf(block)));
+  if (kept.some((block) => nameOf(block) === name)) text.replaceChildren(...kept);
+}
+
+/** Links in what is shown alone: those that lead to another section or lesson open the whole page. */
+export function openElsewhere(text: HTMLElement): void {
+  for (const link of text.querySelectorAll<HTMLAnchorElement>('a[href*="section="]')) link.target = "_blank";
+}

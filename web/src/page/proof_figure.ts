@@ -1,0 +1,131 @@
+import { linkLengths, lineBound, lineRows, lineTruth } from "../core/line_bound.js";
+import { toolPosition } from "../core/pose.js";
+import { element, shown as text } from "../elements/element.js";
+import { pathOf, svg } from "../elements/svg.js";
+import { slider } from "../panels/slider.js";
+import type { LessonFigure } from "./lesson_figures.js";
+import type { LessonPlayer } from "./lesson_player.js";
+import type { Services, Shown } from "./section.js";
+
+const points = 40; // of an interval, where the truth is computed
+const [width, height] = [360, 190]; // of the chart
+const edge = { left: 44, right: 8, top: 12, bottom: 30 };
+const ticks = [1, 2, 5];
+
+/** The least of 1, 2, 5, 10, … that is not below a value. */
+function roundedUp(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * (ticks.find((tick) => tick * power >= value * (1 - 1e-9)) ?? 10);
+}
+
+/** The deviation between samples along a line: the truth as a curve, and a box for the bound of each interval, mm. */
+function chart(bounds: number[], truths: number[][]): SVGSVGElement {
+  const top = roundedUp(1000 * Math.max(...bounds, 1e-6));
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(top)));
+  const px = (part: number): number => edge.left + part * (width - edge.left - edge.right);
+  const py = (mm: number): number => height - edge.bottom - (mm / top) * (height - edge.top - edge.bottom);
+  const count = bounds.length;
+  const boxes = bounds.map((bound, i) => {
+    const [x, y] = [px(i / count), py(1000 * bound)];
+    return svg("rect", { class: "bound", x, y, width: px((i + 1) / count) - x, height: py(0) - y });
+  });
+  const curve = truths.flatMap((truth, i) =>
+    truth.map((value, k): [number, number] => [px((i + k / (truth.length - 1)) / count), py(1000 * value)]),
+  );
+  const lines = [0, 0.5, 1].flatMap((part) => {
+    const y = py(part * top);
+    return [
+      svg("path", { class: part === 0 ? "zero" : "grid", d: `M${edge.left} ${y}H${width - edge.right}` }),
+      svg("text", { x: edge.left - 6, y: y + 4, "text-anchor": "end" }, text(part * top, part === 0 ? 0 : digits)),
+    ];
+  });
+  const samples = Array.from({ length: count + 1 }, (_, i) =>
+    svg("circle", { class: "sample", cx: px(i / count), cy: py(0), r: 2.5 }),
+  );
+  return svg(
+    "svg",
+    { class: "proof-chart", viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": "Deviation from the line" },
+    ...lines,
+    ...boxes,
+    svg("path", { class: "truth", d: pathOf(curve) }),
+    ...samples,
+    svg("text", { x: edge.left, y: height - 8 }, "along the line: a dot is a sample"),
+    svg("text", { x: 4, y: edge.top + 14 }, "mm"),
+  );
+}
+
+/** Samples on a straight line, and what a bound proves between them. */
+export class ProofFigure implements LessonFigure {
+  readonly root = element("fieldset", { class: "gains chapter-figure" });
+  private readonly count = slider({ id: "lesson-intervals", min: 2, max: 40, step: 1, value: 8 });
+  private readonly value = element("output", { for: "lesson-intervals" });
+  private readonly says = element("p", { role: "status" });
+  private readonly holder = element("div");
+  private drawn = "";
+  private shown: Shown | null = null;
+
+  constructor(
+    private readonly services: Services,
+    private readonly player: LessonPlayer,
+    private readonly ends: [number[], number[]],
+  ) {
+    this.count.addEventListener("input", () => this.draw());
+    const row = element(
+      "div",
+      { class: "joint" },
+      element("label", { for: "lesson-intervals" }, "Intervals"),
+      this.count,
+      this.value,
+    );
+    this.root.append(element("legend", {}, "Truth and bound between samples"), row, this.holder, this.says);
+  }
+
+  update(shown: Shown): void {
+    this.shown = shown;
+    this.draw();
+  }
+
+  leave(): void {
+    this.drawn = "";
+    this.player.take([]);
+    this.services.draw({ trails: [] });
+  }
+
+  private draw(): void {
+    if (!this.shown) return;
+    const { arm, description } = this.shown;
+    const key = `${description.name} ${this.count.value}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
+    this.value.textContent = this.count.value;
+    if (description.name !== "rrr") {
+      this.player.take([]);
+      this.services.draw({ trails: [] });
+      this.holder.replaceChildren();
+      this.says.textContent = "This figure needs the arm rrr.";
+      return;
+    }
+    const rows = lineRows(arm, ...this.ends, Number(this.count.value));
+    const lengths = linkLengths(arm);
+    const pairs = rows.slice(1).map((to, i): [number[], number[]] => [rows[i] ?? to, to]);
+    const bounds = pairs.map(([from, to]) => lineBound(lengths, from, to));
+    const truths = pairs.map(([from, to]) => lineTruth(arm, from, to, points));
+    this.holder.replaceChildren(chart(bounds, truths));
+    const [bound, truth] = [Math.max(...bounds), Math.max(...truths.flat())];
+    const share = text((100 * truth) / bound, 0);
+    this.says.textContent =
+      `At most ${text(1000 * bound, 2)} mm, proved; ${text(1000 * truth, 2)} mm are found, ` + `${share} % of that.`;
+    const dense = pairs.flatMap(([from, to]) =>
+      Array.from({ length: points }, (_, i) => from.map((value, k) => value + (i / points) * ((to[k] ?? 0) - value))),
+    );
+    const all = [...dense, rows.at(-1) ?? []];
+    const path = (of: number[][]): number[][] => of.map((q) => toolPosition(arm, q));
+    this.services.draw({
+      trails: [
+        { tone: "planned", points: path(all), dots: false },
+        { tone: "cartesian", points: path(rows), dots: true },
+      ],
+    });
+    this.player.take(all, 60);
+  }
+}

@@ -1,0 +1,147 @@
+import { element } from "../elements/element.js";
+import { emptyBoard } from "../lessons/drawing_board.js";
+import { lessons } from "../lessons/lessons.js";
+import type { Services } from "./section.js";
+
+/** An exercise of a lesson, as the lesson's text has it. */
+interface Task {
+  lesson: string;
+  name: string;
+  block: HTMLElement;
+}
+
+const linesToWrite = 4;
+
+/** All exercises in the order of the lessons, from the texts of the lessons. */
+async function allTasks(): Promise<Task[]> {
+  const texts = await Promise.all(lessons.map((lesson) => lesson.load()));
+  return texts.flatMap(({ default: html }, i) => {
+    const holder = element("template");
+    holder.innerHTML = html; // ours, made when the page was built
+    const blocks = [...holder.content.querySelectorAll<HTMLElement>("[data-check]")];
+    return blocks.map((block) => ({
+      lesson: lessons[i]?.title ?? "",
+      name: block.dataset["check"] ?? "",
+      block,
+    }));
+  });
+}
+
+/** What the worksheet draws for an exercise: a board to draw on, or what a command draws. */
+async function drawingOf({ block }: Task, services: Services): Promise<Element[]> {
+  const wanted = block.querySelector<HTMLElement>("[data-draw]")?.dataset["draw"];
+  if (wanted === undefined) return [];
+  if (wanted === "board") return [emptyBoard()];
+  const { files, refusal } = await services.command([...wanted.split(" "), "--out=drawing.svg"]);
+  const drawing = files["drawing.svg"];
+  if (drawing === undefined) throw new Error(refusal);
+  const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawing)}`;
+  const image = element("img", { src: source, alt: "" });
+  await image.decode();
+  return [image];
+}
+
+/** A copy of a part of the exercise's block; null: it has none. */
+function part({ block }: Task, selector: string): HTMLElement | null {
+  return block.querySelector<HTMLElement>(selector)?.cloneNode(true) as HTMLElement | null;
+}
+
+async function question(task: Task, number: number, services: Services): Promise<HTMLElement> {
+  const text = part(task, ".paper") ?? part(task, ".task") ?? element("p");
+  const lines = Array.from({ length: linesToWrite }, () => element("div", { class: "line" }));
+  const title = element("h2", {}, `${number}. `, element("span", {}, `Lesson ${task.lesson}`));
+  return element("section", {}, title, text, ...(await drawingOf(task, services)), ...lines);
+}
+
+function solution(task: Task, number: number): HTMLElement {
+  const text = part(task, ".solution p") ?? element("p");
+  return element("section", {}, element("h2", {}, `${number}. `, element("span", {}, `Lesson ${task.lesson}`)), text);
+}
+
+const source =
+  "Exercises of the lessons of Beeline, which follow F. Dellaert, “Serial Link Manipulators”. Angles are counterclockwise " +
+  "from the x axis; lengths are in metres.";
+
+/** The sheets of these exercises: to write on, and the solutions on sheets of their own. */
+export async function sheetsOf(tasks: Task[], withSolutions: boolean, services: Services): Promise<HTMLElement> {
+  const questions: HTMLElement[] = [];
+  for (const [i, task] of tasks.entries()) questions.push(await question(task, i + 1, services));
+  const head = (title: string, ...more: HTMLElement[]): HTMLElement =>
+    element("header", {}, element("h1", {}, title), ...more);
+  const blanks = element("p", { class: "blanks" }, "Name ", element("span"), " Date ", element("span"));
+  const root = element(
+    "div",
+    { class: "worksheet" },
+    element(
+      "article",
+      {},
+      head("Serial-link manipulators: exercises", blanks),
+      ...questions,
+      element("footer", {}, source),
+    ),
+  );
+  if (withSolutions) {
+    const answers = tasks.map((task, i) => solution(task, i + 1));
+    root.append(element("article", {}, head("Serial-link manipulators: solutions"), ...answers));
+  }
+  return root;
+}
+
+/** Choice of exercises, and a button that prints them. */
+export function worksheet(services: Services): HTMLElement {
+  const list = element("div", { class: "choices-of-exercises" });
+  const solutions = element("input", { type: "checkbox" });
+  const says = element("p", { role: "status", class: "quiet" });
+  let tasks: { task: Task; box: HTMLInputElement }[] = [];
+  const show = async (): Promise<void> => {
+    tasks = (await allTasks()).map((task) => ({ task, box: element("input", { type: "checkbox", checked: true }) }));
+    const groups = lessons.flatMap(({ title }) => {
+      const own = tasks.filter(({ task }) => task.lesson === title);
+      const labels = own.map(({ task, box }) => {
+        const text = element("span");
+        text.innerHTML = (task.block.querySelector(".task")?.innerHTML ?? "").split(/(?<=[.:?])\s/)[0] ?? "";
+        return element("label", {}, box, text);
+      });
+      return own.length > 0 ? [element("fieldset", {}, element("legend", {}, title), ...labels)] : [];
+    });
+    list.replaceChildren(...groups);
+  };
+  const choose = (checked: boolean): void => tasks.forEach(({ box }) => (box.checked = checked));
+  const print = async (): Promise<void> => {
+    const chosen = tasks.filter(({ box }) => box.checked).map(({ task }) => task);
+    if (chosen.length === 0) {
+      says.textContent = "Choose an exercise.";
+      return;
+    }
+    says.textContent = "The sheets are being made …";
+    try {
+      const sheets = await sheetsOf(chosen, solutions.checked, services);
+      document.querySelector(".worksheet")?.remove();
+      document.body.append(sheets);
+      says.textContent = "";
+      addEventListener("afterprint", () => sheets.remove(), { once: true });
+      window.print();
+    } catch (error) {
+      says.textContent = `The sheets cannot be made: ${(error as Error).message}`;
+    }
+  };
+  void show();
+  return element(
+    "div",
+    { class: "tool" },
+    list,
+    element(
+      "p",
+      { class: "pair" },
+      element("button", { type: "button", onclick: () => choose(true) }, "All"),
+      element("button", { type: "button", onclick: () => choose(false) }, "None"),
+    ),
+    element("p", {}, element("label", {}, solutions, " Solutions, on sheets of their own")),
+    element(
+      "p",
+      { class: "pair" },
+      element("button", { type: "button", onclick: () => void print() }, "Print the worksheet"),
+    ),
+    says,
+  );
+}
