@@ -86,7 +86,7 @@ export const lessons: Lesson[] = [
     ["waypoints", "9 Worked example of control"],
     "1.9",
     [12, "cartesian"],
-    `rrr&q=${at(0, 90, 0)}`,
+    `rrr&q=${at(0, 90, 0)}&gain=0.02`,
     () => import("./text/9_waypoints.md"),
   ),
   lesson(

@@ -1,8 +1,9 @@
 import { cartesianRows } from "../core/cartesian.js";
-import { poseOfRpy, toolPose, toolPosition } from "../core/pose.js";
-import { element } from "../elements/element.js";
+import { poseOfRpy, positionOf, toolPose, toolPosition } from "../core/pose.js";
+import { element, shown as text } from "../elements/element.js";
 import { slide, slider } from "../panels/slider.js";
 import { ControlRuns, type ControlKind } from "./control_runs.js";
+import { printedFigure } from "./figure_drawing.js";
 import { columns, exponentials, inverseSteps, jacobians, transforms } from "./lesson_numbers.js";
 import { through, type LessonPlayer } from "./lesson_player.js";
 import { ProofFigure } from "./proof_figure.js";
@@ -202,6 +203,19 @@ const waypoints = [
   [-4, 2.5, 180],
 ].map(([x = 0, y = 0, angle = 0]) => poseOfRpy([x, y, 0, 0, 0, angle * degree]));
 
+const dotsFrom = 0.1; // the gain from which each step has a dot
+
+/** The distance of a point in the plane from the nearest of the straight lines through poses. */
+function awayFrom(line: number[][], [x = 0, y = 0]: number[]): number {
+  const distances = line.slice(1).map(([bx = 0, by = 0], i) => {
+    const [ax = 0, ay = 0] = line[i] ?? [];
+    const [dx, dy] = [bx - ax, by - ay];
+    const part = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+    return Math.hypot(x - ax - part * dx, y - ay - part * dy);
+  });
+  return Math.min(...distances);
+}
+
 /** Cartesian control through three waypoints: Figure 1.9. */
 class WaypointsFigure extends GainFigure {
   protected draw(shown: Shown, q: number[]): void {
@@ -210,12 +224,16 @@ class WaypointsFigure extends GainFigure {
     const { gain } = this.services.store.get();
     const options = { gain, tolerance: 2e-3, maxSteps: 4000 };
     const rows = [q, ...cartesianRows(arm, description.joints, q, waypoints, options)];
+    const points = rows.map((row) => toolPosition(arm, row));
+    const every = Math.max(1, Math.round(dotsFrom / gain)); // of a small gain the dots would be one line
     this.services.draw({
-      trails: [{ tone: "cartesian", points: rows.map((row) => toolPosition(arm, row)), dots: true }],
+      trails: [{ tone: "cartesian", points, dots: true, every }],
       waypoints: waypoints.map((pose, i) => ({ pose, label: String(i + 1), held: false })),
     });
-    this.player.take(rows, 3 * stepsPerSecond);
-    this.says.textContent = `${rows.length - 1} steps.`;
+    this.player.take(rows, 3 * stepsPerSecond * every);
+    const off = Math.max(...points.map((point) => awayFrom([points[0] ?? [], ...waypoints.map(positionOf)], point)));
+    const dots = every === 1 ? "" : ` A dot is ${every} steps.`;
+    this.says.textContent = `${rows.length - 1} steps. The tool leaves the straight lines by up to ${text(1000 * off, 0)} mm.${dots}`;
   }
 }
 
@@ -332,5 +350,7 @@ export const figureNames = [...Object.keys(scenes), ...Object.keys(controllers)]
 /** Makes a figure by the name that a lesson uses; null: there is none. */
 export function lessonFigure(name: string, services: Services, player: LessonPlayer): LessonFigure | null {
   const found = scenes[name];
-  return found ? new SceneFigure(player, found) : (controllers[name]?.(services, player) ?? null);
+  const made = found ? new SceneFigure(player, found) : (controllers[name]?.(services, player) ?? null);
+  if (/^\d\.\d$/.test(name)) made?.root.append(printedFigure(services, name)); // of the chapter
+  return made;
 }

@@ -20,12 +20,13 @@ export function partsOf(text: HTMLElement): LessonPart[] {
   });
 }
 
-/** Leaves one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where there is no
+/** Leaves the title and one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where there is no
  * such part the text stays. */
 export function keepPart(text: HTMLElement, name: string): void {
   const wanted = [figureOf[name], name];
   const kept = blocks(text).filter((block) => wanted.includes(nameOf(block)));
-  if (kept.some((block) => nameOf(block) === name)) text.replaceChildren(...kept);
+  const heading = [...text.querySelectorAll("h1")];
+  if (kept.some((block) => nameOf(block) === name)) text.replaceChildren(...heading, ...kept);
 }
 
 /** Links in what is shown alone: those that lead to another section or lesson open the whole page. */

@@ -15,9 +15,9 @@ import type { PageSection, Services, Shown } from "./section.js";
 import { sheetBar } from "./sheet.js";
 import { worksheet } from "./worksheet.js";
 
-/** The arm of a state, and how it is shown. */
-function armOf({ arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
-  return { arm, q, goal, showFrames, showColumns, showSolutions, showEllipsoid };
+/** The arm of a state, where and how fast it goes, and how it is shown. */
+function armOf({ arm, q, goal, gain, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
+  return { arm, q, goal, gain, showFrames, showColumns, showSolutions, showEllipsoid };
 }
 
 const lessonOf = (wanted: string): Lesson =>
@@ -142,6 +142,7 @@ export class LessonsSection implements PageSection {
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
     this.showFigures();
     this.showTools();
+    this.bringArm(opened);
     for (const math of this.text.querySelectorAll('math[display="block"]'))
       if (math.scrollWidth > math.clientWidth) math.setAttribute("tabindex", "0"); // keys scroll it
     this.contents.show(lesson.id);
@@ -168,6 +169,14 @@ export class LessonsSection implements PageSection {
       this.figures.push(figure);
       place.replaceChildren(figure.root);
     }
+  }
+
+  /** An exercise that is shown alone brings its arm, where that is not the lesson's. */
+  private bringArm({ only }: Opened): void {
+    const own = only === "lesson" ? undefined : this.exercises.find(({ arm }) => arm !== undefined)?.arm;
+    const { arm } = this.services.store.get();
+    if (only === "" || own === undefined || sameArm(arm, { text: own })) return;
+    this.services.store.set({ arm: { text: own }, q: null, goal: null });
   }
 
   private showTools(): void {
@@ -215,6 +224,8 @@ export class LessonsSection implements PageSection {
     this.exercises.push(exercise);
     const number = this.exercises.length;
     if (number > 1) exercise.root.setAttribute("aria-label", `Exercise ${number}`);
+    const heading = exercise.root.querySelector("h2");
+    if (number > 1 && heading) heading.textContent = `Exercise ${number}`;
     if (exercise.arm !== undefined) this.arms.push({ text: exercise.arm });
     exercise.root.querySelector("h2")?.after(...place.querySelectorAll(".task"));
     exercise.root.append(...place.childNodes); // hints and the solution
@@ -228,7 +239,8 @@ export class LessonsSection implements PageSection {
   /** An exercise is solved: with the last one of a lesson, the lesson is done. */
   private solve(exercise: HTMLElement): void {
     exercise.closest("[data-check]")?.classList.add("is-solved");
-    if (!this.text.querySelector("[data-check]:not(.is-solved)")) this.tick();
+    const isPart = !["", "lesson", undefined].includes(this.opened?.only);
+    if (!isPart && !this.text.querySelector("[data-check]:not(.is-solved)")) this.tick();
   }
 
   /** A link in a lesson sets what its address holds, and leaves the lesson open unless it names a section. */

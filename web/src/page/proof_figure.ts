@@ -8,11 +8,11 @@ import type { LessonPlayer } from "./lesson_player.js";
 import type { Services, Shown } from "./section.js";
 
 const points = 40; // of an interval, where the truth is computed
-const [width, height] = [360, 190]; // of the chart
-const edge = { left: 44, right: 8, top: 12, bottom: 30 };
-const ticks = [1, 2, 5];
+const [width, height] = [440, 200]; // of the chart
+const edge = { left: 52, right: 8, top: 12, bottom: 30 };
+const ticks = [1, 1.5, 2, 3, 4, 5, 6, 8];
 
-/** The least of 1, 2, 5, 10, … that is not below a value. */
+/** The least round number that is not below a value. */
 function roundedUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   return power * (ticks.find((tick) => tick * power >= value * (1 - 1e-9)) ?? 10);
@@ -22,6 +22,7 @@ function roundedUp(value: number): number {
 function chart(bounds: number[], truths: number[][]): SVGSVGElement {
   const top = roundedUp(1000 * Math.max(...bounds, 1e-6));
   const digits = Math.max(0, 1 - Math.floor(Math.log10(top)));
+  const label = (part: number): string => `${text(part * top, part === 0 ? 0 : digits)}${part === 1 ? " mm" : ""}`;
   const px = (part: number): number => edge.left + part * (width - edge.left - edge.right);
   const py = (mm: number): number => height - edge.bottom - (mm / top) * (height - edge.top - edge.bottom);
   const count = bounds.length;
@@ -36,7 +37,7 @@ function chart(bounds: number[], truths: number[][]): SVGSVGElement {
     const y = py(part * top);
     return [
       svg("path", { class: part === 0 ? "zero" : "grid", d: `M${edge.left} ${y}H${width - edge.right}` }),
-      svg("text", { x: edge.left - 6, y: y + 4, "text-anchor": "end" }, text(part * top, part === 0 ? 0 : digits)),
+      svg("text", { x: edge.left - 6, y: y + 4, "text-anchor": "end" }, label(part)),
     ];
   });
   const samples = Array.from({ length: count + 1 }, (_, i) =>
@@ -50,7 +51,6 @@ function chart(bounds: number[], truths: number[][]): SVGSVGElement {
     svg("path", { class: "truth", d: pathOf(curve) }),
     ...samples,
     svg("text", { x: edge.left, y: height - 8 }, "along the line: a dot is a sample"),
-    svg("text", { x: 4, y: edge.top + 14 }, "mm"),
   );
 }
 

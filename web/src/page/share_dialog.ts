@@ -20,7 +20,7 @@ export class ShareDialog {
   private readonly link = element("input", { id: "share-link", readonly: true });
   private readonly frame = element("textarea", { id: "share-frame", readonly: true, rows: 3 });
   private readonly says = element("p", { role: "status", class: "quiet" });
-  /** What of a lesson is shared: all of the page, the lesson alone, or a part of it. */
+  /** The part that is shared: the whole page, the lesson alone, or one of its parts. */
   private readonly part = element("select", { id: "share-part" });
   private readonly help = element("input", { type: "checkbox", id: "share-help", checked: true });
   private readonly choice: HTMLElement;

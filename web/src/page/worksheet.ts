@@ -1,6 +1,7 @@
 import { element } from "../elements/element.js";
 import { emptyBoard } from "../lessons/drawing_board.js";
 import { lessons } from "../lessons/lessons.js";
+import { drawingOf } from "./figure_drawing.js";
 import type { Services } from "./section.js";
 
 /** An exercise of a lesson, as the lesson's text has it. */
@@ -28,17 +29,10 @@ async function allTasks(): Promise<Task[]> {
 }
 
 /** What the worksheet draws for an exercise: a board to draw on, or what a command draws. */
-async function drawingOf({ block }: Task, services: Services): Promise<Element[]> {
+async function drawnFor({ block }: Task, services: Services): Promise<Element[]> {
   const wanted = block.querySelector<HTMLElement>("[data-draw]")?.dataset["draw"];
   if (wanted === undefined) return [];
-  if (wanted === "board") return [emptyBoard()];
-  const { files, refusal } = await services.command([...wanted.split(" "), "--out=drawing.svg"]);
-  const drawing = files["drawing.svg"];
-  if (drawing === undefined) throw new Error(refusal);
-  const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawing)}`;
-  const image = element("img", { src: source, alt: "" });
-  await image.decode();
-  return [image];
+  return [wanted === "board" ? emptyBoard() : await drawingOf(services, wanted.split(" "), "")];
 }
 
 /** A copy of a part of the exercise's block; null: it has none. */
@@ -50,7 +44,7 @@ async function question(task: Task, number: number, services: Services): Promise
   const text = part(task, ".paper") ?? part(task, ".task") ?? element("p");
   const lines = Array.from({ length: linesToWrite }, () => element("div", { class: "line" }));
   const title = element("h2", {}, `${number}. `, element("span", {}, `Lesson ${task.lesson}`));
-  return element("section", {}, title, text, ...(await drawingOf(task, services)), ...lines);
+  return element("section", {}, title, text, ...(await drawnFor(task, services)), ...lines);
 }
 
 function solution(task: Task, number: number): HTMLElement {
@@ -99,7 +93,7 @@ export function worksheet(services: Services): HTMLElement {
       const own = tasks.filter(({ task }) => task.lesson === title);
       const labels = own.map(({ task, box }) => {
         const text = element("span");
-        text.innerHTML = (task.block.querySelector(".task")?.innerHTML ?? "").split(/(?<=[.:?])\s/)[0] ?? "";
+        text.innerHTML = (task.block.querySelector(".task")?.innerHTML ?? "").split(/(?<=[.?])\s/)[0] ?? "";
         return element("label", {}, box, text);
       });
       return own.length > 0 ? [element("fieldset", {}, element("legend", {}, title), ...labels)] : [];
