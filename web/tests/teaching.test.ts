@@ -107,7 +107,7 @@ test("Share makes links and frames of the parts of a lesson", async () => {
   expect(frame).toContain("<script>");
 });
 
-const text = (name: string): string =>
+const lessonText = (name: string): string =>
   readFileSync(fileURLToPath(new URL(`../src/lessons/text/${name}`, import.meta.url)), "utf8");
 
 test("the worksheet prints the exercises of the lessons, and solutions on sheets of their own", async () => {
@@ -121,13 +121,16 @@ test("the worksheet prints the exercises of the lessons, and solutions on sheets
   await page.getByRole("button", { name: "Print the worksheet" }).click();
   await page.locator("body[data-printed]").waitFor();
   await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 680, height: 900 }); // as wide as paper
   const words = (await visible(page)).replace(/\s+/g, " ");
-  const asked = /```check string\n([\s\S]*?)\nhint:/.exec(text("1_definitions.md"))?.[1] ?? "";
+  const asked = /```check string\n([\s\S]*?)\nhint:/.exec(lessonText("1_definitions.md"))?.[1] ?? "";
   expect(words).toContain(asked.replace(/\s+/g, " ")); // the text of the lesson
   expect(words).toContain("Find both configurations"); // for paper
   expect(words).not.toContain("or use the sliders");
   for (const outside of ["Workspace", "Share", "For teachers", "Hint 1"]) expect(words).not.toContain(outside);
   expect(words).toContain("PPP. None of its joints turns");
+  const title = page.getByRole("heading", { name: "Serial-link manipulators: exercises" });
+  expect((await title.boundingBox())?.width).toBeGreaterThan(200);
   expect(await page.locator(".worksheet img").count()).toBe(1); // Figure 1.6
   expect(await page.locator(".worksheet .board").count()).toBe(1);
   const sheets = await page.evaluate(
@@ -217,11 +220,14 @@ test("on a phone a button leads from the text to the sliders and back", async ()
   await sheet.evaluate((side) => side.scrollTo({ top: 200 }));
   await page.getByRole("button", { name: "Sliders" }).click();
   const slider = page.getByLabel("joint1, degrees, slider");
-  const inSheet = async (): Promise<boolean> => {
-    const [box, row] = [await sheet.boundingBox(), await slider.boundingBox()];
-    return row !== null && box !== null && row.y > box.y && row.y + row.height < box.y + box.height;
-  };
-  await expect.poll(inSheet).toBe(true);
-  await page.getByRole("button", { name: "Text", exact: true }).click();
+  const text = page.getByRole("button", { name: "Text", exact: true });
+  for (const part of [slider, text])
+    await expect
+      .poll(async () => {
+        const [box, row] = [await sheet.boundingBox(), await part.boundingBox()];
+        return row !== null && box !== null && row.y >= box.y && row.y + row.height <= box.y + box.height;
+      })
+      .toBe(true);
+  await text.click();
   await expect.poll(() => sheet.evaluate((side) => side.scrollTop)).toBe(200);
 });

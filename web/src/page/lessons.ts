@@ -30,6 +30,8 @@ const isSame = (a: Opened, b: Opened): boolean => a.lesson === b.lesson && a.onl
 /** The chapter as lessons: text, equations, figures, links that set the arm, exercises that are checked. */
 export class LessonsSection implements PageSection {
   readonly root = element("div", { class: "panel lessons" });
+  /** The upper edge of the text on a phone. */
+  readonly bar = sheetBar();
   /** What plays the figure's motion, under the picture. */
   readonly player: LessonPlayer;
   private readonly text = element("article");
@@ -64,7 +66,7 @@ export class LessonsSection implements PageSection {
     const back = element("button", { type: "button" }, "Show the lesson’s arm");
     back.addEventListener("click", () => this.open(this.opened?.lesson ?? ""));
     this.other.append("Another arm is in the picture. ", back);
-    this.root.append(sheetBar(), this.contents.root, this.other, this.text, this.foot, this.handIn.root, this.whole);
+    this.root.append(this.contents.root, this.other, this.text, this.foot, this.handIn.root, this.whole);
   }
 
   take(shown: Shown): void {

@@ -214,7 +214,7 @@ export class Page {
       () => this.lessons.parts(),
     );
     const roots = [...this.sections.values()].map(({ root }) => root);
-    place("side").replaceChildren(this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
+    place("side").replaceChildren(this.lessons.bar, this.chooser.notes, this.welcome, ...roots, this.armPanel.root);
     fading(place("tools")).replaceChildren(...this.toolbar.buttons, this.line.recording.light, this.live);
     place("sections").replaceChildren(...this.links.values());
     place("under").replaceChildren(this.lessons.player.root);

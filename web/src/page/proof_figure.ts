@@ -8,7 +8,8 @@ import type { LessonPlayer } from "./lesson_player.js";
 import type { Services, Shown } from "./section.js";
 
 const points = 40; // of an interval, where the truth is computed
-const [width, height] = [440, 200]; // of the chart
+const height = 200; // of the chart, pixels
+const [least, most] = [240, 560]; // its width
 const edge = { left: 52, right: 8, top: 12, bottom: 30 };
 const ticks = [1, 1.5, 2, 3, 4, 5, 6, 8];
 
@@ -18,8 +19,10 @@ function roundedUp(value: number): number {
   return power * (ticks.find((tick) => tick * power >= value * (1 - 1e-9)) ?? 10);
 }
 
-/** The deviation between samples along a line: the truth as a curve, and a box for the bound of each interval, mm. */
-function chart(bounds: number[], truths: number[][]): SVGSVGElement {
+/** The deviation between samples along a line: the truth as a curve, and a box for the bound of each interval, mm. `room`: the
+ * width that there is, pixels. */
+function chart(bounds: number[], truths: number[][], room: number): SVGSVGElement {
+  const width = Math.min(most, Math.max(least, room));
   const top = roundedUp(1000 * Math.max(...bounds, 1e-6));
   const digits = Math.max(0, 1 - Math.floor(Math.log10(top)));
   const label = (part: number): string => `${text(part * top, part === 0 ? 0 : digits)}${part === 1 ? " mm" : ""}`;
@@ -110,7 +113,7 @@ export class ProofFigure implements LessonFigure {
     const pairs = rows.slice(1).map((to, i): [number[], number[]] => [rows[i] ?? to, to]);
     const bounds = pairs.map(([from, to]) => lineBound(lengths, from, to));
     const truths = pairs.map(([from, to]) => lineTruth(arm, from, to, points));
-    this.holder.replaceChildren(chart(bounds, truths));
+    this.holder.replaceChildren(chart(bounds, truths, this.holder.clientWidth));
     const [bound, truth] = [Math.max(...bounds), Math.max(...truths.flat())];
     const share = text((100 * truth) / bound, 0);
     this.says.textContent =
