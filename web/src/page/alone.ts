@@ -10,6 +10,7 @@ function report(height: number): void {
 export class Alone {
   private readonly watcher: ResizeObserver | null;
   private last = 0;
+  private isAlone = false;
 
   constructor(private readonly document: Document) {
     const main = document.querySelector("main");
@@ -20,8 +21,10 @@ export class Alone {
   update({ only, section }: Readonly<PageState>): void {
     const isAlone = only !== "" && section === "lessons";
     const { classList } = this.document.body;
-    classList.toggle("alone", isAlone);
     classList.toggle("shows-lesson", only === "lesson");
+    if (isAlone === this.isAlone) return;
+    this.isAlone = isAlone;
+    classList.toggle("alone", isAlone);
     const main = this.document.querySelector("main");
     if (isAlone && main) this.watcher?.observe(main);
     else this.watcher?.disconnect();
