@@ -54,6 +54,12 @@ test("the verdict on a wrong answer names the mistake", () => {
   expect(checkDrawing(drawing("P 0 0, R 1 0, tool 2 0")).says).toBe(
     "Not yet: at θ1 = 90°, d2 = 1.0 m your tool is at (1.00, 1.00, 90°), and the tool of RP at (0.00, 2.00, 90°).",
   );
+  const says = (answer: string): string | undefined =>
+    judges["describe"]?.(answer, { arm: (text) => core.arm(text), random: next }).says;
+  expect(says("RRP:1,2,0.5")).toBe("Not yet: link 1 does not end where it should.");
+  expect(says("RRP:2,1,5")).toBe("Not yet: the tool is not where it should be.");
+  expect(says("RRR:2,1,0.5")).toBe("Not yet: joint 3 is revolute there.");
+  expect(says("RP:2,1")).toBe("Not yet: that arm has 2 joints, and the wanted one 3.");
   const arm = core.arm("rp");
   expect(checkConstantJacobian(arm, next).says).toBe(
     "Not yet: the column of its joint 1 changes with the configuration.",

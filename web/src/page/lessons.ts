@@ -142,6 +142,7 @@ export class LessonsSection implements PageSection {
     this.tick = () => foot.tick();
     if (isLesson) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
+    this.handIn.root.hidden = opened.only !== "" && this.exercises.length === 0;
     this.showFigures();
     this.showTools();
     this.bringArm(opened);
