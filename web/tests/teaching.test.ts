@@ -179,6 +179,7 @@ test("a code that a student hands in is decoded, and its answers are checked aga
   await other.getByRole("row", { name: "elbow 45° 1970-01-01 00:00 not right" }).waitFor();
   await other.getByRole("row", { name: "none 1 1970-01-01 00:00 unknown exercise" }).waitFor();
   await page.getByText("Code 3: the code is cut off or changed.").waitFor();
+  await page.getByText("More in the documentation: lessons in a course (docs/howto/course.md).").waitFor();
   expect(await axe(page)).toEqual([]);
 });
 

@@ -5,6 +5,7 @@ import { exercises } from "../lessons/exercises.js";
 import { appendices, lessons, type Lesson } from "../lessons/lessons.js";
 import { keepResult } from "../lessons/results.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
+import { documentOf } from "./documents.js";
 import { handIn } from "./hand_in.js";
 import { lessonFigure, type LessonFigure } from "./lesson_figures.js";
 import { Contents, footOf, headOf } from "./lesson_frame.js";
@@ -142,7 +143,7 @@ export class LessonsSection implements PageSection {
     this.tick = () => foot.tick();
     if (isLesson) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
-    this.handIn.root.hidden = opened.only !== "" && this.exercises.length === 0;
+    this.handIn.root.hidden = this.exercises.length === 0;
     this.showFigures();
     this.showTools();
     this.bringArm(opened);
@@ -185,6 +186,8 @@ export class LessonsSection implements PageSection {
   private showTools(): void {
     const tools: Record<string, () => HTMLElement> = {
       worksheet: () => worksheet(this.services),
+      documents: () =>
+        element("p", {}, "More in the documentation: ", documentOf("lessons in a course", "howto/course"), "."),
       results: () => resultsReader({ arm: this.arm, random: Math.random }),
     };
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-tool]")) {

@@ -2,6 +2,7 @@ import { dialog } from "../elements/dialog.js";
 import { element } from "../elements/element.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
+import { documentOf } from "./documents.js";
 
 const themeKey = "beeline-theme";
 const themes = [
@@ -92,16 +93,8 @@ const documents = [
   ["what Beeline cannot do", "limitations"],
 ] as const;
 
-/** Where the documentation speaks of this: links in the built documentation, which tells the page its place; elsewhere
- * the names of files. */
 function documentation(): HTMLElement {
-  const place = document.body.dataset["docs"];
-  const link = (title: string, path: string): HTMLElement =>
-    element("a", { href: `${place}/${path}.html`, target: "_top" }, title); // the page stands in a frame there
-  const parts = documents.flatMap(([title, path], i) => [
-    i === 0 ? "" : ", ",
-    place === undefined ? `${title} (docs/${path}.md)` : link(title, path),
-  ]);
+  const parts = documents.flatMap(([title, path], i) => [i === 0 ? "" : ", ", documentOf(title, path)]);
   return element("p", { class: "quiet" }, "In the documentation: ", ...parts, ".");
 }
 
