@@ -102,5 +102,41 @@ TEST(QuickStages, KeepALockedValueOfManyTurns) {
   }
 }
 
+/// A search that finds nothing ends early where it cannot find anything: the status is the one of
+/// all searches, or says more.
+TEST(QuickStages, SayNoWithFewRestarts) {
+  testing::Random random;
+  const Arm arm = built_in("yumi");  // seven joints without a closed form
+  const Configuration seed = middle_configuration(arm);
+  int unsolved = 0, few = 0;
+  for (int i = 0; i < testing::cases(150); ++i) {
+    Pose pose = random.pose();
+    pose.translation() =
+        arm.reach().centre + arm.reach().radius * random.uniform(0, 1) * random.direction();
+    const InverseResult result = inverse_kinematics(arm, pose, {.seed = seed});
+    const InverseResult all = thorough(arm, pose, {.seed = seed});
+    if (all.status == InverseStatus::not_found) continue;
+    EXPECT_EQ(result.status, all.status) << pose.matrix();
+    if (result) continue;
+    ++unsolved;
+    few += result.restarts <= 100;
+  }
+  EXPECT_GT(unsolved, testing::cases(30));
+  EXPECT_GT(few, unsolved * 3 / 4) << unsolved;
+}
+
+/// No solution is lost by that, also of poses near the limits.
+TEST(QuickStages, SayNoWrongNoWithFewRestarts) {
+  testing::Random random;
+  const Arm arm = built_in("yumi");
+  for (int i = 0; i < testing::cases(6000); ++i) {
+    Configuration q = random.configuration(arm);
+    const int k = random.integer(0, 6);
+    if (i % 2 == 0) q[k] = arm.limits(k).upper;
+    const Pose pose = forward_kinematics(arm, q);
+    EXPECT_TRUE(inverse_kinematics(arm, pose)) << q.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace beeline

@@ -196,7 +196,8 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
   const bool searched =
-      (result.restarts >= max_starts || evidence.range_examined) && error.orientation > clear;
+      (result.restarts >= max_starts || evidence.range_examined || evidence.far) &&
+      error.orientation > clear;
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
   if (evidence.violation || (in_position && (searched || examined))) {
@@ -250,19 +251,6 @@ std::optional<InverseStatus> status_by_position(SolverState& state, const Reques
   return std::nullopt;
 }
 
-/// Whether the last searches, limits ignored, are as many as the status needs and all ended far
-/// from the pose.
-bool searched_in_vain(SolverState& state, const Request& request) {
-  // Units and radians: twice the error from which multi_start() continues a run. A configuration at
-  // the position and within 1e-3 rad of the orientation would be nearer.
-  constexpr double far = 0.02;
-  const SearchResult& last = state.search();
-  const Deviation& error = last.nearest.error;
-  return last.restarts >= max_starts &&
-         request.options.max_iterations >= MultiStartOptions{}.max_iterations &&
-         std::max(error.position / unit_of_length(request.arm), error.orientation) > far;
-}
-
 }  // namespace
 
 std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
@@ -281,7 +269,7 @@ std::optional<InverseStatus> status_without_nearest(SolverState& state, const Re
     const std::optional<bool> solved = is_solved_beyond(state, request);
     if (!solved) return std::nullopt;
     if (*solved) return InverseStatus::outside_limits;
-  } else if (evidence.continuum || !(evidence.complete || searched_in_vain(state, request))) {
+  } else if (evidence.continuum || !(evidence.complete || evidence.far)) {
     return std::nullopt;
   }
   return status_by_position(state, request);

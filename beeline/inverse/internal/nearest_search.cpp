@@ -39,23 +39,21 @@ Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
   return 0.5 * (matrix + matrix.transpose());
 }
 
-/// Returns the local minimum of |e|^2 / 2 that Newton's method with Levenberg's damping finds from
-/// q. e is the task's error in metres and radians. Limits are ignored.
-Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                               const Configuration& q) {
+/// Moves q to a local minimum of |e|^2 / 2 by Newton's method with Levenberg's damping. e is the
+/// task's error in metres and radians. Limits are ignored. Returns whether it converges.
+bool minimise_error(const Arm& arm, const Pose& world_T_tool, const Task& task, Configuration& q) {
   // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
   // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
   // short to change the cost.
   constexpr double first_damping = 1e-3, min_damping = 1e-12, max_damping = 1e6;
   constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
-  Configuration best = q;
   double smallest = half_square(arm, world_T_tool, task, q), damping = first_damping;
   for (int step = 0; step < max_steps && damping < max_damping; ++step) {
-    const Configuration slope = gradient(arm, world_T_tool, task, best);
-    Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, best);
+    const Configuration slope = gradient(arm, world_T_tool, task, q);
+    Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, q);
     matrix.diagonal().array() += damping;
     const Eigen::LDLT<Eigen::MatrixXd> factor(matrix);
-    const Configuration next = best - factor.solve(slope);
+    const Configuration next = q - factor.solve(slope);
     const double cost = factor.isPositive() && next.allFinite()
                             ? half_square(arm, world_T_tool, task, next)
                             : smallest;
@@ -64,12 +62,12 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
       continue;
     }
     const bool done = smallest - cost < converged * smallest;
-    best = next;
+    q = next;
     smallest = cost;
     damping = std::max(damping / 10, min_damping);
-    if (done) break;
+    if (done) return true;
   }
-  return best;
+  return damping >= max_damping;  // no step reduces the cost
 }
 
 /// Minimises the orientation error from q subject to the position, to a local minimum, by
@@ -171,9 +169,17 @@ const Configuration& nearest_of_searches(const Request& request, const Task& tas
 
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
                           const ConfigurationRef& start) {
-  const Configuration& q = nearest_of_searches(request, task, state, start);
+  Configuration q = nearest_of_searches(request, task, state, start);
   if (state.search().nearest.converged || request.arm.dof() > max_refined) return q;
-  return nearest_for_task(request.arm, goal_within_digits(request), task, q);
+  minimise_error(request.arm, goal_within_digits(request), task, q);
+  return q;
+}
+
+bool is_minimum_above(const Request& request, Configuration q, double least) {
+  if (request.arm.dof() > max_refined) return false;
+  if (!minimise_error(request.arm, goal_within_digits(request), request.task, q)) return false;
+  const Deviation error = deviation_at(request, q);
+  return std::max(error.position / unit_of_length(request.arm), error.orientation) > least;
 }
 
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,

@@ -27,6 +27,10 @@ const Configuration& nearest_of_searches(const Request& request, const Task& tas
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
                           const ConfigurationRef& start);
 
+/// Whether Newton's method converges from q to a local minimum of the error above `least`, units of
+/// length and radians, limits ignored. It does not from next to a solution, singular or not.
+bool is_minimum_above(const Request& request, Configuration q, double least);
+
 /// Returns the configuration of least orientation error among many at the goal's position, or
 /// `start` if it does not reach that position.
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,

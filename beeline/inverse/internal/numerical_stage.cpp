@@ -1,6 +1,11 @@
 #include <algorithm>
 #include <bit>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include <beeline/inverse/internal/analytic_family.h>
+#include <beeline/inverse/internal/nearest_search.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/numerical/nearest_on_self_motion.h>
 #include <beeline/inverse/numerical/representative.h>
@@ -45,9 +50,16 @@ void solve_from_seed(const Request& request, StageResult& found) {
   if (run.converged) add_solution(request, run.q, found);
 }
 
-/// Steps the lanes that are started until one converges. Returns that lane, or -1.
-int first_to_converge(const Request& request, const NumericalProblem& problem,
-                      LevenbergMarquardtLanes& lanes) {
+/// Runs Levenberg-Marquardt within limits from up to eight starts, and writes the first solution to
+/// which one converges into q. Returns whether there is one.
+bool solve_from(SolverState& state, const Request& request, std::span<const double* const> starts,
+                Configuration& q) {
+  const NumericalProblem& problem = problem_within_bounds(state);
+  LevenbergMarquardtLanes& lanes = state.buffers().lanes;
+  lanes.active = lanes.converged = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    start_lane(problem, starts[i], static_cast<int>(i), lanes);
+  }
   const int max_iterations = request.options.max_iterations;
   while (lanes.active != 0 && lanes.converged == 0) {
     run_lanes(
@@ -55,35 +67,70 @@ int first_to_converge(const Request& request, const NumericalProblem& problem,
         {.tolerance = request.tolerance, .max_iterations = max_iterations, .first_is_enough = true},
         max_iterations, lanes);
   }
-  return lanes.converged != 0 ? std::countr_zero(lanes.converged) : -1;
+  if (lanes.converged == 0) return false;
+  lane_configuration(problem, lanes, std::countr_zero(lanes.converged), q.data());
+  return true;
+}
+
+// Restarts without limits that show that a pose has no solution.
+constexpr int open_restarts = 32;
+
+/// Whether the last search, limits ignored, was long enough and ended far from the pose, or at a
+/// minimum of the error.
+bool ended_far(SolverState& state, const Request& request) {
+  // Units of length and radians: twice the error from which multi_start() continues a run. A
+  // configuration at the position and within `clear` of the orientation would be nearer.
+  constexpr double far = 2 * near_a_solution, clear = 1e-3;
+  const SearchResult& last = state.search();
+  if (last.nearest.converged || last.restarts < open_restarts || !request.budget.complete() ||
+      request.options.max_iterations < MultiStartOptions{}.max_iterations) {
+    return false;
+  }
+  const Deviation& error = last.nearest.error;
+  return std::max(error.position / unit_of_length(request.arm), error.orientation) > far ||
+         is_minimum_above(request, last.nearest.q, clear);
 }
 
 /// Searches without limits for a posture that has another representative within them, or that is a
-/// start from which Levenberg-Marquardt converges to a solution within them.
-void search_without_limits(SolverState& state, const Request& request, StageResult& found) {
-  const Kept<NumericalProblem> unlimited(request.arm, NumericalProblem::Key{request.task, true});
-  const Search without_limits{request.arm, *unlimited, seeds_for(state, true, *unlimited)};
-  // More restarts find more postures, but most requests in this stage have no solution.
-  constexpr int max_restarts_without_limits = 100;
-  search(state, request, without_limits, max_restarts_without_limits, true, found);
-  const std::vector<Configuration> postures = state.search().solutions;
-  const NumericalProblem& problem = search_within_bounds(state).problem;
-  for (const Configuration& q : postures) found.unconstrained.consider(request, q);
-  for (std::size_t first = 0; first < postures.size(); first += solver_lane_count) {
+/// start from which Levenberg-Marquardt converges to a solution within them. The postures least
+/// outside the limits are tried first.
+void search_without_limits(SolverState& state, const Request& request, int restarts, bool all,
+                           StageResult& found) {
+  const Kept<NumericalProblem> open(request.arm, NumericalProblem::Key{request.task, true});
+  search(state, request, {request.arm, *open, seeds_for(state, true, *open)}, restarts, all, found);
+  std::vector<std::pair<double, Configuration>> starts;
+  for (const Configuration& q : state.search().solutions) {
+    found.unconstrained.consider(request, q);
+    Configuration nearest = nearest_representative(request.arm, q, request.seed, request.bounds);
+    starts.emplace_back(excess(request.bounds, nearest), std::move(nearest));
+  }
+  std::sort(starts.begin(), starts.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  Configuration q(request.arm.dof());
+  for (std::size_t first = 0; first < starts.size(); first += solver_lane_count) {
     if (!found.solutions->empty() || request.budget.ended()) break;
-    LevenbergMarquardtLanes& lanes = state.buffers().lanes;
-    lanes.active = lanes.converged = 0;
-    const std::size_t end = std::min(first + solver_lane_count, postures.size());
-    for (std::size_t i = first; i < end; ++i) {
-      const Configuration nearest =
-          nearest_representative(request.arm, postures[i], request.seed, request.bounds);
-      start_lane(problem, nearest.data(), static_cast<int>(i - first), lanes);
-    }
-    const int lane = first_to_converge(request, problem, lanes);
-    if (lane < 0) continue;
-    Configuration q(request.arm.dof());
-    lane_configuration(problem, lanes, lane, q.data());
-    add_solution(request, q, found);
+    const double* eight[solver_lane_count];
+    const std::size_t count = std::min<std::size_t>(solver_lane_count, starts.size() - first);
+    for (std::size_t i = 0; i < count; ++i) eight[i] = starts[first + i].second.data();
+    if (solve_from(state, request, {eight, count}, q)) add_solution(request, q, found);
+  }
+}
+
+/// Few restarts solve nearly all poses that have a solution. Most of the others have none without
+/// limits either, which takes few restarts to see, as most runs without limits converge.
+void search_quickly(SolverState& state, const Request& request, StageResult& found) {
+  constexpr int first_restarts = 16, few_restarts = 64;
+  const Search within = search_within_bounds(state);
+  if (state.family) return search(state, request, within, few_restarts, false, found);
+  const bool limited = any_finite(request.bounds);
+  search(state, request, within, limited ? first_restarts : open_restarts, false, found);
+  const auto none = [&] { return found.solutions->empty() && request.budget.complete(); };
+  // The closed form takes less time than more restarts.
+  if (!none() || (state.fallback && state.fallback->applies(state))) return;
+  if (limited) search_without_limits(state, request, open_restarts, false, found);
+  found.unconstrained.far = none() && ended_far(state, request);
+  if (none() && !found.unconstrained.far) {
+    search(state, request, within, few_restarts, false, found);
   }
 }
 
@@ -116,11 +163,7 @@ bool solution_from(SolverState& state, const Request& request, const double* sta
                    Configuration& q) {
   const NumericalProblem& problem = problem_within_bounds(state);
   if (damped) {
-    LevenbergMarquardtLanes& lanes = state.buffers().lanes;
-    lanes.active = lanes.converged = 0;
-    start_lane(problem, start, 0, lanes);
-    if (first_to_converge(request, problem, lanes) < 0) return false;
-    lane_configuration(problem, lanes, 0, q.data());
+    if (!solve_from(state, request, {&start, 1}, q)) return false;
     start = q.data();
   }
   GaussNewtonState& near = state.buffers().near;
@@ -160,29 +203,26 @@ void approach_seed(SolverState& state, const Request& request, StageResult& foun
 
 bool solve_from_outside(SolverState& state, const Request& request, const LeastOutside& outside,
                         Configuration& q) {
-  const NumericalProblem& problem = search_within_bounds(state).problem;
-  LevenbergMarquardtLanes& lanes = state.buffers().lanes;
-  lanes.active = lanes.converged = 0;
-  for (int i = 0; i < outside.count; ++i) start_lane(problem, outside.q[i], i, lanes);
-  const int lane = first_to_converge(request, problem, lanes);
-  if (lane >= 0) lane_configuration(problem, lanes, lane, q.data());
-  return lane >= 0;
+  const double* starts[LeastOutside::capacity];
+  for (int i = 0; i < outside.count; ++i) starts[i] = outside.q[i];
+  return solve_from(state, request, {starts, static_cast<std::size_t>(outside.count)}, q);
 }
 
 void solve_numerical(SolverState& state, const Request& request, StageResult& found) {
-  // Few restarts solve nearly all poses that have a solution. For the others the search begins
-  // anew.
-  constexpr int few_restarts = 64;
   const bool first = found.solutions->empty(), all = request.options.all;
   // If one solution is requested, the branch of the seed is tried first.
   if (!all && !request.quick) solve_from_seed(request, found);
-  if (all || found.solutions->empty()) {
-    const int restarts = request.quick ? few_restarts : request.options.max_restarts;
-    search(state, request, search_within_bounds(state), restarts, all, found);
-    if (found.solutions->empty() && !request.quick && any_finite(request.bounds) &&
-        !found.unconstrained.complete && !request.budget.ended()) {
-      search_without_limits(state, request, found);
+  if (request.quick && !all) {
+    search_quickly(state, request, found);
+  } else if (all || found.solutions->empty()) {
+    search(state, request, search_within_bounds(state), request.options.max_restarts, all, found);
+    if (found.solutions->empty() && any_finite(request.bounds) && !found.unconstrained.complete &&
+        !request.budget.ended()) {
+      // More restarts find more postures, but most requests in this stage have no solution.
+      constexpr int max_restarts_without_limits = 100;
+      search_without_limits(state, request, max_restarts_without_limits, true, found);
     }
+    found.unconstrained.far = found.solutions->empty() && ended_far(state, request);
   }
   if (first && !found.solutions->empty()) found.result.method = "numerical";
 }

@@ -7,7 +7,8 @@
 namespace beeline::internal {
 
 /// Adds the solutions that multi_start() finds. If none is within limits, adds the evidence of a
-/// search without limits. With request.quick there are few restarts, and no other searches.
+/// search without limits. With request.quick there are few restarts. Those that find nothing are
+/// followed by a few without limits, which often show that there is nothing to find.
 void solve_numerical(SolverState& state, const Request& request, StageResult& found);
 
 /// Writes the solution within limits to which a search from the seed converges into q, if the tool

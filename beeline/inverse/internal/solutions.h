@@ -49,7 +49,8 @@ struct UnconstrainedResult {
   bool continuum = false;          ///< whether some solutions represent infinitely many
   /// Every branch was followed over the range of the redundant joint and is outside the limits.
   bool range_examined = false;
-  bool solved_outside = false;             ///< whether a solution outside the limits was found
+  bool far = false;             ///< whether the searches without limits all ended far from the pose
+  bool solved_outside = false;  ///< whether a solution outside the limits was found
   std::optional<Infeasibility> violation;  ///< a proof that there are no solutions
   /// The solution with the smallest excess() over the limits.
   std::optional<Configuration> least_outside;

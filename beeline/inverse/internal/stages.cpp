@@ -147,7 +147,11 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
     return evidence.complete && !evidence.continuum;
   }
   approach_seed(state, request, found);
-  return found.solutions->empty() ? evidence.range_examined : !evidence.continuum;
+  if (!found.solutions->empty()) return !evidence.continuum;
+  if (evidence.range_examined) return true;
+  // A proof says more.
+  return evidence.far && !options.pose_tolerance &&
+         !invariant_violation(request.arm, request.goal, request.task, request.tolerance);
 }
 
 }  // namespace beeline::internal

@@ -25,8 +25,6 @@ constexpr double next_to_a_solution = 1e-3;
 constexpr int max_continued = 16;
 constexpr int restarts_before = 64;  // nearly all other poses are solved by then
 constexpr int slow_convergence = 3;  // steps at a singularity for each step elsewhere
-// Where two singularities meet, lanes stagnate farther away. The nearest of all are continued last.
-constexpr double near_a_solution = 1e-2;
 constexpr std::size_t max_nearest = 16;
 
 /// Outcomes of a lane, worst first.
@@ -210,12 +208,16 @@ class Run {
     }
   }
 
+  int restarts_before_continuing() const {
+    return options_.continue_nearest ? std::min(restarts_before, options_.max_restarts)
+                                     : restarts_before;
+  }
+
   /// Continues a lane that has stagnated next to a solution, as lanes do near singularities, from
   /// q_. Writes the solution into q_ and returns whether there is one.
   bool continues(double cost) {
     if (!(cost < next_to_a_solution * next_to_a_solution) ||
-        result_.restarts < std::min(restarts_before, options_.max_restarts) ||
-        continued_ == max_continued || ended()) {
+        result_.restarts < restarts_before_continuing() || continued_ == max_continued || ended()) {
       return false;
     }
     ++continued_;

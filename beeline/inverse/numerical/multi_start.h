@@ -9,6 +9,10 @@
 
 namespace beeline::internal {
 
+/// Error, radians or units of length, below which runs that have stagnated may be next to a
+/// solution: where two singularities meet. The nearest of all are continued last.
+inline constexpr double near_a_solution = 1e-2;
+
 struct MultiStartOptions {
   double tolerance = 1e-9;       ///< max position and orientation error, metres and radians
   int max_iterations = 100;      ///< max steps from one start
