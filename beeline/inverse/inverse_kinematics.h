@@ -96,7 +96,7 @@ enum class InverseStatus {
   unreachable,  ///< no configuration brings the tool to the position, with or without limits:
                 ///< proved by geometry, or none of 64 searches for the position alone succeeds
   orientation_unreachable,  ///< the position is reached, but not with this orientation: by the
-                            ///< closed form, or none of at least 64 searches comes within 1e-3 rad
+                            ///< closed form, or none of at least 32 searches comes within 1e-3 rad
   outside_limits,  ///< the pose is reached, but no solution within the joint limits was found; none
                    ///< exists if `reason` is ReasonCode::all_solutions_outside_limits
   not_found,       ///< the search ended without a solution, which proves nothing
