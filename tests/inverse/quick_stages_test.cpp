@@ -7,7 +7,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
-#include <tests/random.h>
+#include <tests/random_arm.h>
 
 namespace beeline {
 namespace {
@@ -117,12 +117,12 @@ TEST(QuickStages, SayNoWithFewRestarts) {
     const InverseResult all = thorough(arm, pose, {.seed = seed});
     if (all.status == InverseStatus::not_found) continue;
     EXPECT_EQ(result.status, all.status) << pose.matrix();
-    if (result) continue;
+    if (result.status != InverseStatus::orientation_unreachable) continue;
     ++unsolved;
-    few += result.restarts <= 100;
+    few += result.restarts <= 48;
   }
-  EXPECT_GT(unsolved, testing::cases(30));
-  EXPECT_GT(few, unsolved * 3 / 4) << unsolved;
+  EXPECT_GT(unsolved, 0);
+  EXPECT_GE(few, unsolved * 2 / 3) << unsolved;
 }
 
 /// No solution is lost by that, also of poses near the limits.
@@ -135,6 +135,19 @@ TEST(QuickStages, SayNoWrongNoWithFewRestarts) {
     if (i % 2 == 0) q[k] = arm.limits(k).upper;
     const Pose pose = forward_kinematics(arm, q);
     EXPECT_TRUE(inverse_kinematics(arm, pose)) << q.transpose();
+  }
+  for (int i = 0; i < testing::cases(600); ++i) {
+    std::vector<Joint> joints;
+    for (int k = 0; k < 7; ++k) {
+      joints.push_back(testing::random_joint(random, JointKind::revolute, "j" + std::to_string(k)));
+    }
+    const Arm any("any", joints);
+    const Pose pose = forward_kinematics(any, random.configuration(any));
+    const Configuration seed = middle_configuration(any);
+    const InverseResult result = inverse_kinematics(any, pose, {.seed = seed});
+    if (!result) {
+      EXPECT_FALSE(thorough(any, pose, {.seed = seed})) << i;
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/nearest_search.h>
 #include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/nearest_on_self_motion.h>
 #include <beeline/inverse/numerical/representative.h>
 
@@ -82,13 +83,14 @@ bool ended_far(SolverState& state, const Request& request) {
   // configuration at the position and within `clear` of the orientation would be nearer.
   constexpr double far = 2 * near_a_solution, clear = 1e-3;
   const SearchResult& last = state.search();
-  if (last.nearest.converged || last.restarts < open_restarts || !request.budget.complete() ||
+  const int enough = request.quick ? open_restarts : max_starts;
+  if (last.nearest.converged || last.restarts < enough || !request.budget.complete() ||
       request.options.max_iterations < MultiStartOptions{}.max_iterations) {
     return false;
   }
   const Deviation& error = last.nearest.error;
   return std::max(error.position / unit_of_length(request.arm), error.orientation) > far ||
-         is_minimum_above(request, last.nearest.q, clear);
+         (request.quick && is_minimum_above(request, last.nearest.q, clear));
 }
 
 /// Searches without limits for a posture that has another representative within them, or that is a
@@ -117,16 +119,20 @@ void search_without_limits(SolverState& state, const Request& request, int resta
 }
 
 /// Few restarts solve nearly all poses that have a solution. Most of the others have none without
-/// limits either, which takes few restarts to see, as most runs without limits converge.
+/// limits either. For seven revolute joints it takes few restarts to see that, as most runs without
+/// limits converge.
 void search_quickly(SolverState& state, const Request& request, StageResult& found) {
   constexpr int first_restarts = 16, few_restarts = 64;
   const Search within = search_within_bounds(state);
-  if (state.family) return search(state, request, within, few_restarts, false, found);
+  const bool seven = !state.family && has_revolute_joints(state, 7);
+  const bool closed = !state.family && state.fallback && state.fallback->applies(state);
   const bool limited = any_finite(request.bounds);
-  search(state, request, within, limited ? first_restarts : open_restarts, false, found);
+  const int restarts = closed || (seven && limited) ? first_restarts
+                       : seven                      ? open_restarts
+                                                    : few_restarts;
+  search(state, request, within, restarts, false, found);
   const auto none = [&] { return found.solutions->empty() && request.budget.complete(); };
-  // The closed form takes less time than more restarts.
-  if (!none() || (state.fallback && state.fallback->applies(state))) return;
+  if (!seven || !none()) return;
   if (limited) search_without_limits(state, request, open_restarts, false, found);
   found.unconstrained.far = none() && ended_far(state, request);
   if (none() && !found.unconstrained.far) {
