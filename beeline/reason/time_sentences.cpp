@@ -17,8 +17,9 @@ std::string time_sentence(const ReasonText& reason) {
     case ReasonCode::spline_outside_limits:
       return "between two samples the spline through them leaves the limits: " +
              outside_text(reason) +
-             advice(reason, reason.is(planned) ? "a smaller tolerance takes samples closer together"
-                                               : "samples closer together would guide it");
+             advice(reason, reason.is(planned)
+                                ? "begin and stop farther inside them"
+                                : "straight joint motions with blends stay within them");
     case ReasonCode::end_speed_too_high:
       return "the speed at the path's end is above its limits: " + reason.number(speed) +
              " instead of " + reason.number(needed_speed);

@@ -7,10 +7,10 @@ std::vector<Said> said_of_times() {
   return {
       {{ReasonCode::spline_outside_limits, outside},
        "between two samples the spline through them leaves the limits: " + is_outside +
-           "; samples closer together would guide it"},
+           "; straight joint motions with blends stay within them"},
       {{ReasonCode::spline_outside_limits, with(outside, {{planned, true}})},
        "between two samples the spline through them leaves the limits: " + is_outside +
-           "; a smaller tolerance takes samples closer together"},
+           "; begin and stop farther inside them"},
       {{ReasonCode::end_speed_too_high, {{speed, 2.0}, {needed_speed, 1.0}}},
        "the speed at the path's end is above its limits: 2 instead of 1"},
       {{ReasonCode::end_speed_unreachable, {{s, 0.5}}},

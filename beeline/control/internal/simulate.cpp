@@ -6,6 +6,7 @@
 #include <beeline/control/internal/time_step.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/motion_start.h>
@@ -151,8 +152,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     const Configuration next = q + scale * step;
     const auto outside = limit_violations(arm, next);
     if (!outside.empty()) {
-      Reason reason = outside.front();
-      reason.code = ReasonCode::step_outside_limits;
+      Reason reason = computed_violation(outside, ReasonCode::step_outside_limits);
       reason.set(ReasonField::step, static_cast<std::size_t>(motion.steps) + 1);
       return stop(motion, MotionStatus::outside_limits, std::move(reason));
     }

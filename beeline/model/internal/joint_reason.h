@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <beeline/model/joint.h>
 #include <beeline/reason.h>
 
@@ -14,6 +17,16 @@ inline Reason& set_joint(const Joint& joint, Reason& reason) {
 inline Reason joint_reason(ReasonCode code, const Joint& joint) {
   Reason reason{code};
   set_joint(joint, reason);
+  return reason;
+}
+
+/// Returns the first of the limit_violations() of a computed configuration as a reason of another
+/// code, without the guess that the value was given in degrees.
+inline Reason computed_violation(const std::vector<Reason>& violations, ReasonCode code) {
+  Reason reason = violations.front();
+  reason.code = code;
+  std::erase_if(reason.fields,
+                [](const auto& field) { return field.first == ReasonField::in_degrees; });
   return reason;
 }
 

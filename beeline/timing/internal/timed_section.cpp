@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/path/tool_path.h>
 #include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/timed_section.h>
@@ -24,9 +25,7 @@ Reason outside(const Arm& arm, const JointPath& samples, const JointPath& refine
     if (budget.ended(0)) return {};
     const auto violations = limit_violations(arm, q);
     if (violations.empty()) continue;
-    Reason reason = violations.front();
-    reason.code = ReasonCode::spline_outside_limits;
-    return reason;
+    return computed_violation(violations, ReasonCode::spline_outside_limits);
   }
   return {};
 }
