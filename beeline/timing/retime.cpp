@@ -1,19 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <numeric>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/blended_path.h>
-#include <beeline/timing/internal/possible_rate.h>
 #include <beeline/timing/internal/recovery_section.h>
 #include <beeline/timing/internal/retimed_paths.h>
-#include <beeline/timing/internal/sampled_section.h>
+#include <beeline/timing/internal/timed_section.h>
 #include <beeline/timing/retime.h>
-#include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
-#include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/recovery.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
@@ -22,7 +18,6 @@ namespace {
 
 constexpr double repeated = 1e-12;   // radians or metres; nearer positions count as equal
 constexpr double rest_speed = 1e-9;  // relative to the largest velocity; slower is rest
-constexpr int linear_samples = 200;  // of a section, where joints move linearly between them
 
 /// Returns the positions of each section. A stop ends one section and begins the next.
 std::vector<std::vector<Configuration>> positions_between_stops(const Trajectory& trajectory) {
@@ -52,15 +47,6 @@ std::vector<JointPath> splines(const std::vector<std::vector<Configuration>>& se
   return paths;
 }
 
-/// The path parameters that get a sample: the grid points, and for linear joints more.
-std::vector<double> required_samples(const JointPath& path, bool linear) {
-  std::vector<double> s = path.s;
-  const double length = s.back();
-  for (int i = 1; linear && i < linear_samples; ++i) s.push_back(length * i / linear_samples);
-  std::sort(s.begin(), s.end());
-  return s;
-}
-
 /// Why the trajectory is not retimed: it has too many samples.
 Reason too_long(const Trajectory& trajectory, const RetimeOptions& options) {
   const int most = std::max(options.max_samples, default_max_samples);
@@ -77,127 +63,6 @@ Trajectory path_of(const Arm& arm, const Trajectory& recorded, const RetimeOptio
   Unwrapped result = unwrapped(arm, recorded);
   joints = std::move(result.joints);
   return std::move(result.trajectory);
-}
-
-/// Joint paths from stop to stop. Each gets its time scaling when it is needed.
-class Sections {
- public:
-  Sections(const Arm& arm, const std::vector<JointPath>& paths, const RetimeOptions& options,
-           internal::BudgetMeter& budget)
-      : arm_(arm),
-        options_{.timing = options, .tool_speeds = options.tool_speed, .budget = budget},
-        paths_(paths) {}
-
-  std::size_t count() const { return paths_.size(); }
-  std::size_t steps(std::size_t i) const { return paths_[i].size() - 1; }
-  std::size_t steps() const {
-    std::size_t all = 0;
-    for (std::size_t i = 0; i < count(); ++i) all += steps(i);
-    return all;
-  }
-
-  /// Returns section i with its time scaling, or with the reason why there is none.
-  const internal::TimedSection& timed(std::size_t i) {
-    while (timed_.size() <= i) {
-      timed_.push_back(internal::timed_section(arm_, paths_[timed_.size()], options_));
-    }
-    return timed_[i];
-  }
-
-  /// Returns the samples of section i at a rate. Its first sample is the last of the `samples` of
-  /// the motion so far, at `time`.
-  internal::SampledSection sampled(std::size_t i, double rate, std::size_t samples, double time) {
-    internal::SectionOptions section = options_;
-    section.timing.rate = rate;
-    section.samples_before = samples;
-    section.begin = time;
-    section.required =
-        required_samples(paths_[i], options_.timing.interpolation == Interpolation::linear);
-    return internal::sample_section(arm_, timed(i), section);
-  }
-
-  /// Whether all sections have samples at the rate.
-  bool possible(double rate) {
-    std::size_t samples = 1;
-    double time = 0;
-    for (std::size_t i = 0; i < count(); ++i) {
-      if (!timed(i).scaling) return false;
-      const internal::SampledSection section = sampled(i, rate, samples, time);
-      if (!section) return false;
-      samples += section.trajectory.size() - 1;
-      time += section.duration();
-    }
-    return true;
-  }
-
-  /// Returns the duration of all time scalings, s; 0 if a section has none.
-  double shortest_duration() {
-    double duration = 0;
-    for (std::size_t i = 0; i < count(); ++i) {
-      if (!timed(i).scaling) return 0;
-      duration += timed(i).scaling.duration();
-    }
-    return duration;
-  }
-
- private:
-  const Arm& arm_;
-  internal::SectionOptions options_;
-  const std::vector<JointPath>& paths_;
-  std::deque<internal::TimedSection> timed_;
-};
-
-/// Returns the reason if the trajectory leaves the position limits where it uses most of them:
-/// between two grid points of its path, which are tested before.
-Reason left_limits(const Arm& arm, const Trajectory& trajectory, const LimitFraction& used) {
-  if (used.fraction <= 1) return {};
-  const std::vector<double>& times = trajectory.times;
-  const auto after = std::upper_bound(times.begin(), times.end() - 1, used.time);
-  const auto k = static_cast<std::size_t>(after - times.begin()) - 1;
-  const std::vector<std::string>& names = trajectory.joint_names;
-  const auto joint = std::find(names.begin(), names.end(), used.joint) - names.begin();
-  const internal::Extremes between =
-      internal::extremes(internal::interval_polynomial(trajectory, k, static_cast<int>(joint)));
-  Configuration q = trajectory.positions[k];
-  for (const double extreme : {between.smallest, between.largest}) {
-    q[joint] = extreme;
-    std::vector<Reason> violations = limit_violations(arm, q);
-    if (violations.empty()) continue;
-    violations.front().code = ReasonCode::spline_outside_limits;
-    return violations.front();
-  }
-  return {};
-}
-
-/// Sets how the computation of a motion of this many sections ended.
-void end_with(const internal::BudgetMeter& budget, std::size_t sections, Retimed& timed) {
-  timed.ending = budget.ending();
-  if (budget.complete()) return;
-  timed.reason = internal::ended_reason(ReasonCode::ended_in_retiming, timed.ending);
-  timed.reason.set(ReasonField::count, timed.sections).set(ReasonField::of, sections);
-}
-
-/// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
-void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
-            internal::BudgetMeter& budget, Retimed& timed) {
-  internal::round_times(timed.trajectory);
-  if (options.duration && budget.complete()) {
-    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
-    if (!timed) {
-      timed.trajectory = {};
-      return;
-    }
-  }
-  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
-  if (budget.complete()) {
-    timed.reason = left_limits(arm, timed.trajectory, timed.limits.position);
-    if (!timed) {
-      timed.trajectory = {};
-      return;
-    }
-  }
-  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
-  end_with(budget, sections, timed);
 }
 
 /// Whether a trajectory has two different positions.
@@ -217,48 +82,6 @@ void check_moves(const Trajectory& trajectory) {
                             : q.size() == 1 ? "one sample"
                                             : std::to_string(q.size()) + " samples at one position";
   throw Error("a trajectory needs two different positions to be retimed; this one has " + found);
-}
-
-Retimed internal::retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
-                                const RetimeOptions& options, BudgetMeter& budget) {
-  Retimed timed;
-  timed.profile = options.profile.value_or(default_profile);
-  timed.trajectory.joint_names = arm.joint_names();
-  Sections sections(arm, paths, options, budget);
-  const double count = static_cast<double>(sections.steps());
-  double steps = 0;  // of the sections so far
-  for (std::size_t i = 0; i < sections.count(); ++i) {
-    const double here = static_cast<double>(sections.steps(i));
-    if (budget.ended(static_cast<std::int64_t>(sections.steps(i) + 1))) break;
-    const TimedSection& section = sections.timed(i);
-    if (!budget.complete() && !section.scaling) break;
-    timed.reason = section.scaling.reason;
-    if (!timed) {
-      timed.trajectory = {};
-      return timed;
-    }
-    // The time scaling of a section is about half of its work.
-    budget.report((steps + 0.5 * here) / count);
-    const bool begun = timed.trajectory.size() > 0;
-    const SampledSection sampled =
-        sections.sampled(i, options.rate, begun ? timed.trajectory.size() : 1,
-                         begun ? timed.trajectory.times.back() : 0);
-    if (!sampled && !sampled.reason) break;  // the budget has ended
-    timed.reason = sampled.reason;
-    if (!timed) {
-      timed.trajectory = {};
-      set_possible_rate(
-          options, sections.shortest_duration(),
-          [&](double rate) { return sections.possible(rate); }, timed.reason);
-      return timed;
-    }
-    append(timed.trajectory, sampled.trajectory);
-    ++timed.sections;
-    steps += here;
-    budget.report(steps / count);
-  }
-  finish(arm, options, sections.count(), budget, timed);
-  return timed;
 }
 
 namespace {
@@ -332,14 +155,11 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
     if (options.joint_blend) timed.blends.insert(timed.blends.begin(), 0);
   }
   if (options.duration) timed.reason = internal::set_duration(timed.trajectory, *options.duration);
-  if (!timed) {
-    timed.trajectory = {};
-    return timed;
-  }
+  if (!timed) return internal::without_motion(std::move(timed));
   timed.recovery = recovery_of(arm, timed.trajectory);
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
-  end_with(budget, timed.sections, timed);
+  internal::end_with(budget, timed.sections, timed);
   return timed;
 }
 

@@ -132,6 +132,42 @@ TEST(MoveThrough, StaysWithinPositionLimitsOrIsRefused) {
   EXPECT_GT(refused, 0);
 }
 
+// The overshoot of a spline over a limit is no angle in degrees, though it may look like one.
+TEST(MoveThrough, DoesNotTakeItsOwnOvershootForDegrees) {
+  testing::Random random;
+  int refused = 0;
+  const Arm arm = built_in("ur5");
+  for (int i = 0; i < testing::cases(100); ++i) {
+    const Configuration q = random.configuration(arm);
+    std::vector<Configuration> waypoints{q, q, random.configuration(arm)};
+    waypoints[1][0] = waypoints[0][0] = arm.limits(0).upper;
+    waypoints[1][1] += 1e-4;
+    const Retimed motion = move_through(arm, waypoints);
+    if (motion.reason.code != ReasonCode::spline_outside_limits) continue;
+    ++refused;
+    EXPECT_FALSE(motion.reason.has(ReasonField::in_degrees));
+    // What the sentence advises.
+    EXPECT_TRUE(move_through(arm, waypoints, {.joint_blend = 0.1}));
+  }
+  EXPECT_GT(refused, 0);
+}
+
+// At a stop the velocity of linear joints changes within the shorter of two intervals.
+TEST(MoveThrough, PassesStopsBetweenShortAndLongSectionsLinearly) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(30); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "panda" : "ur5");
+    const std::vector<Configuration> q = random_waypoints(random, arm, 2).positions;
+    const Configuration step = (q[1] - q[0]).normalized() * std::pow(10, random.uniform(-8, -3));
+    const std::vector<Configuration> waypoints{q[0], q[0] + step, q[0] + step,
+                                               q[1], q[1],        q[1] - step};
+    const Retimed motion = move_through(arm, waypoints, {.interpolation = Interpolation::linear});
+    ASSERT_TRUE(motion) << motion.reason;
+    const Verification verified = verify(arm, motion.trajectory);
+    EXPECT_TRUE(verified) << arm.name() << " " << step.norm() << ": " << verified.reason;
+  }
+}
+
 // Of a path whose later section is refused no motion is left.
 TEST(MoveThrough, OfARefusedPathLeavesNothing) {
   const Arm arm = built_in("panda");

@@ -2,6 +2,7 @@
 
 #include <beeline/planning/internal/branch_timing.h>
 #include <beeline/planning/internal/track_path.h>
+#include <beeline/timing/internal/graded_stop.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 
@@ -98,8 +99,19 @@ void BranchTiming::add(BranchSection samples, std::size_t first, std::size_t las
   sections_.push_back(std::move(section));
 }
 
+void BranchTiming::grade_stops() {
+  for (std::size_t i = 1; i < sections_.size() && budget_.complete(); ++i) {
+    Section &before = sections_[i - 1], &after = sections_[i];
+    if (!before.timed.scaling || !after.timed.scaling) continue;
+    grade_stop({before.timed.scaling, before.options.required},
+               {after.timed.scaling, after.options.required}, budget_);
+  }
+}
+
 TimedBranch BranchTiming::sample(double rate) {
   if (reason_) return {MotionStatus::outside_limits, reason_};
+  const bool linear = request_.timing.interpolation == Interpolation::linear;
+  if (linear && rate == 0) grade_stops();
   TimedBranch branch{.trajectory = at_rest(request_.arm, start_),
                      .path_parameters = {start_parameter_}};
   keep_columns(branch.trajectory, request_.timing.interpolation);

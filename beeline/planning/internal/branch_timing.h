@@ -46,6 +46,8 @@ class BranchTiming {
 
   /// Adds the section along these segments of the route.
   void add(BranchSection samples, std::size_t first, std::size_t last);
+  /// Adds the samples next to stops that linear joints need.
+  void grade_stops();
   ToolSpeeds tool_speeds(const SectionJointPath& path, std::size_t first, std::size_t last) const;
 
   const MotionRequest& request_;

@@ -13,4 +13,10 @@ namespace beeline::internal {
 Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
                       const RetimeOptions& options, BudgetMeter& budget);
 
+/// Returns a refusal: the reason, without trajectory and recovery.
+Retimed without_motion(Retimed timed);
+
+/// Sets how the computation of a motion of this many sections ended.
+void end_with(const BudgetMeter& budget, std::size_t sections, Retimed& timed);
+
 }  // namespace beeline::internal

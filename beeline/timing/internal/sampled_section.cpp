@@ -24,8 +24,6 @@ constexpr double velocity_error = 1e-3, acceleration_error = 3e-3, jerk_error = 
 constexpr double first_intervals = 8;
 constexpr double shortest = 1.0 / 4096;  // interval between samples, of the duration
 
-constexpr double nearest = 1e-5;  // seconds between samples
-
 // Jumps of the acceleration, or of the jerk of a smooth time scaling, that get samples: as a
 // fraction of the largest.
 constexpr double large_jump = 0.1;
@@ -88,7 +86,8 @@ class Refinement {
 
 /// The samples whatever the interpolation needs: the ends and the required ones, whose s is exact;
 /// for cubics and quintics also even times and the kinks of the acceleration. Required ones nearer
-/// to one before them than `nearest` are left out: the rounding of their positions would count.
+/// to one before them than shortest_interval are left out: the rounding of their positions would
+/// count.
 std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& given,
                                   const SectionOptions& options) {
   const AveragedScaling& scaling = motion.scaling();
@@ -127,8 +126,8 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
       samples.pop_back();
     const double gap = samples.empty() ? duration : t - samples.back().t;
     const bool last = t >= duration;
-    if (last && gap < nearest && samples.size() > 1) samples.pop_back();
-    if (last || gap >= nearest) samples.push_back({t, motion.at(now)});
+    if (last && gap < shortest_interval && samples.size() > 1) samples.pop_back();
+    if (last || gap >= shortest_interval) samples.push_back({t, motion.at(now)});
   }
   return samples;
 }

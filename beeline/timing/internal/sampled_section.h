@@ -9,6 +9,9 @@
 
 namespace beeline::internal {
 
+/// Required samples nearer to the one before them than this are left out, s.
+constexpr double shortest_interval = 1e-5;
+
 /// Samples of a section: times from 0, and the path parameter of each with its time derivatives.
 struct SampledSection {
   Trajectory trajectory = {};
