@@ -2,10 +2,24 @@
 #include <utility>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/track_path.h>
 #include <beeline/planning/internal/track_segment.h>
 
 namespace beeline::internal {
+namespace {
+
+/// Whether the arm rests at q along a segment: the task's rows stand still, and the tool is at its
+/// end. After several such segments it may be farther away than the next one accepts.
+bool rests_along(const BranchSearch& search, const Segment& segment, const Configuration& q) {
+  const Task& task = search.options.task;
+  const double near = start_tolerance(search.arm);
+  return stands_still(segment, task) &&
+         within(task_deviation(task, pose_at(segment, 1), forward_kinematics(search.arm, q)),
+                {near, near});
+}
+
+}  // namespace
 
 void set_segment(const ToolPath& path, std::size_t i, Reason& reason) {
   reason.set(ReasonField::segment, i + 1);
@@ -40,7 +54,7 @@ void track_path(const BranchSearch& search, Branch& branch,
   const auto segments = static_cast<double>(path.segments.size());
   for (std::size_t i = branch.segments.size(); i < path.segments.size(); ++i) {
     const auto begin = static_cast<double>(i);
-    if (stands_still(path.segments[i], options.task)) {
+    if (rests_along(search, path.segments[i], q)) {
       branch.segments.push_back({{q}, {1}, {}});
       branch.path_parameter = begin + 1;
       continue;

@@ -15,9 +15,6 @@ namespace {
 // Max deviation of a sample for an arm of 1 m reach, metres and radians: about a hundred times the
 // rounding of forward kinematics, so that every regular pose can be solved to it.
 constexpr double sample_tolerance = 1e-11;
-// Max deviation of the tool at the start from the segment's beginning, for an arm of 1 m reach: the
-// rounding of a configuration typed with nine digits.
-constexpr double start_tolerance = 1e-8;
 
 // Lengths of a step as fractions of the segment. The first is a guess, corrected after one step; in
 // a short segment it is longer, up to first_span of the arm's reach.
@@ -118,15 +115,25 @@ double tolerance_of_samples(const Arm& arm) {
   return sample_tolerance * (std::isfinite(reach) ? std::max(1.0, reach) : 1);
 }
 
-/// Throws Error unless the tool is at the segment's beginning.
-void check_start(const Deviation& deviation, double exact) {
-  const double allowed = start_tolerance * exact / sample_tolerance;
-  if (std::max(deviation.position, deviation.orientation) <= allowed) return;
+/// Throws Error unless the tool is at the segment's pose at options.begin, or at another pose of
+/// it. On a line the nearest pose may be a small distance ahead and there, where the line is short
+/// for its rotation, have another orientation.
+void check_start(const SegmentTracker& tracker, const Pose& tool, const Deviation& deviation) {
+  const double allowed = start_tolerance(tracker.arm);
+  const Deviation largest{allowed, allowed};
+  const Pose begin = pose_at(tracker.segment, tracker.options.begin);
+  if (within(deviation, largest)) return;
+  if (within(task_deviation(tracker.task, begin, tool), largest)) return;
   throw Error("at the start the tool is " + deviation_text(deviation) +
               " from the path's beginning; at most " + number(allowed) + " m and rad are allowed");
 }
 
 }  // namespace
+
+double start_tolerance(const Arm& arm) {
+  constexpr double of_unit_arm = 1e-8;
+  return of_unit_arm * tolerance_of_samples(arm) / sample_tolerance;
+}
 
 TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task& task,
                              const Bounds& bounds, const Configuration& start,
@@ -138,9 +145,9 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   const double rotated = std::holds_alternative<Line>(segment) ? 1 + 1 / min_metres_per_radian : 1;
   SegmentTracker tracker{arm, segment, task, bounds, options, exact, {exact, exact * rotated}};
   TrackedSegment tracked{{start}, {options.begin}, {}};
-  const Deviation at_start =
-      deviation_from(segment, options.begin, forward_kinematics(arm, start), task);
-  check_start(at_start, exact);
+  const Pose tool = forward_kinematics(arm, start);
+  const Deviation at_start = deviation_from(segment, options.begin, tool, task);
+  check_start(tracker, tool, at_start);
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
   deviation.bound = {};

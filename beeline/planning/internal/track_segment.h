@@ -8,6 +8,10 @@
 
 namespace beeline::internal {
 
+/// Max deviation of the tool at the start from the segment's beginning, metres and radians: 1e-8,
+/// the rounding of a configuration typed with nine digits, for an arm of 1 m reach.
+double start_tolerance(const Arm& arm);
+
 struct TrackOptions {
   Deviation tolerance = {};  ///< of step_bound(), between samples
   std::size_t max_samples = 0;
