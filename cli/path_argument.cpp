@@ -8,10 +8,25 @@
 namespace beeline::command {
 namespace {
 
+/// The poses at which the segments of a path begin, and the last pose. A spline has no segment to a
+/// pose that repeats the one before it.
+std::vector<std::size_t> segment_ends(PathKind kind, std::span<const Pose> poses) {
+  const std::size_t stride = kind == PathKind::arc ? 2 : 1;  // poses of a segment
+  std::vector<std::size_t> ends;
+  for (std::size_t k = 0; k < poses.size(); k += stride) {
+    if (kind == PathKind::spline && k > 0 && repeats(poses[k], poses[ends.back()])) continue;
+    ends.push_back(k);
+  }
+  if (ends.size() == 1) ends.push_back(poses.size() - 1);
+  return ends;
+}
+
 /// The names of the segments with the numbers of the file's waypoints between which they are: "line
 /// 2 of 3 (waypoint 1 to 2)". The first waypoint of a path with `start_first` is the start.
-std::vector<std::string> segment_names(PathKind kind, std::size_t segments, bool start_first) {
-  const std::size_t stride = kind == PathKind::arc ? 2 : 1;  // poses of a segment
+std::vector<std::string> segment_names(PathKind kind, std::span<const Pose> poses,
+                                       bool start_first) {
+  const std::vector<std::size_t> ends = segment_ends(kind, poses);
+  const std::size_t segments = ends.size() - 1;
   const auto number_of = [&](std::size_t pose) {
     return std::to_string(start_first ? pose : pose + 1);
   };
@@ -20,8 +35,8 @@ std::vector<std::string> segment_names(PathKind kind, std::size_t segments, bool
     const bool from_start = start_first && i == 0;
     names.push_back(fmt::format("{} {} of {} ({} to {}{})",
                                 kind == PathKind::line ? "line" : "segment", i + 1, segments,
-                                from_start ? "start" : "waypoint " + number_of(i * stride),
-                                from_start ? "waypoint " : "", number_of((i + 1) * stride)));
+                                from_start ? "start" : "waypoint " + number_of(ends[i]),
+                                from_start ? "waypoint " : "", number_of(ends[i + 1])));
   }
   return names;
 }
@@ -50,7 +65,7 @@ Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
   if (blend && path != PathKind::line) throw Error("--blend requires --path line");
   if (!blend) {
     Route route = route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
-    route.path.names = segment_names(path, route.path.segments.size(), start_first);
+    route.path.names = segment_names(path, poses, start_first);
     return route;
   }
   BlendedPath blended = blended_lines(poses, {*blend, *blend / metres_per_radian});

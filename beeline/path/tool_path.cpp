@@ -12,6 +12,26 @@ namespace {
 
 constexpr internal::EnumNames<PathKind> kind_names("path");
 
+/// The parts of a path of one kind through poses, `step` of them after the first for each.
+ToolPath segments_through(const std::vector<Pose>& poses, PathKind kind) {
+  const std::size_t step = kind == PathKind::arc ? 2 : 1;
+  ToolPath path;
+  for (std::size_t i = 0; i + step < poses.size(); i += step) {
+    const Pose &from = poses[i], &middle = poses[i + 1], &to = poses[i + step];
+    const bool rests = repeats(to, from) && repeats(middle, from);
+    if (kind == PathKind::line || rests) {
+      path.segments.emplace_back(Line{from, to});
+      path.spans.push_back(span_of({from, to}));
+      continue;
+    }
+    path.segments.push_back(kind == PathKind::screw
+                                ? Segment(ScrewLine{from, to})
+                                : Segment(arc_through(from, middle.translation(), to)));
+    path.spans.push_back(std::max(length_of(path.segments.back()), span_of({from, to})));
+  }
+  return path;
+}
+
 }  // namespace
 
 std::string name(PathKind value) { return kind_names.of(value); }
@@ -74,40 +94,35 @@ ToolPath reversed(const ToolPath& path) {
   return back;
 }
 
+bool repeats(const Pose& pose, const Pose& before) {
+  constexpr double identical = 1e-12;  // metres, radians
+  return !(pose_difference(pose, before).norm() > identical);
+}
+
 ToolPath lines_through(std::span<const Pose> given) {
   if (given.size() < 2)
     throw Error("lines need at least two poses, not " + std::to_string(given.size()));
-  const std::vector<Pose> poses = internal::checked_poses(given);
-  ToolPath path;
-  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    const Line line{poses[i], poses[i + 1]};
-    path.segments.emplace_back(line);
-    path.spans.push_back(span_of(line));
-  }
-  return path;
+  return segments_through(internal::checked_poses(given), PathKind::line);
 }
 
 ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEnds& ends) {
-  const std::vector<Pose> poses = internal::checked_path(given);
-  if (kind == PathKind::spline) return internal::spline_through(poses, ends);
-  const std::size_t step = kind == PathKind::arc ? 2 : 1;
-  if ((poses.size() - 1) % step != 0) {
+  if (given.size() < 2) throw Error("a path needs at least two poses");
+  std::vector<Pose> poses = internal::checked_poses(given);
+  if (kind == PathKind::spline) {
+    poses.erase(
+        std::unique(poses.begin(), poses.end(),
+                    [](const Pose& before, const Pose& pose) { return repeats(pose, before); }),
+        poses.end());
+    if (poses.size() > 1) return internal::spline_through(poses, ends);
+    return segments_through({poses.front(), poses.front()}, PathKind::line);
+  }
+  if (kind == PathKind::arc && poses.size() % 2 == 0) {
     throw Error(
         "arcs need an odd number of poses: the first, and for each arc a position on it and its "
         "last pose; got " +
         std::to_string(poses.size()));
   }
-  ToolPath path;
-  for (std::size_t i = 0; i + step < poses.size(); i += step) {
-    const Pose &from = poses[i], &to = poses[i + step];
-    if (kind == PathKind::line) path.segments.emplace_back(Line{from, to});
-    if (kind == PathKind::screw) path.segments.emplace_back(ScrewLine{from, to});
-    if (kind == PathKind::arc) {
-      path.segments.emplace_back(arc_through(from, poses[i + 1].translation(), to));
-    }
-    path.spans.push_back(std::max(length_of(path.segments.back()), span_of({from, to})));
-  }
-  return path;
+  return segments_through(poses, kind);
 }
 
 }  // namespace beeline

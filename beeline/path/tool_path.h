@@ -73,6 +73,9 @@ struct SplineEnds {
   std::optional<Twist> last = std::nullopt;
 };
 
+/// Whether a pose of a path repeats the one before it: they are within 1e-12 m and rad.
+bool repeats(const Pose& pose, const Pose& before);
+
 /// The pose (world_T_tool) at path parameter s.
 Pose pose_at(const ToolPath& path, double s);
 
@@ -106,12 +109,18 @@ std::size_t segment_at(const ToolPath& path, double s);
 /// before. The path is equivariant: a rigid motion of all poses moves the path with them, and poses
 /// in reverse order give the reversed path.
 ///
+/// A pose may repeat the one before it. The line or screw between them has no length: the tool
+/// rests, and each pose after the first still ends a segment, as with lines_through(). So has an
+/// arc whose three poses are equal. A spline passes a repeated pose once, and adds no segment for
+/// it; a spline through equal poses is one line without length.
+///
 /// Throws Error for too few poses, an even number of poses for arcs, a pose that is not a rigid
-/// motion or repeats the one before it, and what arc_through() refuses.
+/// motion, and what arc_through() refuses, such as two equal positions of an arc.
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
-/// Returns straight lines through the poses (world_T_tool) in order; a pose may repeat the one
-/// before it. Throws Error for fewer than two poses, and for a pose that is not a rigid motion.
+/// Returns straight lines through the poses (world_T_tool) in order, as path_through() does. A pose
+/// may repeat the one before it: the line between them has no length. Throws Error for fewer than
+/// two poses, and for a pose that is not a rigid motion.
 ToolPath lines_through(std::span<const Pose> poses);
 
 }  // namespace beeline
