@@ -55,20 +55,23 @@ std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const
   return found.converged ? std::optional(found.q) : std::nullopt;
 }
 
-double weighted_length(const Segment& segment) {
+double weighted_length(const Arm& arm, const Segment& segment) {
   constexpr int chords = 8;
+  constexpr double per_radian = 0.2;
+  const double per_metre = 1 / unit_of_length(arm);
   double size = 0;
   Pose before = pose_at(segment, 0);
   for (int i = 1; i <= chords; ++i) {
     const Pose here = pose_at(segment, static_cast<double>(i) / chords);
     const Twist chord = pose_difference(here, before);
-    size += chord.head<3>().norm() + metres_per_radian * chord.tail<3>().norm();
+    size += per_metre * chord.head<3>().norm() + per_radian * chord.tail<3>().norm();
     before = here;
   }
   return size;
 }
 
-std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing) {
+std::vector<double> layer_parameters(const Arm& arm, const ToolPath& path, const Task& task,
+                                     double spacing) {
   // Layers of one segment: the minimum suffices for a cubic spline, the maximum bounds the time.
   constexpr double min_layers = 4, max_layers = 400;
   const double nearest = spacing / 8;
@@ -76,7 +79,7 @@ std::vector<double> layer_parameters(const ToolPath& path, const Task& task, dou
   double since = 0;  // the length behind the last layer
   for (std::size_t w = 0; w < path.segments.size(); ++w) {
     if (stands_still(path.segments[w], task)) continue;
-    const double begin = static_cast<double>(w), length = weighted_length(path.segments[w]);
+    const double begin = static_cast<double>(w), length = weighted_length(arm, path.segments[w]);
     const bool last = w + 1 == path.segments.size() || corner_at(path, begin + 1) ||
                       stands_still(path.segments[w + 1], task);
     since += length;

@@ -26,8 +26,8 @@ constexpr std::int64_t spare_clearance_work = 8;
 struct GraphOptions {
   Task task;
   std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
-  double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
-  double step = 0.15;     ///< of the nodes along a self-motion, radians or metres
+  double spacing = 0.06;                              ///< of the layers, as weighted_length()
+  double step = 0.15;  ///< of the nodes along a self-motion, radians or metres
   int grid =
       16;  ///< of a layered graph: solutions per pose, values of a redundant joint x branches
   std::function<double(const ConfigurationRef&)> spare_clearance = {};  ///< see BranchOptions
@@ -62,15 +62,17 @@ struct KnotCosts {
 std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
                                          const Bounds& bounds, const Configuration& guess);
 
-/// The length of the tool's path along a segment, by chords, rotations included by
-/// metres_per_radian; metres.
-double weighted_length(const Segment& segment);
+/// The length of the tool's path along a segment, by chords, in units of unit_of_length(arm), with
+/// a fifth of the unit for each radian that the tool rotates. It does not depend on the unit of
+/// length of the arm and the path.
+double weighted_length(const Arm& arm, const Segment& segment);
 
 /// Returns the path parameters of a graph's layers after the first layer, which is at 0. They are
-/// at most `spacing` apart (metres, rotations weighted by metres_per_radian), with at least four
-/// for each segment. Short segments without a corner between them have fewer: their layers are at
-/// least an eighth of the spacing apart. Segments that are at rest in the task's rows have none.
-std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing);
+/// at most `spacing` apart, as weighted_length(), with at least four for each segment. Short
+/// segments without a corner between them have fewer: their layers are at least an eighth of the
+/// spacing apart. Segments that are at rest in the task's rows have none.
+std::vector<double> layer_parameters(const Arm& arm, const ToolPath& path, const Task& task,
+                                     double spacing);
 
 /// Smooths the knots, except a given start, in the null space: moves each towards the line between
 /// its neighbours and away from the joint limits, then restores the tool's pose by damped least

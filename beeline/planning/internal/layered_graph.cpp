@@ -37,9 +37,10 @@ struct Edge {
 };
 
 /// Returns layers without solutions.
-std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
+std::vector<Layer> empty_layers(const Arm& arm, const ToolPath& path, const Task& task,
+                                double spacing) {
   std::vector<Layer> layers{{0, pose_at(path, 0)}};
-  for (const double s : layer_parameters(path, task, spacing)) {
+  for (const double s : layer_parameters(arm, path, task, spacing)) {
     layers.push_back({s, pose_at(path, s)});
   }
   return layers;
@@ -169,7 +170,7 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const GraphOptions& options) {
   BudgetMeter budget(options.budget);
   const KnotCosts costs(arm);
-  std::vector<Layer> layers = empty_layers(path, options.task, options.spacing);
+  std::vector<Layer> layers = empty_layers(arm, path, options.task, options.spacing);
   const std::size_t wanted = layers.size();
   solve(layers, arm, costs, options, budget);
   if (layers.empty()) return {};

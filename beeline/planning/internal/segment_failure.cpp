@@ -30,7 +30,7 @@ struct TrackedEnd {
   /// The fraction of the segment that is `distance` ahead, in units of the arm's size or of the
   /// segment, whichever is shorter.
   double ahead(double distance) const {
-    const double longest = std::min(1.0, unit_of_length(arm) / weighted_length(segment));
+    const double longest = std::min(1.0, 1 / weighted_length(arm, segment));
     return std::min(1.0, s + distance * longest);
   }
 };
@@ -128,7 +128,7 @@ Reason unreachable_ahead(const TrackedEnd& stop, const Probe& ahead, const Probe
 /// the joint.
 Reason singular_reason(const TrackedEnd& end) {
   constexpr double nearby = 1e-3;
-  if (end.s * weighted_length(end.segment) > nearby * unit_of_length(end.arm)) {
+  if (end.s * weighted_length(end.arm, end.segment) > nearby) {
     return {ReasonCode::singular_on_path};
   }
   Reason reason{ReasonCode::singular_at_start};

@@ -197,9 +197,10 @@ std::vector<Knot> knots_through(const std::vector<Node>& nodes, const SelfMotion
 }
 
 /// Returns the allowed deficit of the margin in each layer, which is positive near a given start.
-std::vector<double> allowances(const std::vector<SelfMotionLayer>& layers, const ToolPath& path,
-                               bool given_start) {
-  constexpr double largest = 0.25, distance = 0.3;  // metres
+std::vector<double> allowances(const Arm& arm, const std::vector<SelfMotionLayer>& layers,
+                               const ToolPath& path, bool given_start) {
+  constexpr double largest = 0.25;
+  const double distance = 0.3 * unit_of_length(arm);
   std::vector<double> allowance;
   for (const SelfMotionLayer& layer : layers) {
     const double left = 1 - span_to(path, layer.s) / distance;
@@ -220,7 +221,7 @@ std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
   const std::vector<SelfMotionLayer>& layers = sweep.layers();
   if (layers.empty()) return result;
   const KnotCosts costs(arm);
-  const std::vector<double> allowance = allowances(layers, path, options.start.has_value());
+  const std::vector<double> allowance = allowances(arm, layers, path, options.start.has_value());
   const BestPath best(layers, allowance, sweep.motion(), costs);
   if (options.spare_clearance && best.required_margin() < 0) return result;  // all are blocked
   result.knots = knots_through(best.nodes(), sweep, arm, path, options);

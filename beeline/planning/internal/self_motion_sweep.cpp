@@ -66,7 +66,7 @@ SelfMotionSweep::SelfMotionSweep(const Arm& arm, const ToolPath& path, const Gra
 bool SelfMotionSweep::run() {
   add_first();
   if (layers_.empty()) return false;
-  const std::vector<double> wanted = layer_parameters(path_, options_.task, options_.spacing);
+  const std::vector<double> wanted = layer_parameters(arm_, path_, options_.task, options_.spacing);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     // Continues all layers of a segment at once. If a step is halved, the layers behind it move.
     const double begin = begin_of_motion(path_, options_.task, layers_.back().s);

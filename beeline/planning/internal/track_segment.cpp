@@ -151,7 +151,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
   deviation.bound = {};
-  const double size = unit_of_length(arm) / weighted_length(segment);
+  const double size = 1 / weighted_length(arm, segment);
   const auto shortest = [&](double s) {
     const bool begins = s - options.begin < beginning;
     return (begins ? shortest_step_of_beginning : shortest_step) * std::min(1.0, size);
