@@ -279,7 +279,7 @@ Answer check_file(const CheckArguments& arguments) {
   warn_of_wraps(arguments.file, arm, trajectory);
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
-  options.recover = arguments.recover.read(arm);
+  options.recover = arguments.recover.read(arm, arguments.unit);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
   const CheckedMotion checked =
       checked_motion(arguments, arm, trajectory, scene ? &*scene : nullptr, options);

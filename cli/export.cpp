@@ -63,7 +63,7 @@ ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& 
   ControllerFileOptions options{.rate = arguments.rate,
                                 .ignore_limits = arguments.ignore_limits,
                                 .limit_tolerance = arguments.limit_tolerance,
-                                .recover = arguments.recover.read(arm)};
+                                .recover = arguments.recover.read(arm, arguments.unit)};
   options.program_name = std::filesystem::path(arguments.out).stem().string();
   options.comments = extension(arguments.out) != "json";
   if (!arguments.work.text.empty()) options.work = arguments.work.read(arm, arguments.unit).pose;

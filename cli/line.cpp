@@ -97,7 +97,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
                         const Task& task, const CheckedScene* scene) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
-  options.recover = arguments.recover.read(arm);
+  options.recover = arguments.recover.read(arm, arguments.unit);
   options.budget = progress.of(arguments.budget.next());
   std::optional<ProvedScene> proved;
   if (scene != nullptr) {

@@ -54,7 +54,7 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                            .rate = arguments.path.rate.value_or(JointPathArgument::default_rate),
                            .duration = arguments.path.duration,
                            .budget = budget};
-  if (arguments.recover.given()) options.recover = arguments.recover.read(arm);
+  if (arguments.recover.given()) options.recover = arguments.recover.read(arm, arguments.unit);
   const ControlledMotion motion = move_joints(arm, from, to, options);
   if (arguments.recover.given()) return motion;
   for (const Reason& outside : limit_violations(arm, from)) {
@@ -135,7 +135,7 @@ Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const C
   std::vector<Configuration> waypoints = arguments.path.waypoints(arm, arguments.unit);
   waypoints.insert(waypoints.begin(), from);
   RetimeOptions options = arguments.path.through_options();
-  options.recover = arguments.recover.read(arm);
+  options.recover = arguments.recover.read(arm, arguments.unit);
   options.budget = arguments.budget.next();
   const Retimed retimed = beeline::move_through(arm, waypoints, options);
   RetimedResult result{arguments.scene, scene, arguments.budget, arguments.files, arguments.unit};
@@ -248,7 +248,7 @@ std::vector<Option> move_options(MoveArguments& arguments) {
           Option("--method METHOD",
                  "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                  "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                 "rest; with --to the start may be outside the limits by up to 0.1 rad or 0.01 m, "
+                 "rest; with --to the start may be outside the limits by up to 0.1 rad or m, "
                  "see --recover; "
                  "around: a "
                  "motion from rest to rest around the obstacles of --scene.",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <beeline/io/text/numbers.h>
+#include <beeline/io/text/pose_list.h>
 
 #include "format.h"
 
@@ -24,13 +25,18 @@ Option RecoverArgument::option(const std::string& of, const OptionRules& rules) 
   return Option("--recover AMOUNT",
                 of + " AMOUNT is an excess over a position limit, from 0 to " +
                     fmt::format("{}", max_recover) +
-                    " rad or m, or slight: 1e-4 of the smallest range of a joint.",
+                    " rad or m, with --degrees in degrees instead of rad, or slight: 1e-4 of the "
+                    "smallest range of a joint. It counts as so many rad and as so many m.",
                 &text, std::move(accepted));
 }
 
-double RecoverArgument::read(const Arm& arm) const {
+double RecoverArgument::read(const Arm& arm, const UnitArgument& unit) const {
   if (text.empty()) return 0;
-  return text == slight ? slight_excess(arm) : parse_number(text, "--recover");
+  if (text == slight) return slight_excess(arm);
+  const double amount = parse_number(text, "--recover");
+  bool turns = false;
+  for (int k = 0; k < arm.dof(); ++k) turns |= kind(arm.joint_of(k)) != JointKind::prismatic;
+  return turns ? to_radians(amount, unit.angle_unit()) : amount;
 }
 
 std::string recovery_text(const Arm& arm, const std::optional<Recovery>& recovery,

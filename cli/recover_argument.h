@@ -20,7 +20,7 @@ struct RecoverArgument {
   Option option(const std::string& of, const OptionRules& rules = {});
   bool given() const { return !text.empty(); }
   /// The largest excess, rad or m; 0 without the option.
-  double read(const Arm& arm) const;
+  double read(const Arm& arm, const UnitArgument& unit) const;
 };
 
 /// The beginning of a motion outside the limits: a line of the report, and null or an object.

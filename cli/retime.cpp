@@ -63,7 +63,7 @@ Answer retime_file(const RetimeArguments& arguments) {
   const std::optional<CheckedScene> scene = arguments.scene.read(arguments.arm, arm);
   const Recording input = read_input(arguments, arm);
   options.no_unwrap = arguments.recording.no_unwrap || !input.has_times;
-  options.recover = arguments.recover.read(arm);
+  options.recover = arguments.recover.read(arm, arguments.unit);
   options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
   warn_of_unwrapped(arguments.file, retimed.unwrapped);

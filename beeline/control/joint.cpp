@@ -36,11 +36,7 @@ void check_whole_periods(const JointMoveOptions& options) {
 /// The motion from a start as far outside the limits as the options accept.
 PointToPoint planned_move(const Arm& arm, const Configuration& start, const Configuration& goal,
                           const JointMoveOptions& options) {
-  if (!options.recover) {
-    return point_to_point(arm, start, goal,
-                          {.synchronise = options.synchronise, .from_outside = true});
-  }
-  starts_outside(arm, start, *options.recover, "from");
+  starts_outside(arm, start, options.recover, "from");
   return motion_from_outside(arm, start, goal, options.synchronise);
 }
 
@@ -80,7 +76,7 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
     result.reason.code = ReasonCode::goal_outside_limits;
     return result;
   }
-  if (options.recover) check_recover(*options.recover);
+  check_recover(options.recover);
   const PointToPoint motion = planned_move(arm, start, goal, options);
   BudgetMeter budget(options.budget);
   const double asked = options.duration.value_or(0);

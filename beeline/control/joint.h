@@ -114,8 +114,8 @@ struct JointMoveOptions {
   /// limits allow.
   std::optional<double> duration = std::nullopt;
   /// Largest excess of the start over a position limit, 0 to 0.1 rad or m, from which the motion
-  /// leads back in; default: 0.1 rad or 0.01 m.
-  std::optional<double> recover = std::nullopt;
+  /// leads back in; default: the largest.
+  double recover = max_recover;
   Budget budget = {};
 };
 

@@ -10,6 +10,7 @@
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
 #include <beeline/trajectory/internal/motion_start.h>
+#include <beeline/trajectory/internal/recovery.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -50,18 +51,11 @@ void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) 
 
 /// Accepts joints that are slightly outside.
 void check_from(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
-  const auto near = [&](int k) {
-    const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
-    const double outside = std::max(arm.limits(k).lower - q[k], q[k] - arm.limits(k).upper);
-    return outside <= (prismatic ? farthest_outside_length : farthest_outside_angle);
-  };
   if (from_outside) {
-    check_configuration(arm, q);
-    int k = 0;
-    while (k < arm.dof() && near(k)) ++k;
-    if (k == arm.dof()) return;
+    internal::starts_outside(arm, q, max_recover, "from");
+  } else {
+    internal::check_start(arm, q, "from");
   }
-  internal::check_start(arm, q, "from");
 }
 
 Limits with_velocity(Limits limits) {

@@ -60,14 +60,11 @@ enum class Synchronise {
   straight,  ///< all joints have one s-curve in proportion: a straight line in joint space
 };
 
-/// Largest excess of a start over the limits with PointToPointOptions::from_outside.
-constexpr double farthest_outside_angle = 0.1;    // radians
-constexpr double farthest_outside_length = 0.01;  // metres
-
 struct PointToPointOptions {
   Synchronise synchronise = Synchronise::time;  ///< how the joints' times agree
-  /// Whether to accept a start that is slightly outside the position limits. Each joint moves in
-  /// one direction only, so it moves back within them. Only for the limits of an arm.
+  /// Whether to accept a start that is outside the position limits, by max_recover at most. Each
+  /// joint moves in one direction only, so it moves back within them. Only for the limits of an
+  /// arm.
   bool from_outside = false;
 };
 

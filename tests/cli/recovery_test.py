@@ -133,3 +133,14 @@ def test_it_belongs_to_methods_and_to_paths(refused, written):
     program = written("program.csv", "x,y,z,roll,pitch,yaw,motion\n0.5,-0.1,0.5,180,0,0,line\n")
     refused(2, "line", "panda", "--through", program, "--recover", "0.01", says=["--recover", "--from"])
     refused(2, "line", "panda", "--from", TO, "--through", program, "--recover", "0.01", says=["--recover", "program"])
+
+
+def test_degrees_count_for_the_amount_too(beeline, refused, tmp_path):
+    degrees = "0,-45.8,0,-3.942,0,91.7,45.8"  # joint4's limit is -3.99925 deg
+    move = ["move", "panda", "--degrees", "--from", degrees, "--to", "28,0,0,-114,0,114,0", "--method", "quickest"]
+    answer = beeline(*move, "--recover", "0.06", "--out", "degrees.csv")
+    assert answer.code == 0, answer.err
+    assert beeline("check", "panda", "degrees.csv", "--degrees", "--recover", "0.06").code == 0
+    assert beeline("check", "panda", "degrees.csv", "--degrees", "--recover", "0.05").code == 1
+    refused(2, *move, "--recover", "0.05", says=["the motion cannot start", "joint4"])
+    refused(2, *move, "--recover", "6", says=["recover must be from 0 to 0.1"])  # 0.105 rad
