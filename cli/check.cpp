@@ -194,13 +194,6 @@ std::string check_text(const CheckArguments& arguments, const Arm& arm,
   return text;
 }
 
-/// The sample at which the path of a file of poses begins: after the recovery, if it is accepted.
-std::size_t first_on_path(const Arm& arm, const Trajectory& trajectory,
-                          const VerifyOptions& options) {
-  const std::optional<Recovery> recovery = recovery_of(arm, trajectory);
-  return recovery && recovery->excess <= options.recover + position_slack ? recovery->sample : 0;
-}
-
 CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options,
                             bool has_scene) {
@@ -227,8 +220,8 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
   }
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
-  const Pose begin =
-      forward_kinematics(arm, trajectory.positions[first_on_path(arm, trajectory, options)]);
+  const auto recovery = accepted_recovery(arm, trajectory, options.recover);
+  const Pose begin = forward_kinematics(arm, trajectory.positions[recovery ? recovery->sample : 0]);
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }

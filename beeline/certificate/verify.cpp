@@ -316,15 +316,6 @@ Trajectory checked_trajectory(const Arm& arm, const Trajectory& given) {
   return trajectory;
 }
 
-/// Returns the recovery that the options accept.
-std::optional<Recovery> accepted_recovery(const Arm& arm, const Trajectory& trajectory,
-                                          const VerifyOptions& options) {
-  check_recover(options.recover);
-  std::optional<Recovery> recovery = recovery_of(arm, trajectory);
-  if (recovery && !may_recover(recovery->excess, options.recover)) recovery.reset();
-  return recovery;
-}
-
 }  // namespace
 
 Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
@@ -338,7 +329,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   BudgetMeter budget(options.budget);
   Verifier verifier{arm, trajectory, route, options, budget};
   verifier.result.deviation.bound = {};
-  verifier.result.recovery = accepted_recovery(arm, trajectory, options);
+  verifier.result.recovery = accepted_recovery(arm, trajectory, options.recover);
   check_route(arm, route, verifier.task);
   check_in_plane(arm, route.path, options.task);
   for (const Configuration& q : trajectory.positions) {
@@ -356,7 +347,7 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
                     const VerifyOptions& options) {
   std::vector<Pose> poses = checked_waypoints(waypoints);
   const Trajectory trajectory = checked_trajectory(arm, given);
-  const std::optional<Recovery> recovery = accepted_recovery(arm, trajectory, options);
+  const std::optional<Recovery> recovery = accepted_recovery(arm, trajectory, options.recover);
   const std::size_t first = recovery ? recovery->sample : 0;
   poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions[first]));
   return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
@@ -373,7 +364,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const VerifyOptions
   const Trajectory trajectory = checked_trajectory(arm, given);
   BudgetMeter budget(options.budget);
   Verification result;
-  result.recovery = accepted_recovery(arm, trajectory, options);
+  result.recovery = accepted_recovery(arm, trajectory, options.recover);
   const auto fault = first_joint_fault(arm, trajectory, options.moving, budget.part(),
                                        options.limit_tolerance, options.recover);
   if (fault) set_fault(trajectory, fault->kind, fault->sample, fault->reason, result);

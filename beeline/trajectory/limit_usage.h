@@ -57,6 +57,12 @@ struct Recovery {
 /// proves that the excess falls between the samples too. Throws Error as matched_to() does.
 std::optional<Recovery> recovery_of(const Arm& arm, const Trajectory& trajectory);
 
+/// Returns the recovery of a trajectory whose path begins after it: recovery_of(), if its excess is
+/// at most `recover`, the option of verify(), to rounding. Throws Error as verify() does for
+/// `recover`.
+std::optional<Recovery> accepted_recovery(const Arm& arm, const Trajectory& trajectory,
+                                          double recover);
+
 /// The largest excess from which a motion may recover, rad or m.
 constexpr double max_recover = 0.1;
 

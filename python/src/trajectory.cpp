@@ -145,6 +145,16 @@ void bind_recoveries(nb::module_& m) {
         return Value<std::optional<Recovery>>::to(recovery_of(arm, trajectory));
       },
       found, nb::arg("arm"), nb::arg("trajectory"));
+  Signature accepted("accepted_recovery", "Recovery | None", comment("accepted_recovery"));
+  accepted.takes_arm().takes("trajectory", "Trajectory", "Its joints are matched by name.");
+  accepted.takes("recover", "float", "Largest excess, rad or m.");
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory, nb::handle recover) {
+        return Value<std::optional<Recovery>>::to(
+            accepted_recovery(arm, trajectory, Value<double>::from(recover, "recover")));
+      },
+      accepted, nb::arg("arm"), nb::arg("trajectory"), nb::arg("recover"));
   Signature slight("slight_excess", "float", comment("slight_excess"));
   slight.takes_arm();
   define(
