@@ -8,6 +8,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/trajectory/limit_usage.h>
 
 namespace beeline::internal {
 namespace {
@@ -108,6 +109,15 @@ std::optional<double> time_at(const Trajectory& trajectory, const FollowedPath& 
 
 namespace {
 
+/// Returns the sample at which a motion begins on its path: after its recovery, if it has one,
+/// whose samples are all at the path's beginning.
+std::size_t first_on_path(const Arm& arm, const Trajectory& trajectory,
+                          const FollowedPath& followed) {
+  const std::optional<Recovery> recovery = recovery_of(arm, trajectory);
+  if (!recovery || recovery->sample >= followed.path_parameters.size()) return 0;
+  return followed.path_parameters[recovery->sample] == 0 ? recovery->sample : 0;
+}
+
 /// Returns the arc length at each waypoint that the motion reaches.
 std::vector<double> waypoint_lengths(const Trajectory& trajectory, const FollowedPath& followed,
                                      const std::vector<SegmentRange>& ranges) {
@@ -147,7 +157,8 @@ PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const Followe
     begin += ranges.back().length;
   }
   std::size_t on = path.segments.size();  // the previous segment
-  for (std::size_t k = 1; k < path_parameters.size(); ++k) {
+  const std::size_t first = first_on_path(arm, trajectory, followed);
+  for (std::size_t k = first + 1; k < path_parameters.size(); ++k) {
     for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
                                                    path_parameters[k - 1], path_parameters[k])) {
       const SegmentRange& range = ranges[part.segment];
@@ -170,7 +181,7 @@ PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const Followe
     }
   }
   if (trace.points.empty()) {
-    trace.points.push_back(measure(arm, trajectory.positions.front(), 0, 0, ranges.front(), task));
+    trace.points.push_back(measure(arm, trajectory.positions[first], 0, 0, ranges.front(), task));
   }
   const std::size_t reached = arrivals(path_parameters).size();
   for (std::size_t i = 0; i < reached; ++i) {

@@ -9,6 +9,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/path/blend.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include <tests/draw/page.h>
 
@@ -34,6 +35,27 @@ LinesOf panda_lines(double rate = 0) {
   PathMotion motion = move_in_lines(arm, q, waypoints, {.rate = rate});
   FollowedPath path{motion.path, motion.path_parameters, Task::spatial(), Deviation{1e-4, 1e-4}};
   return {arm, motion, path};
+}
+
+// The section that leads back within the limits is off the path.
+TEST(PathTrace, BeginsAfterTheRecovery) {
+  const Arm arm = built_in("panda");
+  Configuration start = middle_configuration(arm);
+  start[3] = arm.limits(3).upper + 0.05;
+  Configuration goal = nearest_within_limits(arm, start);
+  goal[1] += 0.05;
+  goal[3] -= 0.1;
+  const Pose to = forward_kinematics(arm, goal);
+  const PathMotion motion = move_in_lines(arm, start, {to}, {.recover = 0.1});
+  ASSERT_TRUE(motion && motion.recovery) << motion.reason;
+  const FollowedPath path{motion.path, motion.path_parameters, Task::spatial(),
+                          Deviation{1e-4, 1e-4}};
+  const PathTrace trace = trace_path(arm, motion.trajectory, path);
+  for (const PathTrace::Point& point : trace.points) {
+    EXPECT_LE(point.deviation.position, motion.deviation.bound.position);
+    EXPECT_LE(point.deviation.orientation, motion.deviation.bound.orientation);
+  }
+  EXPECT_EQ(trace.steps.size(), motion.trajectory.size() - 1 - motion.recovery->sample);
 }
 
 TEST(PathTrace, AgreesWithTheDeviationReported) {
