@@ -77,16 +77,18 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
 }
 
 /// A scene in which motions are proved to keep their clearance, and the reports of the first motion
-/// that does and of the first one that does not.
+/// that does, of the first one that does not, and of the one that begins with a recovery.
 struct ProvedScene {
   const LineArguments& arguments;
   const CheckedScene& scene;
   std::optional<ClearanceReport> kept = std::nullopt, refused = std::nullopt;
+  std::optional<ClearanceReport> recovering = std::nullopt;
 
   Reason blocked(const Trajectory& motion, const Budget& budget) {
     ClearanceReport report = arguments.scene.prove(scene, motion, budget);
     Reason reason = report.proof.reason;
-    std::optional<ClearanceReport>& first = reason ? refused : kept;
+    const bool recovers = recovery_of(scene.model.arm(), motion).has_value();
+    std::optional<ClearanceReport>& first = recovers ? recovering : reason ? refused : kept;
     if (!first) first = std::move(report);
     return reason;
   }
@@ -119,9 +121,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   // Where none is given, a motion that is kept is of a nearby path.
   const bool reached = report.status == MotionStatus::reached;
   if (proved) report.clearance = std::move(reached ? proved->kept : proved->refused);
-  if (proved && report.recovery) {  // what was kept first is the motion without it
-    report.clearance = arguments.scene.prove(*scene, report.trajectory, arguments.budget.next());
-  }
+  // What was kept first is the motion without its recovery.
+  if (proved && proved->recovering) report.clearance = std::move(proved->recovering);
   if (!reached && report.clearance) report.clearance->add_search_ending(report.reason);
   if (reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,

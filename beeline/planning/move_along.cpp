@@ -127,8 +127,8 @@ Suggestions suggestions(const MotionRequest& request, const BlockedMotions& bloc
 
 /// Plans the motion along a route; if it is not possible, searches for what is near it.
 PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configuration>& start,
-                                  const Route& route, const PathMotionOptions& options) {
-  BudgetMeter budget(options.budget);
+                                  const Route& route, const PathMotionOptions& options,
+                                  BudgetMeter& budget) {
   MotionRequest request{arm,
                         start,
                         route,
@@ -169,40 +169,76 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   return failure;
 }
 
-/// Puts the recovery from the start before a planned motion, slows it down to the options'
-/// duration, and proves the whole.
-void begin_with_recovery(const Arm& arm, const Configuration& start, const Route& route,
-                         const PathMotionOptions& options, PathMotion& motion) {
-  BudgetMeter budget(options.budget);
-  const auto set_refused = [&](MotionStatus status, Reason reason) {
-    const bool ended = !budget.complete();
-    refuse(
-        ended ? status_of<MotionStatus>(budget.ending()) : status,
-        ended ? ended_reason(ReasonCode::ended_before_timing, budget.ending()) : std::move(reason),
-        motion);
-  };
-  const Retimed section = recovery_section(arm, start, timing_options(options), budget);
-  if (!section) return set_refused(MotionStatus::outside_limits, section.reason);
-  put_before(section.trajectory, motion.trajectory);
+/// Sets why a motion that begins with a recovery is refused.
+void set_refused(MotionStatus status, Reason reason, BudgetMeter& budget, PathMotion& motion) {
+  const bool ended = !budget.complete();
+  refuse(ended ? status_of<MotionStatus>(budget.ending()) : status,
+         ended ? ended_reason(ReasonCode::ended_before_timing, budget.ending()) : std::move(reason),
+         motion);
+}
+
+/// Puts the section that recovers from the start before a planned motion, slows it down to the
+/// options' duration, and proves the whole.
+void begin_with_recovery(const Arm& arm, const Trajectory& section, const Route& route,
+                         const PathMotionOptions& options, BudgetMeter& budget,
+                         PathMotion& motion) {
+  put_before(section, motion.trajectory);
   if (options.duration) {
     Reason reason = set_duration(motion.trajectory, *options.duration);
-    if (reason) return set_refused(MotionStatus::outside_limits, std::move(reason));
+    if (reason) {
+      return set_refused(MotionStatus::outside_limits, std::move(reason), budget, motion);
+    }
   }
   VerifyOptions proof = proof_options(options);
   proof.recover = options.recover;
   proof.budget = budget.part();
   Verification proved = verify(arm, motion.trajectory, route, proof);
-  if (!proved) return set_refused(MotionStatus::not_proved, std::move(proved.reason));
+  if (!proved) {
+    return set_refused(MotionStatus::not_proved, std::move(proved.reason), budget, motion);
+  }
   motion.deviation = std::move(proved.deviation);
   motion.path_parameters = std::move(proved.path_parameters);
   motion.arrivals = std::move(proved.arrivals);
   motion.recovery = std::move(proved.recovery);
   motion.limits = limit_usage(arm, motion.trajectory, budget.part());
-  if (!budget.complete()) return set_refused(MotionStatus::not_proved, {});
+  if (!budget.complete()) return set_refused(MotionStatus::not_proved, {}, budget, motion);
   if (!options.blocked_by.reason) return;
   Reason blocked = options.blocked_by.reason(motion.trajectory, budget.part());
   const MotionStatus status = status_of_blocked(blocked);
-  if (blocked) set_refused(status, std::move(blocked));
+  if (blocked) set_refused(status, std::move(blocked), budget, motion);
+}
+
+/// Plans the motion along a route from a start outside the limits, which begins with a recovery.
+/// Its budget and its samples are counted once, as a whole.
+PathMotion recovering_motion(const Arm& arm, const Configuration& start, const Route& route,
+                             const PathMotionOptions& options, BudgetMeter& budget) {
+  constexpr double planned = 0.9;  // of the progress
+  const auto most = static_cast<std::size_t>(options.max_samples);
+  PathMotion motion;
+  const Retimed section = recovery_section(arm, start, timing_options(options), budget);
+  const bool too_many = section.reason.code == ReasonCode::too_many_samples_at_rate;
+  if (!section) {
+    set_refused(too_many ? MotionStatus::too_many_samples : MotionStatus::outside_limits,
+                section.reason, budget, motion);
+    return motion;
+  }
+  if (section.trajectory.size() >= most) {
+    set_refused(MotionStatus::too_many_samples,
+                {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}}, budget, motion);
+    return motion;
+  }
+  PathMotionOptions after = options;
+  after.duration.reset();
+  after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+  after.budget = budget.part(0, planned);
+  BudgetMeter planning(after.budget);
+  motion = planned_or_suggestions(arm, section.trajectory.positions.back(), route, after, planning);
+  for (const ReasonField field : {ReasonField::max_samples, ReasonField::more_samples}) {
+    if (motion.reason.has(field)) motion.reason.set(field, most);
+  }
+  if (motion) begin_with_recovery(arm, section.trajectory, route, options, budget, motion);
+  if (motion) budget.report(1);
+  return motion;
 }
 
 }  // namespace
@@ -230,21 +266,18 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   check_route(arm, route, task);
   check_in_plane(arm, route.path, options.task);
   check_stops(route);
-  if (!start) return planned_or_suggestions(arm, start, route, options);
+  BudgetMeter budget(options.budget);
+  if (!start) return planned_or_suggestions(arm, start, route, options, budget);
   const Configuration from = checked_start(arm, *start, options);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
     throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
                                  " away from the path's beginning");
   }
-  if (!starts_outside(arm, *start, options.recover)) {
-    return planned_or_suggestions(arm, from, route, options);
+  if (starts_outside(arm, *start, options.recover)) {
+    return recovering_motion(arm, *start, route, options, budget);
   }
-  PathMotionOptions after = options;
-  after.duration.reset();
-  PathMotion motion = planned_or_suggestions(arm, from, route, after);
-  if (motion) begin_with_recovery(arm, *start, route, options, motion);
-  return motion;
+  return planned_or_suggestions(arm, from, route, options, budget);
 }
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,

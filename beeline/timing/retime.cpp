@@ -136,27 +136,52 @@ Retimed retimed_positions(const Arm& arm, const Trajectory& trajectory,
                              : internal::retimed_paths(arm, splines(sections), options, budget);
 }
 
+/// Counts the section that recovers as one more of the motion, also if the budget ended it.
+void count_recovery(Retimed& timed) {
+  ++timed.sections;
+  const ReasonValue* const all = timed.reason.find(ReasonField::of);
+  if (all == nullptr) return;
+  timed.reason.set(ReasonField::of, std::get<std::size_t>(*all) + 1);
+  timed.reason.set(ReasonField::count, timed.sections);
+}
+
 /// The motion of a trajectory that starts outside the limits: first back to them, then along its
-/// positions.
+/// positions. If the budget ends it, what is retimed so far begins with the recovery, too.
 Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const RetimeOptions& options,
                              internal::BudgetMeter& budget) {
   const Retimed section =
       internal::recovery_section(arm, trajectory.positions.front(), options, budget);
-  if (!section) return section;
+  if (!section) {
+    Retimed ended = section;
+    if (ended.trajectory.size() > 0) ended.recovery = recovery_of(arm, ended.trajectory);
+    return ended;
+  }
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
   if (moves(trajectory)) {
     RetimeOptions after = options;
     after.duration.reset();
+    after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
     timed = retimed_positions(arm, trajectory, after, budget);
-    if (!timed) return timed;
-    internal::put_before(section.trajectory, timed.trajectory);
-    timed.sections += section.sections;
+    if (timed.reason.has(ReasonField::max_samples)) {
+      timed.reason.set(ReasonField::max_samples, static_cast<std::size_t>(options.max_samples));
+    }
+    if (!timed && timed.ending == Ending::complete) return timed;
+    if (timed.trajectory.size() == 0) {
+      timed.trajectory = section.trajectory;
+    } else {
+      internal::put_before(section.trajectory, timed.trajectory);
+    }
+    count_recovery(timed);
     if (options.joint_blend) timed.blends.insert(timed.blends.begin(), 0);
   }
-  if (options.duration) timed.reason = internal::set_duration(timed.trajectory, *options.duration);
-  if (!timed) return internal::without_motion(std::move(timed));
   timed.recovery = recovery_of(arm, timed.trajectory);
+  if (timed.ending != Ending::complete) return timed;
+  if (options.duration) {
+    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
+    if (!timed) return internal::without_motion(std::move(timed));
+    timed.recovery = recovery_of(arm, timed.trajectory);
+  }
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, budget);
   internal::end_with(budget, timed.sections, timed);

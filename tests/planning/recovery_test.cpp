@@ -3,6 +3,7 @@
 
 #include <tests/planning/motion_promises.h>
 #include <tests/random.h>
+#include <tests/reason.h>
 
 namespace beeline {
 namespace {
@@ -175,6 +176,91 @@ TEST(RecoveryOfLines, IsProvedInTheSceneToo) {
   EXPECT_EQ(motion.reason.code, ReasonCode::bodies_collide);
   EXPECT_EQ(motion.trajectory.size(), 0);
   EXPECT_GE(asked, 2);
+}
+
+/// A panda that starts outside a limit, and a pose near the beginning of its path.
+struct Outside {
+  Arm arm = built_in("panda");
+  Configuration start = middle_configuration(arm);
+  Pose to = Pose::Identity();
+
+  Outside() {
+    start[3] = arm.limits(3).upper + 0.02;
+    Configuration goal = nearest_within_limits(arm, start);
+    goal[1] += 0.05;
+    goal[3] -= 0.1;
+    to = forward_kinematics(arm, goal);
+  }
+};
+
+TEST(RecoveryOfLines, CountsTheSamplesOfTheWhole) {
+  const Outside given;
+  PathMotionOptions options{.rate = 500, .recover = 0.1};
+  const PathMotion whole = move_in_lines(given.arm, given.start, {given.to}, options);
+  ASSERT_TRUE(whole) << whole.reason;
+  const int samples = static_cast<int>(whole.trajectory.size());
+  const int before = static_cast<int>(whole.recovery->sample);
+  options.max_samples = samples;
+  EXPECT_TRUE(move_in_lines(given.arm, given.start, {given.to}, options));
+  for (const int fewer : {samples - 1, samples - before, before, 2}) {
+    options.max_samples = fewer;
+    const PathMotion refused = move_in_lines(given.arm, given.start, {given.to}, options);
+    EXPECT_EQ(refused.status, MotionStatus::too_many_samples) << fewer;
+    EXPECT_EQ(field<std::size_t>(refused.reason, ReasonField::max_samples), fewer);
+  }
+}
+
+/// The least work with which a line is reached, by doubling and bisection.
+std::int64_t least_work(const Outside& given, const Configuration& start) {
+  const auto reached = [&](std::int64_t work) {
+    PathMotionOptions options{.recover = 0.1};
+    options.budget.max_work = work;
+    return static_cast<bool>(move_in_lines(given.arm, start, {given.to}, options));
+  };
+  std::int64_t enough = 1;
+  while (!reached(enough)) enough *= 2;
+  std::int64_t too_little = enough / 2;
+  while (enough - too_little > 1) {
+    const std::int64_t middle = (enough + too_little) / 2;
+    (reached(middle) ? enough : too_little) = middle;
+  }
+  return enough;
+}
+
+// The plan of the line and the recovery before it share one budget.
+TEST(RecoveryOfLines, CountsTheBudgetOnce) {
+  const Outside given;
+  const Configuration back = nearest_within_limits(given.arm, given.start);
+  EXPECT_GT(least_work(given, given.start), least_work(given, back));
+}
+
+TEST(RecoveryOfJointPaths, RemainsWhenTheBudgetEndsTheMotion) {
+  const Outside given;
+  std::vector<Configuration> waypoints{given.start};
+  Random random;
+  for (int i = 0; i < 20; ++i) {
+    const Configuration middle = middle_configuration(given.arm);
+    waypoints.insert(waypoints.end(), 2, middle + 0.5 * (random.configuration(given.arm) - middle));
+  }
+  int ended = 0;
+  for (std::int64_t work = 1; work < 1'000'000; work *= 2) {
+    RetimeOptions options{.recover = 0.1};
+    options.budget.max_work = work;
+    const Retimed motion = move_through(given.arm, waypoints, options);
+    if (motion) break;
+    ASSERT_EQ(motion.ending, Ending::work_limit);
+    if (motion.trajectory.size() == 0) continue;
+    ++ended;
+    EXPECT_EQ(motion.trajectory.positions.front(), given.start);
+    ASSERT_TRUE(motion.recovery);
+    EXPECT_EQ(motion.sections, field<std::size_t>(motion.reason, ReasonField::count));
+    if (motion.sections > 1) {
+      EXPECT_EQ(field<std::size_t>(motion.reason, ReasonField::of), 21);
+    }
+    const VerifyOptions accepting{.recover = 0.1};
+    EXPECT_TRUE(verify(given.arm, motion.trajectory, accepting));
+  }
+  EXPECT_GT(ended, 0);
 }
 
 TEST(RecoveryOfLines, RefusesAmountsOutOfRangeAndFartherStarts) {
