@@ -100,7 +100,12 @@ ChainEnds ArmArgument::ends() const {
 
 ArmShapes ArmArgument::shapes(ShapeOptions options) const {
   options.srdf = srdf;
-  return read_arm_shapes(text, ends(), options);
+  ArmShapes read = read_arm_shapes(text, ends(), options);
+  if (!read.links_with_planes.empty()) {
+    warn(text + ": planes are obstacles, not shapes of the arm; they are left out of " +
+         listed(read.links_with_planes) + ", and a scene may have a half_space for each");
+  }
+  return read;
 }
 
 LinkShapes ArmArgument::tool_shapes(const std::string& path) const {

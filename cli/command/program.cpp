@@ -5,6 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/urdf.h>
 
 #include "completion.h"
 #include "help.h"
@@ -117,6 +118,7 @@ int run(Selection& selection) {
     return print({.text = help_text(verb, selection.command)});
   }
   selection.typed = parse(verb, selection.arguments);
+  const KeptExpansions kept;  // the functions that read an arm's file run xacro once
   if (verb.command_line != nullptr) *verb.command_line = command_line(selection);
   const bool json = verb.json != nullptr && *verb.json;
   return json ? print_json(verb, verb.run()) : print(verb.run());

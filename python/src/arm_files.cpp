@@ -23,6 +23,7 @@ void issue(const std::vector<ReadWarning>& warnings) {
     instance.attr("value") = warning.value;
     instance.attr("numbers") = Value<std::vector<double>>::to(warning.numbers);
     instance.attr("count") = warning.count;
+    instance.attr("program") = warning.program;
     issue_warning(instance);
   }
 }
@@ -39,7 +40,7 @@ nb::object model_warning() {
       "ModelWarning",
       "What a reader of a file selected among several, or left out because of a fault beside the "
       "chain: its text, with the attributes kind, line, joint, link, others, element, "
-      "element_fault, attribute, value, numbers and count.");
+      "element_fault, attribute, value, numbers, count and program.");
   return nb::borrow(type);
 }
 

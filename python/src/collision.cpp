@@ -112,8 +112,13 @@ void bind_shape_files(nb::module_& m) {
         };
         ShapeOptions options = shape_options(hold, package);
         if (!srdf.is_none()) options.srdf = path_from(srdf, "srdf");
-        return read_arm_shapes(path_from(source, "source"), {end(base, "base"), end(tip, "tip")},
-                               options);
+        const std::string path = path_from(source, "source");
+        ArmShapes read = read_arm_shapes(path, {end(base, "base"), end(tip, "tip")}, options);
+        if (!read.links_with_planes.empty()) {
+          warn_of_input(path + ": planes are obstacles and no shapes of the arm; they are left " +
+                        "out of " + listed(read.links_with_planes));
+        }
+        return read;
       },
       shapes, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none(), nb::arg("hold") = nb::dict(), nb::arg("package") = nb::dict(),

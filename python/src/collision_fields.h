@@ -161,10 +161,9 @@ struct Fields<LinkShapes>
 };
 
 template <>
-struct Fields<ArmShapes>
-    : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
-              &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes, &ArmShapes::base_links> {
-};
+struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
+                                   &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes,
+                                   &ArmShapes::links_with_planes, &ArmShapes::base_links> {};
 
 template <>
 struct Fields<BodyDistance>

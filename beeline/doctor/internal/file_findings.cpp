@@ -141,6 +141,10 @@ std::string remedy_for(const ReadWarning& warning) {
       return "delete <mimic> of the joint that leads the others";
     case ReadWarningKind::nonlinear_coupling:
       return "write a linear polycoef, or select a chain without the joint";
+    case ReadWarningKind::range_ignored:
+      return "write the lower limit first, or delete the range";
+    case ReadWarningKind::constraint_ignored:
+      return "select a chain that the constraint does not move, or couple joints by <joint>";
     case ReadWarningKind::constant_mimic:
       return "give the leader a type that moves, or make the joint fixed too";
     case ReadWarningKind::zero_multiplier:

@@ -11,6 +11,7 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_shapes.h>
+#include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/urdf.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
@@ -149,6 +150,8 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::unknown_element:
     case ReadWarningKind::unknown_attribute:
     case ReadWarningKind::repeated_element:
+    case ReadWarningKind::range_ignored:
+    case ReadWarningKind::constraint_ignored:
     case ReadWarningKind::further_faults:
       return clause(warning);
     case ReadWarningKind::unknown_type:
@@ -172,7 +175,12 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
 
 std::string sentence(const ReadWarning& warning, OptionStyle style) {
   const std::string text = internal::statement(warning, style);
-  return is_fault(warning) ? FileError(warning.path, warning.line, text).what() : text;
+  if (!is_fault(warning)) return text;
+  if (warning.program.empty() || warning.line == 0) {
+    return FileError(warning.path, warning.line, text).what();
+  }
+  return FileError(warning.path, 0, internal::line_of_program(warning.line, warning.program) + text)
+      .what();
 }
 
 std::vector<std::string> arm_file_endings() {

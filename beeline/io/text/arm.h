@@ -46,6 +46,9 @@ enum class ReadWarningKind {
                    ///< constant at `numbers`
   nonlinear_coupling,  ///< `joint` follows the joint `value`, in MJCF, by a polynomial that is not
                        ///< linear
+  range_ignored,       ///< the range of `joint`, in MJCF, `numbers`, has no lower limit below its
+                       ///< upper one: as in MuJoCo, it has no limits
+  constraint_ignored,  ///< `element`, an equality constraint of MJCF called `value`, is not read
   zero_multiplier,     ///< `joint` mimics the joint `value` with multiplier 0: it is constant at
                        ///< `numbers`
   unknown_element,     ///< `joint` or, if it is empty, the file contains `element`, which URDF does
@@ -91,7 +94,8 @@ struct ReadWarning {
   std::string attribute = {}, value = {};           ///< attribute of an element, and its text
   std::vector<double> numbers = {};                 ///< axis, limits or value of the joint
   std::size_t count = 0;
-  bool lists_known = true;  ///< false: a warning before this one has listed the known names
+  std::string program = {};  ///< program that made the text of which `line` is; empty: the file's
+  bool lists_known = true;   ///< false: a warning before this one has listed the known names
 };
 
 /// Whether the warning is of a fault; the others are selections.

@@ -112,6 +112,8 @@ struct ArmShapes {
   std::vector<NamedPair> allowed_pairs = {};
   /// Links of a URDF file with `<visual>` and without `<collision>`: they are not checked.
   std::vector<std::string> links_without_shapes = {};
+  /// Links of an MJCF file with a plane, which is an obstacle: it is no shape of the arm.
+  std::vector<std::string> links_with_planes = {};
   /// The links of a URDF file that only fixed joints connect to link 0, the base, with their poses
   /// in its frame, for ShapeOptions::frames; "" is the root link, MoveIt's planning frame.
   std::map<std::string, Pose> base_links = {};
@@ -136,7 +138,9 @@ struct ArmShapes {
 ///
 /// The shapes of an MJCF file are the geoms that can collide, whose contype or conaffinity is not
 /// 0: spheres, capsules, cylinders, boxes and meshes, which are files in `meshdir` or lists of
-/// vertices. Geoms of other types are refused; in a scene planes are half spaces without bounds.
+/// vertices. Planes that do not move are obstacles: they are left out, see
+/// ArmShapes::links_with_planes, and in a scene are half spaces without bounds. Geoms of other
+/// types are refused.
 ///
 /// A mesh is taken as its convex hull, Shape::hull_of, which contains it; `scale` is honoured. STL
 /// (binary or ASCII) and OBJ files are read and, by builds with BEELINE_ASSIMP, Collada (its

@@ -112,9 +112,15 @@ Arm arm_of(const UrdfFile& file, const ChainEnds& ends, std::vector<ReadWarning>
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
                   std::vector<ReadWarning>* warnings) {
   const internal::ExpandedText expanded(text, path);
-  return internal::with_lines_of(expanded, path, [&] {
+  const std::size_t before = warnings == nullptr ? 0 : warnings->size();
+  const Arm arm = internal::with_lines_of(expanded, path, [&] {
     return arm_of(internal::parse_link_tree(expanded.text(), path), ends, warnings);
   });
+  if (expanded.program().empty() || warnings == nullptr) return arm;
+  for (std::size_t i = before; i < warnings->size(); ++i) {
+    if ((*warnings)[i].path == path) (*warnings)[i].program = expanded.program();
+  }
+  return arm;
 }
 
 Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {

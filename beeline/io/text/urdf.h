@@ -62,7 +62,8 @@ bool is_urdf_path(std::string_view path);
 ///     read. An included file must be in the folder of the file. `<replicate>`, `<attach>`,
 ///     `<composite>` and `<flexcomp>` are refused.
 ///   - An equality constraint of two joints with a linear polycoef is a mimic joint; of one joint,
-///     it fixes the joint. Other constraints, and ranges of actuators, are ignored.
+///     it fixes the joint. Other constraints are ignored: `warnings` names those that are active.
+///     Ranges of actuators are ignored.
 ///   - `ends` may name sites, too, which are no ends of the tree unless they are named. A site with
 ///     the name of a body is called `NAME_`. Bodies and joints without names are called `body2` and
 ///     `joint0`, by MuJoCo's indices.
@@ -80,6 +81,20 @@ Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
 /// The same from a text; `path` names it in messages.
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
+
+/// Keeps the expanded texts of .xacro files for as long as it lives: functions that are called in
+/// its thread meanwhile run the program once for each file, unless its text changes. The command
+/// has one for each call.
+class KeptExpansions {
+ public:
+  KeptExpansions();
+  ~KeptExpansions();
+  KeptExpansions(const KeptExpansions&) = delete;
+  KeptExpansions& operator=(const KeptExpansions&) = delete;
+
+ private:
+  bool is_owner_ = false;  ///< false: another one lives in this thread
+};
 
 /// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, named states, and pairs
 /// of links whose contact does not count. The functions that use names of joints and links compare

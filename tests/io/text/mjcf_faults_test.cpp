@@ -40,7 +40,7 @@ std::vector<BrokenMjcf> broken_joints() {
       {jointed("pos=\"0 0 x\""), "a.xml:4: <joint>: pos: \"x\" is not a number"},
       {jointed("pos=\"0 0 nan\""), "a.xml:4: <joint>: pos: \"nan\" must be finite"},
       {jointed("pos=\"0 0 1e999\""), "a.xml:4: <joint>: pos"},
-      {jointed("range=\"1 -1\""), "a.xml:4: joint j: lower limit"},
+      {jointed("range=\"1 -1\" limited=\"true\""), "a.xml:4: <joint>: range must have a lower"},
       {jointed("range=\"1\""), "a.xml:4: <joint>: range has 1 numbers; it must have 2"},
       {jointed("range=\"1 1\" limited=\"true\""), "a.xml:4: <joint>: range must have a lower"},
       {jointed("limited=\"yes\""), "a.xml:4: <joint>: limited is \"yes\"; known are true"},
@@ -53,6 +53,7 @@ std::vector<BrokenMjcf> broken_joints() {
 std::vector<BrokenMjcf> broken_bodies() {
   return {
       {jointed("", "pos=\"1 2\""), "a.xml:3: <body>: pos has 2 numbers"},
+      {jointed("", "fromto=\"0 0 0 0 0 1\""), "a.xml:3: <body> has no attribute fromto"},
       {jointed("", "quat=\"0 0 0 0\""), "a.xml:3: <body>: quat has length 0"},
       {jointed("", "quat=\"1 0 0\""), "a.xml:3: <body>: quat has 3 numbers; it must have 4"},
       {jointed("", "euler=\"1 2 3\" quat=\"1 0 0 0\""), "a.xml:3: <body>: euler is given beside"},

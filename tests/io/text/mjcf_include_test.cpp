@@ -48,6 +48,18 @@ TEST(MjcfInclude, ErrorsNameTheIncludedFile) {
   EXPECT_REFUSED(read_arm(path), "/b.xml:");
 }
 
+// As in MuJoCo, which its documents write with the root <mujocoinclude>.
+TEST(MjcfInclude, AnyRootIsReadAndAnEmptyOneRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xml", including("b.xml"));
+  for (const std::string root : {"mujocoinclude", "mujoco", "x"}) {
+    folder.write("b.xml", "<" + root + "><body name=\"b\"><joint/></body></" + root + ">");
+    EXPECT_EQ(read_arm(path).dof(), 2);
+    folder.write("b.xml", "<" + root + "/>");
+    EXPECT_REFUSED(read_arm(path), "/b.xml: has no element to include");
+  }
+}
+
 TEST(MjcfInclude, StaysInTheFolderOfTheModel) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("model"));
@@ -81,8 +93,8 @@ TEST(MjcfInclude, EachFileOnceAndNotEndlessly) {
                  "<x><include file=\"n" + std::to_string(i + 1) + ".xml\"/></x>");
   }
   EXPECT_REFUSED(read_arm(folder.write("a.xml", including("n0.xml"))), "nested deeper than 10");
-  folder.write("b.xml", "<x/>" + std::string(std::size_t{5} << 20, ' '));
-  folder.write("c.xml", "<x/>" + std::string(std::size_t{5} << 20, ' '));
+  folder.write("b.xml", "<x><site/></x>" + std::string(std::size_t{5} << 20, ' '));
+  folder.write("c.xml", "<x><site/></x>" + std::string(std::size_t{5} << 20, ' '));
   EXPECT_REFUSED(read_arm(folder.write("a.xml", mujoco("<include file=\"b.xml\"/>"
                                                        "<include file=\"c.xml\"/>"))),
                  "a.xml: is larger than 8 MiB, with the files that it includes");

@@ -124,6 +124,21 @@ TEST(MjcfShapes, BodiesThatSeveralJointsConnectMayTouch) {
   EXPECT_EQ(shapes.allowed_pairs[0], (NamedPair{"a", "b"}));
 }
 
+TEST(MjcfShapes, PlanesThatDoNotMoveAreNoShapesOfTheArm) {
+  const std::string plane = "<geom type=\"plane\" size=\"1 1 1\"/>";
+  const ArmShapes shapes = arm_shapes_from_text(
+      mujoco(plane + "<body name=\"table\">" + plane +
+             "<geom size=\"1\"/></body><body name=\"a\"><joint/><geom size=\"1\"/></body>\n"),
+      "a.xml", {.tip = "a"});
+  EXPECT_EQ(shapes.links_with_planes, (std::vector<std::string>{"world", "table"}));
+  ASSERT_EQ(shapes.links.size(), 2u);
+  EXPECT_EQ(shapes.links[0].shapes.size(), 1u);
+  EXPECT_REFUSED(arm_shapes_from_text(mujoco("<body name=\"a\"><joint/><body name=\"b\">" + plane +
+                                             "</body></body>\n"),
+                                      "a.xml"),
+                 "type is plane, in body b, which is not supported for collisions; as in MuJoCo");
+}
+
 TEST(MjcfShapes, CellsAreScenesWithPlanes) {
   const Scene scene = scene_from_text(
       mujoco("<geom type=\"plane\" size=\"1 1 1\" pos=\"0 0 0.1\"/><body name=\"box\" pos=\"1 0 "

@@ -95,6 +95,52 @@ TEST(Mjcf, ARangeLimitsUnlessTheFileSaysOtherwise) {
   EXPECT_REFUSED(upper("limited=\"true\""), "a.xml:3: <joint>: range must have");
 }
 
+// In MuJoCo 4.0 jnt_limited is 0 then.
+TEST(Mjcf, ARangeThatIsReversedOrEmptyIsNoneWithAWarning) {
+  for (const char* const range : {"1 -1", "0 -1", "1 1"}) {
+    std::vector<ReadWarning> warnings;
+    const std::string attribute = "range=\"" + std::string(range) + "\"";
+    const Arm arm = arm_from_urdf(mujoco(hinge(attribute)), "a.xml", {}, &warnings);
+    EXPECT_EQ(arm.limits(0).lower, -Limits::none) << range;
+    EXPECT_EQ(arm.limits(0).upper, Limits::none) << range;
+    ASSERT_EQ(warnings.size(), 1u) << range;
+    EXPECT_EQ(warnings[0].kind, ReadWarningKind::range_ignored);
+    EXPECT_EQ(warnings[0].joint, "j");
+    EXPECT_EQ(warnings[0].line, 3);
+    EXPECT_EQ(warnings[0].numbers.size(), 2u);
+    EXPECT_REFUSED(parse_mjcf(mujoco(hinge(attribute + " limited=\"true\""))), "range must have");
+    EXPECT_EQ(parse_mjcf(mujoco(hinge(attribute + " limited=\"false\""))).dof(), 1);
+  }
+}
+
+TEST(Mjcf, ALimitBeyondTheRangeOfLimitsIsNone) {
+  const Arm arm = parse_mjcf(mujoco(hinge("type=\"slide\" range=\"-1e9 2\"")));
+  EXPECT_EQ(arm.limits(0).lower, -Limits::none);
+  EXPECT_EQ(arm.limits(0).upper, 2);
+  EXPECT_EQ(kind(arm.joints()[0]), JointKind::prismatic);
+}
+
+TEST(Mjcf, OtherConstraintsThatAreActiveAreNamed) {
+  const std::string bodies = "<body name=\"a\"><joint name=\"a\"/></body>\n";
+  std::vector<ReadWarning> warnings;
+  arm_from_urdf(mujoco(bodies,
+                       "<default><default class=\"off\"><equality active=\"false\"/></default>"
+                       "</default><equality>\n<connect name=\"loop\" body1=\"a\" "
+                       "anchor=\"0 0 0\"/><weld body1=\"a\" active=\"false\"/><weld "
+                       "class=\"off\" body1=\"a\"/>\n<weld body1=\"a\" body2=\"b\"/></equality>"),
+                "a.xml", {}, &warnings);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].kind, ReadWarningKind::constraint_ignored);
+  EXPECT_EQ(warnings[0].element, "<connect>");
+  EXPECT_EQ(warnings[0].value, "loop");
+  EXPECT_EQ(warnings[0].line, 2);
+  EXPECT_EQ(warnings[1].element, "<weld>");
+  EXPECT_EQ(warnings[1].others, (std::vector<std::string>{"a", "b"}));
+  EXPECT_NE(sentence(warnings[0]).find("a.xml:2: the equality constraint <connect> \"loop\" of a"),
+            std::string::npos)
+      << sentence(warnings[0]);
+}
+
 TEST(Mjcf, EqualityConstraintsOfJointsAreMimicJoints) {
   const std::string bodies =
       "<body name=\"a\"><joint name=\"a\" ref=\"90\"/><body name=\"b\"><joint name=\"b\" "
@@ -178,7 +224,7 @@ TEST(Mjcf, TheRootElementDecidesTheFormat) {
               "m");
     EXPECT_EQ(read_arm(folder.write(name, "<!-- <mujoco> -->" + urdf)).name(), "r");
   }
-  EXPECT_REFUSED(parse_mjcf("<mujocoinclude/>"), "a.xml:1: is not URDF: its root must be <robot>");
+  EXPECT_REFUSED(parse_mjcf("<mujocoinclude/>"), "a.xml:1: is a part of an MJCF model");
 }
 
 }  // namespace

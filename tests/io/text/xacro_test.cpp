@@ -104,6 +104,45 @@ TEST(Xacro, LinesOfErrorsAreOfTheOutput) {
                  "a.xacro: line 4 of the text that xacro makes of it: joint j has an unknown type");
 }
 
+TEST(Xacro, LinesOfWarningsAreOfTheOutput) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  programs.add("xacro", printing(testing::robot(expanded + testing::link("alone"))));
+  std::vector<ReadWarning> warnings;
+  read_arm(path, {}, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].program, "xacro");
+  EXPECT_NE(sentence(warnings[0])
+                .find("a.xacro: line 5 of the text that xacro makes of it: link "
+                      "alone is not connected"),
+            std::string::npos)
+      << sentence(warnings[0]);
+}
+
+TEST(Xacro, RunsOnceWhileExpansionsAreKept) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro), runs = folder.file("runs");
+  const Programs programs;
+  programs.add("xacro", "echo run >> '" + runs + "'\n" + printing(testing::robot(expanded)));
+  const auto count = [&] { return folder.content("runs").size() / 4; };
+  {
+    const KeptExpansions kept;
+    for (int i = 0; i < 3; ++i) {
+      const KeptExpansions inner;
+      EXPECT_EQ(read_arm(path).dof(), 1);
+      read_arm_shapes(path);
+    }
+    EXPECT_EQ(count(), 1u);
+    folder.write("a.xacro", macro + "<!-- changed -->");
+    read_arm(path);
+    EXPECT_EQ(count(), 2u);
+  }
+  read_arm(path);
+  read_arm(path);
+  EXPECT_EQ(count(), 4u);
+}
+
 TEST(Xacro, OutputIsBounded) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.xacro", macro);

@@ -49,6 +49,22 @@ class MjcfCouplings {
                    .offset = refs_[follower] + c[0] - c[1] * refs_[leader]};
   }
 
+  /// Records an active constraint of bodies, sites or tendons, which is not read.
+  void ignore(const XMLElement& element) {
+    if (!is_active(element)) return;
+    UrdfFault fault{.warning = {.kind = ReadWarningKind::constraint_ignored,
+                                .line = element.GetLineNum(),
+                                .element = described(element)}};
+    for (const char* const attribute :
+         {"body1", "body2", "site1", "site2", "tendon1", "tendon2", "flex"}) {
+      if (const char* const name = element.Attribute(attribute)) {
+        fault.warning.others.push_back(printable(name));
+      }
+    }
+    if (const char* const name = element.Attribute("name")) fault.warning.value = printable(name);
+    file_.faults.push_back(std::move(fault));
+  }
+
   /// Makes the constant joints fixed. A follower of one gets its value as offset.
   void fix_constant_joints() {
     for (UrdfFile::Joint& joint : file_.joints) {
@@ -117,7 +133,9 @@ class MjcfCouplings {
 
 void read_mjcf_couplings(MjcfModel& model, const std::vector<double>& refs) {
   MjcfCouplings couplings(model, refs);
-  for (const XMLElement* at : model.document.in_sections("equality", "joint")) couplings.read(*at);
+  for (const XMLElement* at : model.document.in_sections("equality")) {
+    std::string_view(at->Name()) == "joint" ? couplings.read(*at) : couplings.ignore(*at);
+  }
   couplings.fix_constant_joints();
 }
 

@@ -103,7 +103,9 @@ void MjcfDocument::find_includes(const File& file, int depth) {
       }
       const File& included = parse(read_file(path), path);
       const XMLElement* const root = included.document.RootElement();
-      if (root == nullptr) included.reader.refuse(0, "has no element");
+      if (root == nullptr || root->FirstChildElement() == nullptr) {
+        included.reader.refuse(0, "has no element to include");
+      }
       included_.emplace(at, root);
       find_includes(included, depth + 1);
     }
@@ -145,14 +147,19 @@ std::vector<const XMLElement*> MjcfDocument::children(const XMLElement& parent) 
   return found;
 }
 
+std::vector<const XMLElement*> MjcfDocument::in_sections(std::string_view section) const {
+  std::vector<const XMLElement*> found;
+  for (const XMLElement* of_root : children(root())) {
+    if (of_root->Name() == section) append_children(*of_root, found);
+  }
+  return found;
+}
+
 std::vector<const XMLElement*> MjcfDocument::in_sections(std::string_view section,
                                                          std::string_view tag) const {
   std::vector<const XMLElement*> found;
-  for (const XMLElement* of_root : children(root())) {
-    if (of_root->Name() != section) continue;
-    for (const XMLElement* at : children(*of_root)) {
-      if (at->Name() == tag) found.push_back(at);
-    }
+  for (const XMLElement* at : in_sections(section)) {
+    if (at->Name() == tag) found.push_back(at);
   }
   return found;
 }

@@ -21,8 +21,9 @@ namespace beeline::internal {
 class MjcfDocument {
  public:
   /// Throws FileError for text that parse_xml() refuses or whose root is not `<mujoco>`; for an
-  /// include without a file, with children, of a file that is not found, outside of the folder or
-  /// included before; and for more than 100 files, 10 levels of includes or 8 MiB of all files.
+  /// include without a file, with children, of a file that is not found, empty, outside of the
+  /// folder or included before; and for more than 100 files, 10 levels of includes or 8 MiB of all
+  /// files.
   MjcfDocument(std::string_view text, const std::string& path);
   ~MjcfDocument();
   MjcfDocument(MjcfDocument&&) noexcept;
@@ -33,7 +34,9 @@ class MjcfDocument {
 
   /// Returns the children of an element; an include is replaced by the children of its root.
   std::vector<const tinyxml2::XMLElement*> children(const tinyxml2::XMLElement& parent) const;
-  /// Returns the children with this tag of all root elements called `section`, in their order.
+  /// Returns the children of all root elements called `section`, in their order.
+  std::vector<const tinyxml2::XMLElement*> in_sections(std::string_view section) const;
+  /// The same of the children with this tag.
   std::vector<const tinyxml2::XMLElement*> in_sections(std::string_view section,
                                                        std::string_view tag) const;
 

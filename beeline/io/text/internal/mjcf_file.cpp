@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <tinyxml2.h>
 
 #include <beeline/error.h>
+#include <beeline/io/text/internal/limit_numbers.h>
 #include <beeline/io/text/internal/mjcf_file.h>
 #include <beeline/io/text/internal/mjcf_names.h>
 #include <beeline/io/text/internal/name.h>
@@ -65,10 +67,18 @@ class MjcfReader {
     return {element, &model_.defaults, model_.defaults.class_of(element, "class", place.of_class)};
   }
 
+  /// Refuses the attribute of geoms and sites that sets the pose of two ends.
+  static void refuse_ends(const XMLElement& element) {
+    if (element.Attribute("fromto") == nullptr) return;
+    MjcfDocument::reader_of(element).refuse(
+        element.GetLineNum(), described(element) + " has no attribute fromto, as in MuJoCo");
+  }
+
   /// The place inside a <frame>.
   MjcfPlace inside(const XMLElement& frame, const MjcfPlace& place) const {
     refuse_misspelt_attribute(
         frame, {"name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"});
+    refuse_ends(frame);
     return {.link = place.link,
             .frame = place.frame * mjcf_pose(MjcfAttributes(frame), model_.settings),
             .of_class = model_.defaults.class_of(frame, "childclass", place.of_class)};
@@ -109,6 +119,7 @@ class MjcfReader {
     refuse_misspelt_attribute(
         element, {"axisangle", "childclass", "euler", "fuse", "gravcomp", "mocap", "name", "pos",
                   "quat", "simple", "sleep", "user", "xyaxes", "zaxis"});
+    refuse_ends(element);
     const std::string index = std::to_string(++bodies_);
     std::string name = MjcfNames::given(element);
     if (name.empty()) name = names_.new_link("body" + index);
@@ -214,15 +225,16 @@ class MjcfReader {
     joint.point = read.place.frame * attributes.vector("pos", Vector3::Zero());
     joint.axis_line = attributes.line_of("axis");
     joint.limit_line = attributes.line_of("range");
-    const bool limited = read_range(attributes, hinge, joint.limits);
+    const bool limited = read_range(attributes, hinge, joint);
     joint.type = !hinge ? "prismatic" : limited ? "revolute" : "continuous";
     const double ref = attributes.number_or("ref", 0);
     ref_ = hinge ? model_.settings.radians(ref) : ref;
     return joint;
   }
 
-  /// Returns whether the joint is limited, and sets its position limits then.
-  bool read_range(const MjcfAttributes& attributes, bool hinge, Limits& limits) const {
+  /// Returns whether the joint is limited, and sets its position limits then. As in MuJoCo, a range
+  /// whose lower limit is not below the upper one is none, unless the joint is said to be limited.
+  bool read_range(const MjcfAttributes& attributes, bool hinge, UrdfFile::Joint& joint) {
     const std::string limited = attributes.choice("limited", {"true", "false", "auto"}, "auto");
     if (limited == "false") return false;
     std::vector<double> range = attributes.numbers("range", 2);
@@ -231,15 +243,23 @@ class MjcfReader {
       attributes.refuse("range", "is given without limited=\"true\", and autolimits is false");
     }
     if (limited == "auto" && !given) return false;
-    if (!given || range[0] == range[1]) {
+    if (limited == "auto" && range[0] >= range[1]) {
+      file_.faults.push_back({.warning = {.kind = ReadWarningKind::range_ignored,
+                                          .line = joint.limit_line,
+                                          .joint = joint.name,
+                                          .numbers = range},
+                              .index = file_.joints.size()});
+      return false;
+    }
+    if (!given || range[0] >= range[1]) {
       attributes.refuse("range",
                         "must have a lower and a greater upper limit, as the joint is "
                         "limited");
     }
     for (double& limit : range) limit = hinge ? model_.settings.radians(limit) : limit;
-    limits.lower = range[0];
-    limits.upper = range[1];
-    return true;
+    if (!no_lower_limit(range[0])) joint.limits.lower = range[0];
+    if (!no_upper_limit(range[1])) joint.limits.upper = range[1];
+    return std::isfinite(joint.limits.lower) || std::isfinite(joint.limits.upper);
   }
 
   /// Adds a site as a link. One that has the name of a body gets another name.

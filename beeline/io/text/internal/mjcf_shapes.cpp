@@ -120,7 +120,7 @@ bool collides(const MjcfAttributes& geom) {
 [[noreturn]] void refuse_type(const MjcfAttributes& geom, const std::string& type,
                               const std::string& link) {
   const std::string advice =
-      type == "plane" ? "a plane is an obstacle; remove it, and give a half_space in a scene"
+      type == "plane" ? "as in MuJoCo, only bodies that do not move have planes"
                       : "replace it by sphere, capsule, cylinder, box or mesh, or set contype and "
                         "conaffinity to 0 if it does not collide";
   geom.refuse("type", "is " + type + ", in body " + link +
@@ -187,6 +187,15 @@ Shape read_shape(const MjcfModel& model, const MjcfGeom& read, const MjcfAttribu
   return shape;
 }
 
+/// The bodies that no joint moves.
+std::unordered_set<std::string> static_links(const UrdfFile& file) {
+  std::unordered_set<std::string> found{file.links.front().name};
+  for (const UrdfFile::Joint& joint : file.joints) {  // each behind the joints above it
+    if (joint.type == "fixed" && found.contains(joint.parent)) found.insert(joint.child);
+  }
+  return found;
+}
+
 /// Returns the pairs of `<contact><exclude>` after those that several joints connect.
 std::vector<NamedPair> pairs_that_may_touch(const MjcfModel& model) {
   std::unordered_set<std::string> links;
@@ -216,6 +225,7 @@ UrdfShapes mjcf_shapes(std::string_view text, const std::string& path,
   UrdfShapes shapes;
   shapes.may_touch = pairs_that_may_touch(*model);
   std::unordered_set<std::string> visible;
+  const std::unordered_set<std::string> is_static = static_links(model->file);
   for (const MjcfGeom& read : model->geoms) {
     refuse_misspelt_attribute(
         *read.element,
@@ -227,7 +237,9 @@ UrdfShapes mjcf_shapes(std::string_view text, const std::string& path,
          "solref",   "surfacevel", "type",         "user",     "xyaxes",      "zaxis"});
     const std::string& link = model->file.links[read.link].name;
     const MjcfAttributes geom(*read.element, &model->defaults, read.of_class);
-    if (collides(geom)) {
+    if (use == MjcfUse::links && geom.text_or("type", "") == "plane" && is_static.contains(link)) {
+      shapes.planes.push_back(link);
+    } else if (collides(geom)) {
       shapes.of_link[link].push_back(read_shape(*model, read, geom, use, meshes));
     } else {
       visible.insert(link);

@@ -12,7 +12,8 @@ namespace beeline::internal {
 enum class MjcfUse { links, obstacles };
 
 /// Reads the geoms of an MJCF text that can collide (contype or conaffinity is not 0): spheres,
-/// capsules, cylinders, boxes and meshes, and of obstacles planes, as half spaces without bounds. A
+/// capsules, cylinders, boxes and meshes, and of obstacles planes, as half spaces without bounds.
+/// Planes that joints do not move are no links: `planes` has their bodies. A
 /// mesh becomes its hull, as in MuJoCo; it is a file in `meshdir`, relative to the folder of the
 /// model, or vertices. A body with other geoms alone is in `only_visual`. `may_touch` has the pairs
 /// of `<contact><exclude>` and those that several joints connect. Throws FileError for geoms of

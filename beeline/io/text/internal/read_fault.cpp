@@ -58,6 +58,23 @@ std::string ignored_fact(const ReadWarning& fault) {
   }
 }
 
+/// The fact of what only MJCF has.
+std::string mjcf_fact(const ReadWarning& fault) {
+  switch (fault.kind) {
+    case ReadWarningKind::nonlinear_coupling:
+      return "joint " + fault.joint + " follows joint " + printable(fault.value) +
+             " by a polycoef that is not linear; only its first two coefficients may differ from 0";
+    case ReadWarningKind::range_ignored:
+      return "joint " + fault.joint + " has the range " + number(fault.numbers[0]) + " to " +
+             number(fault.numbers[1]) + ", which MuJoCo takes for none: it has no limits";
+    default:
+      return "the equality constraint " + fault.element +
+             (fault.value.empty() ? "" : " " + in_quotes(fault.value)) +
+             (fault.others.empty() ? "" : " of " + listed(fault.others)) +
+             " is ignored: the arm moves as if it were not there";
+  }
+}
+
 std::string malformed_clause(const ReadWarning& fault) {
   switch (fault.element_fault) {
     case ElementFault::none:
@@ -146,8 +163,9 @@ std::string fact(const ReadWarning& fault) {
              (fault.value == fault.joint ? " mimics itself"
                                          : " follows leaders that mimic each other");
     case ReadWarningKind::nonlinear_coupling:
-      return "joint " + fault.joint + " follows joint " + printable(fault.value) +
-             " by a polycoef that is not linear; only its first two coefficients may differ from 0";
+    case ReadWarningKind::range_ignored:
+    case ReadWarningKind::constraint_ignored:
+      return mjcf_fact(fault);
     case ReadWarningKind::constant_mimic:
       return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
              ", which is fixed: it is constant at " + number(fault.numbers[0]);

@@ -17,6 +17,7 @@ struct UrdfShapes {
   std::unordered_map<std::string, std::vector<Shape>> of_link;
   std::vector<std::string> only_visual;   ///< links with `<visual>` and without `<collision>`
   std::vector<NamedPair> may_touch = {};  ///< pairs that an MJCF file excludes from contact
+  std::vector<std::string> planes = {};   ///< links of an MJCF file with planes that are left out
 };
 
 /// Reads them. A mesh becomes its hull, see MeshHulls; `package` gives folders of packages. Throws

@@ -295,8 +295,10 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
     const std::string found = robot == nullptr ? "nothing" : described(*robot);
+    const bool is_part = robot != nullptr && std::string_view(robot->Name()) == "mujocoinclude";
     elements.refuse(robot == nullptr ? 0 : robot->GetLineNum(),
-                    "is not URDF: its root must be <robot>, not " + found);
+                    is_part ? "is a part of an MJCF model; pass the model that includes it"
+                            : "is not URDF: its root must be <robot>, not " + found);
   }
   UrdfFile file{.path = path, .name = "", .links = {}, .joints = {}, .faults = {}};
   const char* name = robot->Attribute("name");

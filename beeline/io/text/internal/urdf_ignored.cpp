@@ -133,7 +133,8 @@ bool misspelt_part(const XMLElement& element) {
 
 bool is_ignored(ReadWarningKind kind) {
   return kind == ReadWarningKind::unknown_element || kind == ReadWarningKind::unknown_attribute ||
-         kind == ReadWarningKind::repeated_element || kind == ReadWarningKind::zero_multiplier;
+         kind == ReadWarningKind::repeated_element || kind == ReadWarningKind::zero_multiplier ||
+         kind == ReadWarningKind::range_ignored || kind == ReadWarningKind::constraint_ignored;
 }
 
 std::vector<std::string> names_like(const ReadWarning& warning) {

@@ -187,6 +187,7 @@ ArmShapes shapes_of(std::string_view text, const std::string& path, const ChainE
   LinkPlacement placement(file, cut_chain(file, ends), options.hold, states);
   auto shapes = link_tree_shapes(text, path, options.package, MjcfUse::links);
   ArmShapes read{.links_without_shapes = std::move(shapes.only_visual),
+                 .links_with_planes = std::move(shapes.planes),
                  .base_links = placement.base_links()};
   for (std::size_t i = 0; i < file.links.size(); ++i) {
     const auto found = shapes.of_link.find(file.links[i].name);

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
 
@@ -7,6 +8,7 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/program_output.h>
 #include <beeline/io/text/internal/xacro.h>
+#include <beeline/io/text/urdf.h>
 
 namespace beeline::internal {
 namespace {
@@ -54,10 +56,31 @@ std::string one_line(std::string_view message) {
   throw FileError(path, 0, program + " fails" + (message.empty() ? "" : ": " + message));
 }
 
+/// Expanded texts, by the path and the text of the file.
+struct Expansion {
+  std::string text, program;
+};
+using Expansions = std::map<std::pair<std::string, std::string>, Expansion>;
+thread_local std::optional<Expansions> kept_expansions;
+
 }  // namespace
 
 ExpandedText::ExpandedText(std::string_view text, const std::string& path) : text_(text) {
   if (extension(path) != "xacro" || !needs_xacro(text)) return;
+  const std::pair key(path, std::string(text));
+  if (kept_expansions) {
+    const auto kept = kept_expansions->find(key);
+    if (kept != kept_expansions->end()) {
+      expanded_ = kept->second.text;
+      program_ = kept->second.program;
+      return;
+    }
+  }
+  expand(path);
+  if (kept_expansions) kept_expansions->emplace(key, Expansion{expanded_, program_});
+}
+
+void ExpandedText::expand(const std::string& path) {
   std::error_code fault;
   std::optional<std::string> found;
   if (std::filesystem::is_regular_file(path, fault)) {
@@ -82,3 +105,15 @@ ExpandedText::ExpandedText(std::string_view text, const std::string& path) : tex
 }
 
 }  // namespace beeline::internal
+
+namespace beeline {
+
+KeptExpansions::KeptExpansions() : is_owner_(!internal::kept_expansions) {
+  if (is_owner_) internal::kept_expansions.emplace();
+}
+
+KeptExpansions::~KeptExpansions() {
+  if (is_owner_) internal::kept_expansions.reset();
+}
+
+}  // namespace beeline

@@ -24,9 +24,16 @@ class ExpandedText {
   const std::string& program() const { return program_; }
 
  private:
+  void expand(const std::string& path);
+
   std::string_view text_;
   std::string expanded_, program_;
 };
+
+/// Returns `line 12 of the text that xacro makes of it: `.
+inline std::string line_of_program(int line, const std::string& program) {
+  return "line " + std::to_string(line) + " of the text that " + program + " makes of it: ";
+}
 
 /// Returns what `read` returns. The lines of its FileErrors are of the expanded text: of one that a
 /// program wrote, the errors about the file at `path` say so.
@@ -38,8 +45,7 @@ auto with_lines_of(const ExpandedText& expanded, const std::string& path, const 
   } catch (const FileError& error) {
     if (error.line() == 0 || error.path() != path) throw;
     throw FileError(error.path(), 0,
-                    "line " + std::to_string(error.line()) + " of the text that " +
-                        expanded.program() + " makes of it: " + error.fault());
+                    line_of_program(error.line(), expanded.program()) + error.fault());
   }
 }
 
