@@ -12,6 +12,8 @@
 
 #include "arm_argument.h"
 #include "arm_document.h"
+#include "command/streams.h"
+#include "dh_document.h"
 #include "format.h"
 #include "result_files.h"
 #include "screw_table.h"
@@ -24,7 +26,7 @@ struct ShowArguments {
   ArmArgument arm;
   LimitsArgument limits;
   UnitArgument unit;
-  std::string out, as;
+  std::string out, as, convention;
 };
 
 /// The chain of a group, or why it is none.
@@ -91,23 +93,88 @@ void add_source(const std::string& name, Answer& answer) {
   }
 }
 
-Answer show(const ShowArguments& arguments) {
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  if (!arguments.out.empty()) {
-    if (extension(arguments.out) != "json") {
-      throw Error("--out " + arguments.out + ": an arm is written to a .json file");
-    }
-    refuse_overwriting(arguments.out, arguments.arm.inputs());
-    const bool is_urdf = is_urdf_path(arguments.arm.text);
-    const ArmShapes shapes = is_urdf ? ArmShapes{} : arguments.arm.shapes({});
-    write_file(arguments.out, arm_to_json(arm, shapes.links));
+/// Adds a no: what cannot be said, and its sentences.
+void refuse(Answer& answer, const std::string& what, const std::vector<std::string>& reasons) {
+  answer.yes = false;
+  answer.reason += (answer.reason.empty() ? "" : "; ") + what;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    answer.reason += (i == 0 ? ": " : "; ") + reasons[i];
   }
+}
+
+/// The shapes of the arm's links that an arm file of JSON takes; of files of trees of links they
+/// stay there, with their meshes.
+std::vector<LinkShapes> own_shapes(const ShowArguments& arguments) {
+  if (is_urdf_path(arguments.arm.text)) return {};
+  return arguments.arm.shapes({}).links;
+}
+
+/// Writes --out, or adds the reasons why the format cannot describe the arm.
+void write_out(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
+  const ArmFileFormat format = arm_file_format(arguments.out);
+  const std::vector<LinkShapes> shapes = own_shapes(arguments);
+  ArmFile file = arm_file(arm, format);
+  if (!file) {
+    std::vector<std::string> reasons;
+    Json gaps = Json::list();
+    for (const ArmGap& gap : file.gaps) {
+      reasons.push_back(sentence(gap, format));
+      gaps.append(Json{{"kind", name(gap.kind)}, {"joint", gap.joint}, {"link", gap.link}});
+    }
+    answer.document.add("gaps", gaps);
+    return refuse(answer, arguments.out + " is not written", reasons);
+  }
+  if (format == ArmFileFormat::json) {
+    file.text = arm_to_json(arm, shapes);
+  } else if (!shapes.empty()) {
+    warn(arguments.out + " has no shapes of the links; a .json file has them");
+  }
+  if (!file.without_rates.empty()) {
+    warn(arguments.out + " has no limits of velocity, acceleration and jerk, as MJCF has none: " +
+         listed(file.without_rates));
+  }
+  if (!file.tip.empty()) {
+    warn(arguments.out + " ends with the joints of a gripper; --tip " + shell_word(file.tip) +
+         " reads them too");
+  }
+  write_file(arguments.out, file.text);
+}
+
+/// Adds --as dh: the table or, where there is none, the screws.
+void add_dh(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
+  const DhTable table = dh_table(
+      arm, arguments.convention == "standard" ? DhConvention::standard : DhConvention::modified);
+  answer.text += dh_text(arm, table, arguments.unit);
+  answer.document.add("dh", dh_document(arm, table, arguments.unit));
+  if (table) return;
+  std::vector<std::string> reasons;
+  for (const DhMisfit& misfit : table.misfits) reasons.push_back(sentence(misfit));
+  refuse(answer, "no table of " + arguments.convention + " DH parameters", reasons);
+}
+
+void check(const ShowArguments& arguments) {
+  if (arguments.as == "dh" && arguments.convention.empty()) {
+    throw Error("--as dh needs --convention standard or modified: they are different tables");
+  }
+  if (arguments.as != "dh" && !arguments.convention.empty()) {
+    throw Error("--convention is for --as dh");
+  }
+  if (arguments.out.empty()) return;
+  arm_file_format(arguments.out);
+  refuse_overwriting(arguments.out, arguments.arm.inputs());
+}
+
+Answer show(const ShowArguments& arguments) {
+  check(arguments);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
-  if (arguments.as == "screws") {
+  if (arguments.as == "dh") add_dh(arguments, arm, answer);
+  if (arguments.as == "screws" || (arguments.as == "dh" && !answer.yes)) {
     answer.text += screw_table(arm);
     answer.document.add("screws", screw_document(arm));
   }
+  if (!arguments.out.empty()) write_out(arguments, arm, answer);
   add_source(arguments.arm.text, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
@@ -129,20 +196,31 @@ Verb show_verb() {
           "built-in arm also its maker, the document that the numbers are from and what the shapes "
           "of its links contain; with --srdf the groups and named states.",
       .arguments = {arguments->arm.argument()},
-      .options =
-          joined({arguments->unit.options(),
-                  {Option("--out FILE",
-                          "Also write the arm to this .json file, with the shapes of its links "
-                          "unless they are in a URDF file.",
-                          &arguments->out),
-                   Option("--as FORM",
-                          "Also print the arm as screws: the product of exponentials, with the "
-                          "screws in the world and in the tool and the home pose.",
-                          &arguments->as, {.choices = {"screws"}})},
-                  arguments->arm.options(),
-                  arguments->limits.options()}),
+      .options = joined(
+          {arguments->unit.options(),
+           {Option("--out FILE",
+                   "Also write the arm to this file: .json, with the shapes of its links "
+                   "unless they are in a URDF file; .urdf; or MuJoCo's .xml or .mjcf. If "
+                   "the format cannot describe the arm, nothing is written.",
+                   &arguments->out),
+            Option("--as FORM",
+                   "Also print the arm in another form. screws: the product of "
+                   "exponentials, with the screws in the world and in the tool and the "
+                   "home pose. dh: Denavit-Hartenberg parameters with the poses of base "
+                   "and tool, or the screws if no table has the arm's axes exactly.",
+                   &arguments->as, {.choices = {"screws", "dh"}}),
+            Option("--convention NAME",
+                   "The convention of --as dh: standard (Denavit & Hartenberg, Paul) or "
+                   "modified (Craig).",
+                   &arguments->convention, {.choices = {"standard", "modified"}, .needs = "--as"})},
+           arguments->arm.options(),
+           arguments->limits.options()}),
       .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
                    {"The screws of a UR5, as in Lynch & Park", "beeline show ur5 --as screws"},
+                   {"The DH table of a Franka Panda, angles in degrees",
+                    "beeline show panda --as dh --convention modified --degrees"},
+                   {"A built-in arm for ROS and for MuJoCo",
+                    "beeline show ur5e --out ur5e.urdf\nbeeline show ur5e --out ur5e.xml"},
                    {"A UR5 with limits of its user",
                     "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
                    {"An arm file to change and use in place of the built-in arm",

@@ -322,6 +322,7 @@ void bind_arms(nb::module_& m) {
   nb::class_<Arm> arm(m, "Arm", comment("Arm"));
   bind_constructor(arm);
   bind_arm_files(arm);
+  bind_written_arms(m, arm);
   bind_descriptions(arm);
   bind_properties(arm);
   bind_frames(arm);

@@ -81,6 +81,12 @@ show arm.xacro --tip gripper
 fk dh.json --q 0.1,0.2
 show RRRP:1,2,0.5,1
 show RHP:1,0.2p0.05,1 --as screws --json
+show px150.json --as dh --convention modified --json
+show robot.urdf --tip gripper --as dh --convention standard --degrees
+show RHP:1,0.2p0.05,1 --as dh --convention standard
+show arm.xml --tip grasp --out out.urdf
+show robot.urdf --tip gripper --mount 1,2,3 --velocity 2 --out out.xml
+show gen3.json --tcp 0,0,0.1 --out out.mjcf
 fk px150.json --q 0.1,0.2,0.3,0.4,0.5 --all
 fk rrr --q 0.1,0.2,0.3 --json
 jacobian ur5.json --q 0,1,1,0,1,0 --frame tool
@@ -151,7 +157,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance --radius""".split()
+--joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance --radius --as --convention""".split()
 
 
 # Files that the command makes, by the command lines before --out.

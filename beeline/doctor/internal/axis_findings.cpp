@@ -141,7 +141,8 @@ void find_special(const Arm& arm, std::vector<Finding>& found) {
 /// table, or with equal frames, they are a mistake.
 void find_coincident(const Arm& arm, std::vector<Finding>& found) {
   const std::vector<JointLine> lines = joint_lines(arm);
-  const bool table = dh_table(arm, DhConvention::standard) || dh_table(arm, DhConvention::modified);
+  const bool table =
+      own_dh_rows(arm, DhConvention::standard) || own_dh_rows(arm, DhConvention::modified);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const JointLine &a = lines[i - 1], &b = lines[i];
     if (a.kind != b.kind || a.pitch != b.pitch) continue;

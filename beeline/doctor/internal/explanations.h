@@ -9,11 +9,11 @@
 namespace beeline::internal {
 
 /// The Denavit-Hartenberg rows of an arm whose link frames follow the convention.
-using DhTable = std::vector<DhRow>;
-std::optional<DhTable> dh_table(const Arm& arm, DhConvention convention);
+using DhRows = std::vector<DhRow>;
+std::optional<DhRows> own_dh_rows(const Arm& arm, DhConvention convention);
 
 /// Returns the arm with other rows. Base, tool and names stay.
-Arm with_rows(const Arm& arm, const DhTable& rows, DhConvention convention);
+Arm with_rows(const Arm& arm, const DhRows& rows, DhConvention convention);
 
 /// Explains B by A row by row, if both are tables of one convention with joints of equal kinds.
 std::vector<Reconciliation> table_explanations(const Arm& a, const Arm& b, double tolerance);

@@ -32,9 +32,9 @@ void consider(std::vector<Hypothesis>& found, const Arm& a, const Arm& b, Differ
 
 /// Changes the rows of an arm whose frames follow the convention.
 Change of_rows(DhConvention convention, DhConvention read_as,
-               const std::function<void(DhTable&)>& change) {
+               const std::function<void(DhRows&)>& change) {
   return [=](const Arm& arm) -> std::optional<Arm> {
-    std::optional<DhTable> rows = dh_table(arm, convention);
+    std::optional<DhRows> rows = own_dh_rows(arm, convention);
     if (!rows) return std::nullopt;
     change(*rows);
     return with_rows(arm, *rows, read_as);
@@ -53,11 +53,11 @@ DhConvention other(DhConvention convention) {
 struct RowChange {
   std::string what;
   DifferenceKind kind;
-  std::function<void(DhTable&)> apply;
+  std::function<void(DhRows&)> apply;
 };
 
 /// Multiplies the angles of all rows.
-void scale_angles(DhTable& rows, double factor) {
+void scale_angles(DhRows& rows, double factor) {
   for (DhRow& row : rows) {
     row.alpha *= factor;
     row.theta *= factor;
@@ -65,8 +65,8 @@ void scale_angles(DhTable& rows, double factor) {
 }
 
 /// Moves numbers of each row to the next row, or to the one before.
-void shift(DhTable& rows, const std::vector<double DhRow::*>& columns, bool down) {
-  const DhTable before = rows;
+void shift(DhRows& rows, const std::vector<double DhRow::*>& columns, bool down) {
+  const DhRows before = rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool inside = down ? i > 0 : i + 1 < rows.size();
     for (const auto column : columns) {
@@ -78,14 +78,14 @@ void shift(DhTable& rows, const std::vector<double DhRow::*>& columns, bool down
 std::vector<RowChange> row_changes() {
   std::vector<RowChange> changes{
       {"alpha has the other sign in all rows", DifferenceKind::angle,
-       [](DhTable& rows) {
+       [](DhRows& rows) {
          for (DhRow& row : rows) row.alpha = -row.alpha;
        }},
       {"columns a and d are exchanged", DifferenceKind::columns,
-       [](DhTable& rows) {
+       [](DhRows& rows) {
          for (DhRow& row : rows) std::swap(row.a, row.d);
        }},
-      {"columns alpha and theta are exchanged", DifferenceKind::columns, [](DhTable& rows) {
+      {"columns alpha and theta are exchanged", DifferenceKind::columns, [](DhRows& rows) {
          for (DhRow& row : rows) std::swap(row.alpha, row.theta);
        }}};
   const std::vector<std::pair<std::string, std::vector<double DhRow::*>>> columns{
@@ -97,7 +97,7 @@ std::vector<RowChange> row_changes() {
   for (const auto& [name, members] : columns) {
     for (const bool down : {true, false}) {
       changes.push_back({name + " one row too " + (down ? "high" : "low"), DifferenceKind::columns,
-                         [members = members, down](DhTable& rows) { shift(rows, members, down); }});
+                         [members = members, down](DhRows& rows) { shift(rows, members, down); }});
     }
   }
   return changes;
@@ -193,17 +193,17 @@ std::vector<Hypothesis> table_hypotheses(const Arm& a, const Arm& b) {
     const std::string read = std::string("the table is ") + spelled(other(convention)) +
                              " DH, not " + spelled(convention);
     consider(found, a, b, DifferenceKind::convention, read, false,
-             of_rows(convention, other(convention), [](DhTable&) {}));
+             of_rows(convention, other(convention), [](DhRows&) {}));
     for (const RowChange& change : row_changes()) {
       consider(found, a, b, change.kind, change.what, false,
                of_rows(convention, convention, change.apply));
     }
     consider(found, a, b, DifferenceKind::unit, "alpha and theta are degrees, read as radians",
              true,
-             of_rows(convention, convention, [](DhTable& rows) { scale_angles(rows, 180 / pi); }));
+             of_rows(convention, convention, [](DhRows& rows) { scale_angles(rows, 180 / pi); }));
     consider(found, a, b, DifferenceKind::unit, "alpha and theta are radians, read as degrees",
              true,
-             of_rows(convention, convention, [](DhTable& rows) { scale_angles(rows, pi / 180); }));
+             of_rows(convention, convention, [](DhRows& rows) { scale_angles(rows, pi / 180); }));
   }
   return found;
 }

@@ -24,10 +24,11 @@ bool is_coordinate(const FixedParameter& parameter, JointKind kind) {
 
 std::optional<Reconciliation> table_explanation(const Arm& a, const Arm& b, DhConvention convention,
                                                 double tolerance) {
-  const std::optional<DhTable> rows_a = dh_table(a, convention), rows_b = dh_table(b, convention);
+  const std::optional<DhRows> rows_a = own_dh_rows(a, convention),
+                              rows_b = own_dh_rows(b, convention);
   if (!rows_a || !rows_b || rows_a->size() != rows_b->size()) return std::nullopt;
   Reconciliation explanation(a);
-  DhTable rows = *rows_a;
+  DhRows rows = *rows_a;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const DhRow& other = (*rows_b)[i];
     if (rows[i].kind != other.kind) return std::nullopt;
@@ -54,9 +55,9 @@ std::optional<Reconciliation> table_explanation(const Arm& a, const Arm& b, DhCo
 
 }  // namespace
 
-std::optional<DhTable> dh_table(const Arm& arm, DhConvention convention) {
+std::optional<DhRows> own_dh_rows(const Arm& arm, DhConvention convention) {
   constexpr double tolerance = 1e-8;
-  DhTable rows;
+  DhRows rows;
   for (const Joint& joint : arm.joints()) {
     const std::optional<DhRow> row = dh_row(joint, convention, tolerance);
     if (!row) return std::nullopt;
@@ -65,7 +66,7 @@ std::optional<DhTable> dh_table(const Arm& arm, DhConvention convention) {
   return rows;
 }
 
-Arm with_rows(const Arm& arm, const DhTable& rows, DhConvention convention) {
+Arm with_rows(const Arm& arm, const DhRows& rows, DhConvention convention) {
   std::vector<Joint> joints = arm.joints();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint joint = dh_joint(rows[i], convention);

@@ -176,6 +176,114 @@ std::string arm_to_json(const Arm& arm);
 /// Writes arm_to_json() to a file. Throws FileError when the file cannot be written.
 void write_arm_json(const std::string& path, const Arm& arm);
 
+/// The formats that arms are written in. Files end in .json, .urdf, and .xml or .mjcf.
+enum class ArmFileFormat {
+  json,  ///< arm_to_json()
+  urdf,  ///< of ROS
+  mjcf,  ///< of MuJoCo
+};
+std::string name(ArmFileFormat format);
+
+/// Returns the format with the ending of the path. Throws Error for another ending.
+ArmFileFormat arm_file_format(const std::string& path);
+
+/// The kind of a gap: a part of an arm that a format of arm files cannot describe.
+enum class ArmGapKind {
+  helical_joint,     ///< `joint` is helical
+  equal_limits,      ///< `joint` has equal position limits: in MJCF it would have none
+  repeated_link,     ///< `joint` moves the link `link`, as another joint does
+  reserved_link,     ///< `joint` moves the link `link`, a name that the format reserves
+  too_many_joints,   ///< the bodies of an MJCF file are nested, and readers limit the depth
+  controller_frame,  ///< `joint` moves the link `link`, whose name states a frame of the controller
+};
+struct ArmGap {
+  ArmGapKind kind = ArmGapKind::helical_joint;
+  std::string joint = {}, link = {};  ///< names
+};
+std::string name(ArmGapKind kind);
+/// Returns one sentence without a full stop, such as `joint3 is helical; URDF has revolute and
+/// prismatic joints`.
+std::string sentence(const ArmGap& gap, ArmFileFormat format);
+
+/// An arm as the text of a file.
+struct ArmFile {
+  std::string text = {};          ///< content of the file; empty if there are gaps
+  std::vector<ArmGap> gaps = {};  ///< parts of the arm for which there is no text
+  /// Joints whose limits of velocity, acceleration and jerk are not in the text, because the format
+  /// has none.
+  std::vector<std::string> without_rates = {};
+  /// ChainEnds::tip that selects the arm, if read_arm() selects another chain without it, as it
+  /// does for an arm that includes joints of a gripper; empty: none is needed.
+  std::string tip = {};
+
+  /// Returns whether there is a text.
+  explicit operator bool() const { return gaps.empty(); }
+};
+
+/// Returns the arm in a format. read_arm() makes the same arm of it; only of URDF and MJCF, the
+/// base becomes a part of the first joint's offset.
+///   - json: exactly.
+///   - urdf: joint axes pass through the origins of their links. The frame of a link whose joint
+///     does not is moved to the point of the axis nearest to its origin, parallel. Limits of
+///     acceleration and jerk are the attributes `acceleration` and `jerk`, which other readers
+///     ignore. An unknown limit of a rate and every effort are 0, a missing position limit is
+///     +-1e9.
+///   - mjcf: couplings are equality constraints. Bodies get a mass and an inertia of their own
+///     from `boundmass` and `boundinertia` of `<compiler>`, without which MuJoCo reads no body.
+/// Links without a name are called link1, link2 and so on, and the tool is a link `tool`. The
+/// ControllerFrames are links `base` and `tool0` if they are stated; an assumed one is assumed
+/// again when the file is read. Shapes of links are not written. Throws Error as arm_to_json().
+ArmFile arm_file(const Arm& arm, ArmFileFormat format);
+
+/// Writes arm_file() in the format of the path's ending. Throws Error for a gap, another ending and
+/// invalid names, and FileError when the file cannot be written.
+void write_arm(const std::string& path, const Arm& arm);
+
+/// The remaining choice of a frame of a DH table, given the axes of the joints before and behind
+/// the link.
+enum class DhFreedom {
+  none,        ///< none but the sign of x: the axes are skew or meet in a point
+  along_axis,  ///< parallel axes: the origin is anywhere on the axis
+  on_axis,     ///< coincident axes: so it is, and x has any direction
+  line,        ///< an axis of a prismatic joint has a direction, but no position
+  end,         ///< the first and the last frame, which have an axis on one side
+};
+std::string name(DhFreedom freedom);
+
+/// A joint whose axis a DH table does not give.
+struct DhMisfit {
+  std::string joint = {};
+  bool helical = false;  ///< otherwise its axis is nearly parallel to the axis before it
+  /// Distance from the link's frame of the common normal of the two axes, m; its rounding is an
+  /// error of the axis.
+  double distance = 0;
+};
+/// Returns one sentence without a full stop.
+std::string sentence(const DhMisfit& misfit);
+
+/// The Denavit-Hartenberg parameters of an arm: base * A_1(q_1) ... A_n(q_n) * tool is the pose of
+/// its tool, with A_i the transform of row i (Craig, *Introduction to Robotics*, section 3.6).
+struct DhTable {
+  DhConvention convention = DhConvention::standard;
+  Pose base = Pose::Identity();  ///< pose of frame 0 in the world
+  std::vector<DhRow> rows = {};  ///< one for each joint, mimic joints included; none if misfits
+  Pose tool = Pose::Identity();  ///< pose of the tool in frame n
+  std::vector<DhFreedom> freedom = {};  ///< of frames 0 to n
+  std::vector<DhMisfit> misfits = {};
+
+  /// Returns whether there is a table.
+  explicit operator bool() const { return misfits.empty(); }
+};
+
+/// Returns the DH table of an arm. Every chain of revolute and prismatic joints has one, as base
+/// and tool are free. A frame that the axes leave open is the one nearest to the arm's own link
+/// frame: an arm that was described by a table of this convention gets its rows. The length a is
+/// not negative unless the link's own frame is the frame with the opposite x. The table gives each
+/// axis to 5e-13 rad and, for lengths up to 1 m, 5e-13 m; `misfits` has the joints for which none
+/// does: helical joints, and axes that are nearly parallel to the axis before them, whose common
+/// normal is far away (Hayati & Mirmirani, 1985). Use the product of exponentials for them.
+DhTable dh_table(const Arm& arm, DhConvention convention);
+
 /// Checks the names of the arm, its joints and its links, which are not empty, UTF-8, without
 /// control characters and of at most 1000 bytes. Throws Error.
 void check_names(const Arm& arm);

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/json_write.h>
@@ -33,19 +34,30 @@ Rotation quaternion_from_json(const JsonDocument& document, const Json& json) {
   }
 }
 
-/// Finds the roll, pitch and yaw with the fewest digits that give exactly this rotation; returns
-/// false when no digits do.
-bool find_rpy(const Rotation& wanted, Vector3& rpy) {
-  const RollPitchYaw exact_rpy = roll_pitch_yaw(wanted);
-  const Vector3 found(exact_rpy.roll, exact_rpy.pitch, exact_rpy.yaw);
-  for (const int digits : readable_digits) {
-    rpy = rounded(found, digits);
-    if (rotation(RollPitchYaw{rpy.x(), rpy.y(), rpy.z()}) == wanted) return true;
+/// Roll, pitch and yaw. Close to gimbal lock, where roll_pitch_yaw() returns roll 0, roll is such
+/// that the rotation is exact to rounding.
+Vector3 exact_rpy(const Rotation& r) {
+  constexpr double rounding = 1e-15;
+  RollPitchYaw rpy = roll_pitch_yaw(r);
+  if ((rotation(rpy) - r).cwiseAbs().maxCoeff() > rounding) {
+    rpy.roll = std::atan2(r(2, 1), r(2, 2));
+    const Vector3 y = std::cos(rpy.roll) * r.col(1) - std::sin(rpy.roll) * r.col(2);
+    rpy.yaw = std::atan2(-y.x(), y.y());
   }
-  return false;
+  return {rpy.roll, rpy.pitch, rpy.yaw};
 }
 
 }  // namespace
+
+ShortRpy short_rpy(const Rotation& wanted) {
+  const Vector3 found = exact_rpy(wanted);
+  for (const int digits : readable_digits) {
+    const Vector3 rpy = rounded(found, digits);
+    if (rotation(RollPitchYaw{rpy.x(), rpy.y(), rpy.z()}) == wanted) return {rpy, true};
+  }
+  constexpr double rounding = 1e-15;  // rad
+  return {rounded((found.array().abs() < rounding).select(Vector3::Zero(), found), 17), false};
+}
 
 Vector3 vector_from_json(const JsonDocument& document, const Json& json) {
   const std::vector<double> values = document.numbers(json, 3);
@@ -81,8 +93,8 @@ std::string pose_to_json(const Pose& pose) {
   const Vector3 position = pose.translation();
   const std::string xyz = "{\"xyz\": " + json_numbers(position.data(), 3);
   if (pose.linear().isIdentity(0)) return xyz + "}";
-  Vector3 rpy;
-  if (find_rpy(pose.linear(), rpy)) return xyz + ", \"rpy\": " + json_numbers(rpy.data(), 3) + "}";
+  const ShortRpy rpy = short_rpy(pose.linear());
+  if (rpy.exact) return xyz + ", \"rpy\": " + json_numbers(rpy.value.data(), 3) + "}";
   std::string text = "{\"matrix\": [";
   for (int i = 0; i < 4; ++i) {
     const Eigen::Vector4d row = pose.matrix().row(i);

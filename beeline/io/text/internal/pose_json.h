@@ -15,6 +15,14 @@ Pose pose_from_json(const JsonDocument& document, const Json& json);
 /// Writes a pose on one line: by xyz and rpy when these read back exactly, otherwise by its matrix.
 std::string pose_to_json(const Pose& pose);
 
+/// Roll, pitch and yaw of a rotation with the fewest digits that give exactly this rotation or, if
+/// none do, the rotation to rounding.
+struct ShortRpy {
+  Vector3 value;
+  bool exact;
+};
+ShortRpy short_rpy(const Rotation& wanted);
+
 Vector3 vector_from_json(const JsonDocument& document, const Json& json);
 
 }  // namespace beeline::internal
