@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/io/text/internal/arm_tree.h>
 #include <beeline/io/text/numbers.h>
@@ -24,11 +25,11 @@ class TreeOfArm {
     const bool mounted = !arm_.base().matrix().isIdentity(0);
     tree_.root = urdf_ ? new_name(mounted ? "world" : "base_link", taken_) : "world";
     last_ = tree_.root;
-    if (mounted) add_fixed(new_name("base_link", taken_), last_, arm_.base());
     const ControllerFrames& controller = arm_.controller();
     if (!controller.base_assumed && is_free(root_frame, "")) {
       tree_.links.push_back({.name = root_frame, .parent = tree_.root, .pose = controller.base});
     }
+    if (mounted) add_fixed(new_name("base_link", taken_), last_, arm_.base());
     for (std::size_t i = 0; i < arm_.joints().size(); ++i) add_joint(i);
     add_tool();
     return std::move(tree_);
@@ -124,12 +125,14 @@ WrittenTree written_tree(const Arm& arm, ArmFileFormat format) {
   return TreeOfArm(arm, format).tree();
 }
 
-std::string numbers_text(const Vector3& values) {
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "" : " ") + exact(value == 0 ? 0 : value);  // -0 as 0
-  }
-  return text;
+std::string coordinate_text(double value) {
+  constexpr double rounding = 1e-15;
+  return exact(std::abs(value) < rounding ? 0 : value);
+}
+
+std::string coordinates_text(const Vector3& values) {
+  return coordinate_text(values.x()) + " " + coordinate_text(values.y()) + " " +
+         coordinate_text(values.z());
 }
 
 std::string new_name(std::string wanted, std::vector<std::string>& taken) {

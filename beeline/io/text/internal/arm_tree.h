@@ -27,8 +27,11 @@ struct WrittenTree {
 /// each link lies on its joint's axis.
 WrittenTree written_tree(const Arm& arm, ArmFileFormat format);
 
-/// Returns numbers with blanks between them, which read back exactly.
-std::string numbers_text(const Vector3& values);
+/// Returns a coordinate or a component of a direction, which reads back exactly; 0 if it is
+/// rounding of 0.
+std::string coordinate_text(double value);
+/// Returns three of them with blanks between.
+std::string coordinates_text(const Vector3& values);
 
 /// Returns `wanted`, or the first of `wanted_`, `wanted__` and so on that is not in `taken`, and
 /// adds it there.

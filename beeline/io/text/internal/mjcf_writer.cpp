@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -12,10 +13,10 @@ constexpr const char* mjcf_remark =
     "MJCF by Beeline, which knows no masses: boundmass and boundinertia stand for them.";
 
 void write_pose(XmlWriter& xml, const Pose& pose) {
-  if (!pose.translation().isZero(0)) xml.add("pos", numbers_text(pose.translation()));
+  if (!pose.translation().isZero(0)) xml.add("pos", coordinates_text(pose.translation()));
   if (pose.linear().isIdentity(0)) return;
   const Quaternion q = quaternion(pose.linear());
-  xml.add("quat", exact(q.qw) + " " + numbers_text({q.qx, q.qy, q.qz}));
+  xml.add("quat", coordinate_text(q.qw) + " " + coordinates_text({q.qx, q.qy, q.qz}));
 }
 
 void write_joint(XmlWriter& xml, const WrittenLink& link) {
@@ -23,8 +24,8 @@ void write_joint(XmlWriter& xml, const WrittenLink& link) {
   XmlWriter::Element element(xml, "joint");
   xml.add("name", joint.name);
   xml.add("type", kind(joint) == JointKind::prismatic ? "slide" : "hinge");
-  if (!link.point.isZero(0)) xml.add("pos", numbers_text(link.point));
-  xml.add("axis", numbers_text(link.axis));
+  if (!link.point.isZero(0)) xml.add("pos", coordinates_text(link.point));
+  xml.add("axis", coordinates_text(link.axis));
   const Limits& limits = joint.limits;
   if (!std::isfinite(limits.lower) && !std::isfinite(limits.upper)) return;
   xml.add("range",
@@ -53,7 +54,8 @@ void write_couplings(XmlWriter& xml, const Arm& arm) {
     XmlWriter::Element coupling(xml, "joint");
     xml.add("joint1", joint.name);
     xml.add("joint2", joint.mimic->leader);
-    xml.add("polycoef", numbers_text({joint.mimic->offset, joint.mimic->multiplier, 0}) + " 0 0");
+    xml.add("polycoef",
+            exact(joint.mimic->offset) + " " + exact(joint.mimic->multiplier) + " 0 0 0");
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/io/text/internal/arm_tree.h>
@@ -34,8 +35,8 @@ void write_end(XmlWriter& xml, const char* end, const std::string& link) {
 
 void write_origin(XmlWriter& xml, const Pose& pose) {
   XmlWriter::Element element(xml, "origin");
-  xml.add("xyz", numbers_text(pose.translation()));
-  xml.add("rpy", numbers_text(short_rpy(pose.linear()).value));
+  xml.add("xyz", coordinates_text(pose.translation()));
+  xml.add("rpy", coordinates_text(short_rpy(pose.linear()).value));
 }
 
 void write_joint(XmlWriter& xml, const WrittenLink& link, std::vector<std::string>& names) {
@@ -55,7 +56,7 @@ void write_joint(XmlWriter& xml, const WrittenLink& link, std::vector<std::strin
   if (joint == nullptr) return;
   {
     XmlWriter::Element axis(xml, "axis");
-    xml.add("xyz", numbers_text(link.axis));
+    xml.add("xyz", coordinates_text(link.axis));
   }
   write_limit(xml, *joint, continuous);
   if (!joint->mimic) return;
