@@ -93,7 +93,7 @@ def test_the_text_is_the_makers_table(beeline):
     ("nearly.urdf", "the axis of j2 is nearly parallel to the axis before it: their common normal is "),
 ])  # fmt: skip
 def test_without_a_table_the_screws_are_printed(beeline, written, arm, says):
-    joint = '<joint name="j{0}" type="continuous"><parent link="l{1}"/><child link="l{0}"/><origin xyz="0.4 0.1 0" rpy="{2}"/></joint>'
+    joint = '<joint name="j{0}" type="continuous"><parent link="l{1}"/><child link="l{0}"/><origin xyz="0.4 0.1 0.05" rpy="{2}"/></joint>'
     written("nearly.urdf", '<robot name="n">' + "".join(f'<link name="l{k}"/>' for k in range(4)) +
             joint.format(1, 0, "0 0 0") + joint.format(2, 1, "0 1e-7 0") + joint.format(3, 2, "1.5 0 0") + "</robot>")  # fmt: skip
     answer = beeline("show", arm, "--as", "dh", "--convention", "modified")

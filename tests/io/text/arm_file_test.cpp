@@ -54,7 +54,9 @@ double round_trip(const Arm& arm, ArmFileFormat format, testing::Random& random)
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(kind(a), kind(b));
     EXPECT_EQ(a.mimic.has_value(), b.mimic.has_value());
-    if (!b.link.empty()) EXPECT_EQ(a.link, b.link);
+    if (!b.link.empty()) {
+      EXPECT_EQ(a.link, b.link);
+    }
     expect_same_limits(a.limits, b.limits, format != ArmFileFormat::mjcf);
   }
   EXPECT_EQ(read.controller().base_assumed, arm.controller().base_assumed);
