@@ -83,7 +83,6 @@ show RRRP:1,2,0.5,1
 show RHP:1,0.2p0.05,1 --as screws --json
 show px150.json --as dh --convention modified --json
 show robot.urdf --tip gripper --as dh --convention standard --degrees
-show RHP:1,0.2p0.05,1 --as dh --convention standard
 show arm.xml --tip grasp --out out.urdf
 show robot.urdf --tip gripper --mount 1,2,3 --velocity 2 --out out.xml
 show gen3.json --tcp 0,0,0.1 --out out.mjcf
