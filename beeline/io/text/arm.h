@@ -197,8 +197,8 @@ enum class ArmGapKind {
   controller_frame,  ///< `joint` moves the link `link`, whose name states a frame of the controller
 };
 struct ArmGap {
-  ArmGapKind kind = ArmGapKind::helical_joint;
-  std::string joint = {}, link = {};  ///< names
+  ArmGapKind kind = ArmGapKind::helical_joint;  ///< kind of the gap
+  std::string joint = {}, link = {};            ///< names
 };
 std::string name(ArmGapKind kind);
 /// Returns one sentence without a full stop, such as `joint3 is helical; URDF has revolute and
@@ -252,8 +252,8 @@ std::string name(DhFreedom freedom);
 
 /// A joint whose axis a DH table does not give.
 struct DhMisfit {
-  std::string joint = {};
-  bool helical = false;  ///< otherwise its axis is nearly parallel to the axis before it
+  std::string joint = {};  ///< name of the joint
+  bool helical = false;    ///< otherwise its axis is nearly parallel to the axis before it
   /// Distance from the link's frame of the common normal of the two axes, m; its rounding is an
   /// error of the axis.
   double distance = 0;
@@ -264,12 +264,12 @@ std::string sentence(const DhMisfit& misfit);
 /// The Denavit-Hartenberg parameters of an arm: base * A_1(q_1) ... A_n(q_n) * tool is the pose of
 /// its tool, with A_i the transform of row i (Craig, *Introduction to Robotics*, section 3.6).
 struct DhTable {
-  DhConvention convention = DhConvention::standard;
-  Pose base = Pose::Identity();  ///< pose of frame 0 in the world
+  DhConvention convention = DhConvention::standard;  ///< convention of the rows
+  Pose base = Pose::Identity();                      ///< pose of frame 0 in the world
   std::vector<DhRow> rows = {};  ///< one for each joint, mimic joints included; none if misfits
   Pose tool = Pose::Identity();  ///< pose of the tool in frame n
   std::vector<DhFreedom> freedom = {};  ///< of frames 0 to n
-  std::vector<DhMisfit> misfits = {};
+  std::vector<DhMisfit> misfits = {};   ///< joints whose axis no row gives; empty: there is a table
 
   /// Returns whether there is a table.
   explicit operator bool() const { return misfits.empty(); }
