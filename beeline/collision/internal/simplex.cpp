@@ -150,7 +150,7 @@ Vector3 Simplex::change_in_plane(const Vector3& point) const {
   const Vector3 u = at(first) - at(0), edge = at(second) - at(0);
   const double size = u.squaredNorm();
   double along = u.dot(edge) / size;
-  Vector3 w = edge - along * u;  // at right angles to u, to rounding; then to that of w
+  Vector3 w = edge - along * u;  // at right angles to u, to rounding
   const double rest = u.dot(w) / size;
   w -= rest * u;
   along += rest;
