@@ -22,11 +22,14 @@ void check_column(const JointPath& path, const std::vector<Configuration>& colum
   }
 }
 
-/// The number of parts into which refined() divides the step.
+/// The number of parts into which refined() divides the step. A blend curves in the middle of its
+/// step only.
 int parts(const JointPath& path, std::size_t k, const RefineOptions& options) {
   const double length = path.s[k + 1] - path.s[k];
   const double longest = (path.s.back() - path.s.front()) / double(options.min_steps);
-  const double change = std::max(path.ddq[k].norm(), path.ddq[k + 1].norm()) * length;
+  const double change =
+      std::max({path.ddq[k].norm(), path_point(path, k, 0.5).ddq.norm(), path.ddq[k + 1].norm()}) *
+      length;
   const double rate = std::max({path.dq[k].norm(), path.dq[k + 1].norm(), 1e-300});  // not 0
   const double wanted = std::max(length / longest, change / rate / options.max_change);
   return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.max_parts)));

@@ -24,6 +24,15 @@ constexpr double velocity_error = 1e-3, acceleration_error = 3e-3, jerk_error = 
 constexpr double first_intervals = 8;
 constexpr double shortest = 1.0 / 4096;  // interval between samples, of the duration
 
+// Grid points of a path up to which ramps and shortest intervals are these fractions of the
+// duration. They are smaller for longer paths, which have more turns.
+constexpr double usual_grid = 1024;
+
+/// The part of these fractions that holds for a section.
+double scale_of(const TimedSection& section) {
+  return std::min(1.0, usual_grid / static_cast<double>(section.path.size()));
+}
+
 // Jumps of the acceleration, or of the jerk of a smooth time scaling, that get samples: as a
 // fraction of the largest.
 constexpr double large_jump = 0.1;
@@ -33,8 +42,10 @@ constexpr double rounding_margin = 2e-6;
 
 class Refinement {
  public:
-  Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options)
-      : motion_(motion), limits_(limits), options_(options) {}
+  /// Intervals are not divided below `least_gap`, s.
+  Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options,
+             double least_gap)
+      : motion_(motion), limits_(limits), options_(options), shortest_(least_gap) {}
 
   /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs.
   /// Appends only some if the budget ends.
@@ -46,7 +57,7 @@ class Refinement {
       const double t = a.t + h * 0.25 * static_cast<double>(i + 1);
       inner[i] = {t, motion_.at(t)};
     }
-    if (h <= shortest * motion_.scaling().duration() || agrees(a, inner, b)) {
+    if (h <= shortest_ || agrees(a, inner, b)) {
       samples.push_back(b);
       return;
     }
@@ -82,6 +93,7 @@ class Refinement {
   const JointMotion& motion_;
   const PathLimits& limits_;
   const SectionOptions& options_;
+  double shortest_;
 };
 
 /// The samples whatever the interpolation needs: the ends and the required ones, whose s is exact;
@@ -89,7 +101,7 @@ class Refinement {
 /// to one before them than shortest_interval are left out: the rounding of their positions would
 /// count.
 std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& given,
-                                  const SectionOptions& options) {
+                                  const SectionOptions& options, double least_gap) {
   const AveragedScaling& scaling = motion.scaling();
   const double duration = scaling.duration();
   // The motion is exactly at rest at both ends, despite rounding in the time scaling.
@@ -120,7 +132,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
     const auto is_required = [&](double s) {
       return std::binary_search(options.required.begin(), options.required.end(), s);
     };
-    const bool apart = samples.empty() || t > samples.back().t + shortest * duration;
+    const bool apart = samples.empty() || t > samples.back().t + least_gap;
     if (!apart && t < duration && !is_required(now.s)) continue;
     if (!apart && samples.size() > 1 && !is_required(samples.back().state.progress.s))
       samples.pop_back();
@@ -155,11 +167,12 @@ SampledSection refined_samples(const Arm& arm, const TimedSection& section,
                                const SectionOptions& options, double width) {
   const AveragedScaling scaling(section.scaling, width);
   const JointMotion motion(section.path, scaling);
-  std::vector<Sample> samples = first_samples(motion, section.scaling, options);
+  const double least_gap = shortest * scale_of(section) * scaling.duration();
+  std::vector<Sample> samples = first_samples(motion, section.scaling, options, least_gap);
   if (samples.empty()) return {};
   if (options.timing.interpolation != Interpolation::linear) {
     const PathLimits limits = path_limits(arm, options.timing.speed_scale);
-    const Refinement refinement(motion, limits, options);
+    const Refinement refinement(motion, limits, options, least_gap);
     std::vector<Sample> refined{samples.front()};
     for (std::size_t k = 1; k < samples.size(); ++k) {
       if (options.budget.ended()) return {};
@@ -177,7 +190,7 @@ bool has_jumps(const TimedSection& section, const SectionOptions& options) {
 }
 
 double ramp_width(const TimedSection& section, const SectionOptions& options) {
-  return has_jumps(section, options) ? ramp * section.scaling.duration() : 0;
+  return has_jumps(section, options) ? ramp * scale_of(section) * section.scaling.duration() : 0;
 }
 
 SampledSection without_rate(const Arm& arm, const TimedSection& section,
