@@ -82,6 +82,8 @@ section "Motions from rest to rest, nanoseconds"
 google point_to_point || status=1
 section "Time-optimal scaling of splines"
 "$python" -B bench/motion/retime.py "$folder/bench_retime" --count "${BENCH_SPLINES:-50}" || status=1
+section "Joint motions through waypoints, beside toppra and ruckig"
+PYTHONPATH=build/python "$python" -B bench/motion/through.py --paths "${BENCH_PATHS:-1}" || status=1
 section "A step of the servo"
 "$folder/bench_servo" "${BENCH_STEPS:-1000000}"
 
