@@ -149,6 +149,16 @@ TEST(JointPath, RefinedKeepsItsGridPointsAndItsShape) {
   }
 }
 
+TEST(JointPath, RefinedDividesStepsThatCurveInTheirMiddleOnly) {
+  const Configuration x = Eigen::Vector2d(1, 0), y = Eigen::Vector2d(0, 1), none = 0 * x;
+  const JointPath corner{{0, 1}, {-0.5 * x, 0.5 * y}, {x, y}, {none, none}};
+  const JointPath fine = refined(corner, {.min_steps = 1, .max_change = 0.1});
+  EXPECT_GE(fine.size(), 15u);
+  for (std::size_t k = 0; k + 1 < fine.size(); ++k) {
+    EXPECT_LE((fine.dq[k + 1] - fine.dq[k]).norm(), 0.15);
+  }
+}
+
 TEST(JointPath, RefinedIsEmptyWhereTheBudgetEndsIt) {
   const std::vector<Configuration> samples{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 2)};
   const JointPath path = joint_spline(samples, std::vector<double>{0, 1});

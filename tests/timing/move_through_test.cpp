@@ -97,6 +97,25 @@ TEST(MoveThrough, StopsAtRepeatedConfigurationsAndAtTinyBlends) {
   EXPECT_LE(small.duration(), stopping.duration());
 }
 
+TEST(MoveThrough, ManyBlendsTakeNearlyTheTimeOfFew) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Configuration middle = middle_configuration(arm);
+  std::vector<Configuration> waypoints;
+  for (int i = 0; i < 200; ++i) {
+    waypoints.push_back(middle + 0.5 * (random.configuration(arm) - middle));
+  }
+  double in_parts = 0;  // of ten waypoints, with a stop between them
+  for (std::size_t k = 0; k + 1 < waypoints.size(); k += 9) {
+    const std::size_t count = std::min<std::size_t>(10, waypoints.size() - k);
+    in_parts +=
+        move_through(arm, std::span(waypoints).subspan(k, count), {.joint_blend = 0.1}).duration();
+  }
+  const Retimed whole = move_through(arm, waypoints, {.joint_blend = 0.1});
+  ASSERT_FALSE(whole.reason) << whole.reason;
+  EXPECT_LT(whole.duration(), 1.08 * in_parts);
+}
+
 TEST(MoveThrough, WithoutBlendsFollowsTheSplineOfRetime) {
   testing::Random random;
   const Arm arm = built_in("ur5");
