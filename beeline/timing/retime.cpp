@@ -156,15 +156,20 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
     if (ended.trajectory.size() > 0) ended.recovery = recovery_of(arm, ended.trajectory);
     return ended;
   }
+  const auto most = static_cast<std::size_t>(options.max_samples);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
+  if (moves(trajectory) && section.trajectory.size() >= most) {
+    timed.reason = {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}};
+    return internal::without_motion(std::move(timed));
+  }
   if (moves(trajectory)) {
     RetimeOptions after = options;
     after.duration.reset();
     after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
     timed = retimed_positions(arm, trajectory, after, budget);
     if (timed.reason.has(ReasonField::max_samples)) {
-      timed.reason.set(ReasonField::max_samples, static_cast<std::size_t>(options.max_samples));
+      timed.reason.set(ReasonField::max_samples, most);
     }
     if (!timed && timed.ending == Ending::complete) return timed;
     if (timed.trajectory.size() == 0) {

@@ -263,6 +263,24 @@ TEST(RecoveryOfJointPaths, RemainsWhenTheBudgetEndsTheMotion) {
   EXPECT_GT(ended, 0);
 }
 
+TEST(RecoveryOfJointPaths, CountsTheSamplesOfTheWhole) {
+  const Outside given;
+  const std::vector<Configuration> waypoints{given.start, middle_configuration(given.arm)};
+  for (const std::optional<double> rate : {std::optional<double>(), std::optional<double>(100)}) {
+    const Retimed whole = move_through(given.arm, waypoints, {.rate = rate, .recover = 0.1});
+    ASSERT_TRUE(whole) << whole.reason;
+    const auto size = static_cast<int>(whole.trajectory.size());
+    for (int most = 2; most <= size; ++most) {
+      const Retimed motion =
+          move_through(given.arm, waypoints, {.rate = rate, .max_samples = most, .recover = 0.1});
+      ASSERT_EQ(static_cast<bool>(motion), most == size) << most << " of " << size;
+      if (motion) continue;
+      EXPECT_EQ(motion.trajectory.size(), 0);
+      EXPECT_EQ(field<std::size_t>(motion.reason, ReasonField::max_samples), most);
+    }
+  }
+}
+
 TEST(RecoveryOfLines, RefusesAmountsOutOfRangeAndFartherStarts) {
   const Arm arm = built_in("panda");
   Configuration q = middle_configuration(arm);
