@@ -266,13 +266,15 @@ TEST(RecoveryOfJointPaths, RemainsWhenTheBudgetEndsTheMotion) {
 TEST(RecoveryOfJointPaths, CountsTheSamplesOfTheWhole) {
   const Outside given;
   const std::vector<Configuration> waypoints{given.start, middle_configuration(given.arm)};
-  for (const std::optional<double> rate : {std::optional<double>(), std::optional<double>(100)}) {
-    const Retimed whole = move_through(given.arm, waypoints, {.rate = rate, .recover = 0.1});
+  for (const double rate : {0, 100}) {
+    RetimeOptions options{.recover = 0.1};
+    options.rate = rate;
+    const Retimed whole = move_through(given.arm, waypoints, options);
     ASSERT_TRUE(whole) << whole.reason;
     const auto size = static_cast<int>(whole.trajectory.size());
     for (int most = 2; most <= size; ++most) {
-      const Retimed motion =
-          move_through(given.arm, waypoints, {.rate = rate, .max_samples = most, .recover = 0.1});
+      options.max_samples = most;
+      const Retimed motion = move_through(given.arm, waypoints, options);
       ASSERT_EQ(static_cast<bool>(motion), most == size) << most << " of " << size;
       if (motion) continue;
       EXPECT_EQ(motion.trajectory.size(), 0);
