@@ -2,12 +2,13 @@ import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
 import { lessonHtml } from "../lesson_plugin.js";
-import { lineBound, lineRows, lineTruth, linkLengths } from "../src/core/line_bound.js";
+import { lineBound, lineRows, linkLengths, sampledDeviation } from "../src/core/line_bound.js";
 import { checkAngle, checkConstantJacobian, checkLost, checkString } from "../src/lessons/checks.js";
 import { checkDrawing, movedParts, type Part } from "../src/lessons/drawn_arm.js";
 import { exercises, figureOf } from "../src/lessons/exercises.js";
 import { judges } from "../src/lessons/judges.js";
-import { codeOf, resultsOf } from "../src/lessons/results.js";
+import { codesIn } from "../src/lessons/handed_in.js";
+import { codeOf, codeOfContent, resultsOf } from "../src/lessons/results.js";
 import { figureNames } from "../src/page/lesson_figures.js";
 import { answers } from "./exercise_answers.js";
 import { loadCore, random } from "./native.js";
@@ -138,7 +139,71 @@ test("results become a code and back; a code that is cut off, changed or no code
   await expect(resultsOf(code.slice(0, 20) + other + code.slice(21))).rejects.toThrow("cut off or changed");
   await expect(resultsOf("hello")).rejects.toThrow("begins with");
   const long = await resultsOf(await codeOf([{ name: "rp", answer: "x".repeat(5000), time: 0 }]));
-  expect(long[0]?.answer.length).toBe(400);
+  expect(long[0]?.answer.length).toBe(4100);
+  await expect(resultsOf(code.replace("beeline1-", "beeline2-"))).rejects.toThrow("another version");
+});
+
+test.each([
+  ["an answer of 24,000 blanks", [["string", `PPP${" ".repeat(24_000)}x`, 5]]],
+  ["a name of 300 letters", [["x".repeat(300), "PPP", 5]]],
+  ["a time beyond all dates", [["string", "PPP", 1e300]]],
+  ["a time before 1970", [["string", "PPP", -1]]],
+  ["half a minute", [["string", "PPP", 0.5]]],
+  ["a time as text", [["string", "PPP", "5"]]],
+  ["no time", [["string", "PPP"]]],
+  ["a number as answer", [["string", 5, 5]]],
+  ["no rows", { string: "PPP" }],
+  ["nothing", null],
+  ["more rows than there are exercises", Array.from({ length: 101 }, () => ["string", "PPP", 5])],
+])("a forged code is refused: %s", async (_, rows) => {
+  await expect(resultsOf(await codeOfContent(rows))).rejects.toThrow("other content than results");
+});
+
+test("a code that unpacks to more than any page writes is refused", async () => {
+  await expect(resultsOf(await codeOfContent(" ".repeat(2_000_000)))).rejects.toThrow("other content");
+  await expect(resultsOf(`beeline1-${"x".repeat(20_000)}`)).rejects.toThrow("longer than any");
+  expect(await resultsOf(await codeOfContent([["string", "PPP", 1e8]]))).toEqual([
+    { name: "string", answer: "PPP", time: 6e12 },
+  ]);
+});
+
+test("judging takes time in proportion to the length of an answer: this test ends", () => {
+  const judged = Object.keys(judges).filter((name) => !["constant-jacobian", "describe"].includes(name)); // long arms
+  for (const filler of [" ", "r ", "1 ", "= ", "rad ", "(", ", ", "- ", "or "]) {
+    const blank = filler.repeat(100_000 / filler.length);
+    for (const name of judged)
+      for (const answer of [`PPP${blank}x`, `30,0,0 → along${blank}x`, `${blank}no`])
+        expect(solved(name, answer), `${name} ${filler}`).toBe(false);
+  }
+  for (const name of ["constant-jacobian", "describe"]) expect(solved(name, `PP${" ".repeat(400_000)}x`)).toBe(false);
+});
+
+test("codes are found as they arrive", async () => {
+  const all = [1, 2, 3, 4].map((k) => ({ name: "rp", answer: `(1+d2)cosθ${k}; ${next()}`, time: 60_000 * k }));
+  const code = await codeOf(all);
+  const other = await codeOf(all.slice(0, 1));
+  expect(code.length).toBeGreaterThan(76);
+  expect(codesIn(`Ada: ${code}`)).toEqual([{ whose: "Ada", code }]);
+  expect(codesIn(`${code} Ada Lovelace`)).toEqual([{ whose: "Ada Lovelace", code }]);
+  expect(codesIn(`${code},\n"${other}"`)).toEqual([
+    { whose: "Code 1", code },
+    { whose: "Code 2", code: other },
+  ]);
+  expect(codesIn(`Ada,\u200b${code.slice(0, 30)}\u200b${code.slice(30)}\ufeff`)).toEqual([{ whose: "Ada", code }]);
+  const mail = `Ada ${code.slice(0, 72)}\r\n${code.slice(72, 76)}\n> ${code.slice(76)}\r\nGrace ${other}\nThanks\n`;
+  expect(codesIn(mail)).toEqual([
+    { whose: "Ada", code },
+    { whose: "Grace", code: other },
+    { whose: "Thanks", code: "" },
+  ]);
+  expect(codesIn(`Ada ${code} Grace ${other}`)).toEqual([
+    { whose: "Ada", code },
+    { whose: "Grace", code: other },
+  ]);
+  expect(codesIn(`Ada ${code.slice(0, 40)}\nGrace: ${other}`)).toEqual([
+    { whose: "Ada", code: code.slice(0, 40) },
+    { whose: "Grace", code: other },
+  ]);
 });
 
 test("between samples no tool leaves the bound, which is near the truth, and falls to a quarter", () => {
@@ -148,7 +213,7 @@ test("between samples no tool leaves the bound, which is near the truth, and fal
   for (let i = 0; i < 300; ++i) {
     const from = lengths.map(() => 6 * next() - 3);
     const to = from.map((value) => value + next() - 0.5);
-    expect(Math.max(...lineTruth(arm, from, to, 40))).toBeLessThanOrEqual(lineBound(lengths, from, to));
+    expect(Math.max(...sampledDeviation(arm, from, to, 40))).toBeLessThanOrEqual(lineBound(lengths, from, to));
   }
   arm.release();
   const rrr = core.arm("rrr");
@@ -162,7 +227,7 @@ test("between samples no tool leaves the bound, which is near the truth, and fal
     const pairs = rows.slice(1).map((to, i): [number[], number[]] => [rows[i] ?? to, to]);
     return [
       Math.max(...pairs.map(([from, to]) => lineBound([3.5, 3.5, 2], from, to))),
-      Math.max(...pairs.flatMap(([from, to]) => lineTruth(rrr, from, to, 40))),
+      Math.max(...pairs.flatMap(([from, to]) => sampledDeviation(rrr, from, to, 40))),
     ];
   };
   const [[bound, truth], [half]] = [largest(16), largest(32)];

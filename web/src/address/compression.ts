@@ -1,14 +1,18 @@
 import { maxBytes } from "../core/limits.js";
 
-async function through(stream: ReadableWritablePair<Uint8Array, BufferSource>, bytes: Uint8Array): Promise<Uint8Array> {
+async function through(
+  stream: ReadableWritablePair<Uint8Array, BufferSource>,
+  bytes: Uint8Array,
+  most = maxBytes,
+): Promise<Uint8Array> {
   const reader = new Blob([bytes as BufferSource]).stream().pipeThrough(stream).getReader();
   const parts: Uint8Array[] = [];
   let size = 0;
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     size += part.value.length;
-    if (size > maxBytes) {
+    if (size > most) {
       void reader.cancel();
-      throw new Error(`the packed text has more than ${maxBytes} bytes`);
+      throw new Error(`the packed text has more than ${most} bytes`);
     }
     parts.push(part.value);
   }
@@ -30,9 +34,9 @@ export async function compressed(content: Uint8Array): Promise<string> {
   return btoa(pieces.join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** The bytes of compressed(). Throws for anything else. */
-export async function decompressed(text: string): Promise<Uint8Array> {
+/** The bytes of compressed(), at most `most`. Throws for anything else. */
+export async function decompressed(text: string, most = maxBytes): Promise<Uint8Array> {
   const binary = atob(text.trim().replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
-  return through(new DecompressionStream("deflate-raw"), bytes);
+  return through(new DecompressionStream("deflate-raw"), bytes, most);
 }

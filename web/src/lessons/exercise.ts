@@ -16,8 +16,9 @@ export interface Exercise {
   root: HTMLElement;
   /** The answer as it stands, as its judge reads it. */
   answer(): string;
-  /** The arm that it shows, where that is not the lesson's. */
+  /** The arm that it shows, where that is not the lesson's, and its first configuration. */
   arm?: string;
+  start?: number[] | undefined;
   /** The arm has moved, or the lesson was opened. */
   update?(): void;
 }
@@ -48,7 +49,7 @@ export function exercise(check: () => void, ...children: HTMLElement[]): HTMLEle
 /** The verdict on an answer to an exercise. */
 export function judged(context: ExerciseContext, name: string, answer: string): Verdict {
   const judge = judges[name];
-  if (!judge) throw new Error(`nobody judges the exercise ${name}`);
+  if (!judge) throw new Error(`no judge for the exercise ${name}`);
   return judge(answer, { arm: (text) => context.arm(text), random: Math.random });
 }
 

@@ -1,7 +1,6 @@
 import { poseOfRpy } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
-import { checkReach } from "./checks.js";
 import { drawingExercise } from "./drawing_board.js";
 import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { formulaExercise } from "./formula_exercise.js";
@@ -15,16 +14,15 @@ function reach(context: ExerciseContext): Exercise {
   const answer = verdict();
   const away = element("p", { class: "quiet" });
   let isThere = false;
+  const typed = (): string => anglesText(services.store.get().q ?? []);
   return {
     root: exercise(() => undefined, away, answer.root),
-    answer: () => anglesText(services.store.get().q ?? []),
+    answer: typed,
     update() {
-      const { q } = services.store.get();
-      const { arm } = context.shown;
-      const fits = q !== null && arm.planar && q.length === arm.dof;
+      const fits = services.store.get().q !== null && sameArm(services.store.get().arm, { text: "rrr" });
       const extent = fits ? around : [];
       services.draw({ waypoints: fits ? [{ pose: target, label: "target", held: false }] : [], extent });
-      const found = fits ? checkReach(arm.forward(q).at(-1) ?? [], reachGoal) : { solved: false, says: "" };
+      const found = fits ? judged(context, "reach", typed()) : { solved: false, says: "" };
       away.textContent = found.solved ? "" : found.says;
       if (found.solved !== isThere) answer.show(found.solved ? found : { solved: false, says: "" });
       isThere = found.solved;

@@ -40,7 +40,7 @@ function field(name: string, names: Names, changed: () => void): Field {
 export function formulaExercise(
   context: ExerciseContext,
   exerciseName: string,
-  { arm, names, asked }: FormulaTask,
+  { arm, names, asked, start }: FormulaTask,
 ): Exercise {
   const { services } = context;
   const answer = verdict();
@@ -49,7 +49,7 @@ export function formulaExercise(
     const isThere = sameArm(services.store.get().arm, { text: arm });
     services.store.set(isThere ? { q: q ?? services.store.get().q } : { arm: { text: arm }, q, goal: null });
   };
-  const setArm = element("button", { type: "button", onclick: () => show(null) }, "Show this arm");
+  const setArm = element("button", { type: "button", onclick: () => show(start ?? null) }, "Show this arm");
   const setPlace = element(
     "button",
     { type: "button", hidden: true, onclick: () => show(at ?? null) },
@@ -81,5 +81,5 @@ export function formulaExercise(
   };
   const rows = fields.map(({ root }) => root);
   const root = exercise(check, ...rows, checkButton(setArm, setPlace), answer.root);
-  return { root, arm, update: draw, answer: typed };
+  return { root, arm, start, update: draw, answer: typed };
 }

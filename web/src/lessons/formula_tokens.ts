@@ -63,13 +63,18 @@ function longName(letter = ""): "cos" | "sin" {
 
 /** A text without the full stop or semicolon at its end. */
 export function withoutEnd(text: string): string {
-  return text.replace(/[.;]?\s*$/, "");
+  return text.trimEnd().replace(/[.;]$/, "").trimEnd();
+}
+
+/** What stands behind the last =, which is not part of another sign, such as != or >=. */
+export function behindSign(text: string): string {
+  const at = text.lastIndexOf("=");
+  return at > 0 && "!<>".includes(text[at - 1] ?? "") ? text : text.slice(at + 1);
 }
 
 /** One way to write what can be written in many: in plain text, as books are set, in LaTeX. */
 function plain(text: string): string {
-  return withoutEnd(text)
-    .slice(text.lastIndexOf("=") + 1) // x = …
+  return behindSign(withoutEnd(text)) // x = …
     .replace(/^\s*\w+\s*:/, "")
     .replace(/[₀-₉]+/g, (digits) => `‹${digits.normalize("NFKC")}›`)
     .replace(/[⁰¹²³⁴-⁹]+/g, (digits) => `^${digits.normalize("NFKC")} `)

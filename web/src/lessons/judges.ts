@@ -1,8 +1,10 @@
 import type { Arm } from "../core/arm.js";
 import { stepResponse } from "../core/step_response.js";
 import {
-  armTyped,
+  about,
+  atLeast,
   checkAngle,
+  checkAngles,
   checkConstantJacobian,
   checkCount,
   checkGain,
@@ -16,6 +18,7 @@ import {
 import { checkDrawing, type Part } from "./drawn_arm.js";
 import type { Names } from "./formula.js";
 import { checkFormulas, planarPose, rpJacobian, type Asked } from "./formula_checks.js";
+import { armTyped } from "./typed_answer.js";
 
 /** What judging takes from the page. */
 export interface Bench {
@@ -33,11 +36,17 @@ export interface FormulaTask {
   arm: string;
   names: Names;
   asked: Asked[];
+  /** The configuration in which the page shows it first; without it one that shows the arm well. */
+  start?: number[];
 }
 
 const degree = Math.PI / 180;
 export const rrrNames: Names = { joints: ["revolute", "revolute", "revolute"], lengths: [3.5, 3.5, 2] };
-const rp = { arm: "rp", names: { joints: ["revolute", "prismatic"], lengths: [1] } } satisfies Partial<FormulaTask>;
+const rp = {
+  arm: "rp",
+  names: { joints: ["revolute", "prismatic"], lengths: [1] },
+  start: [35 * degree, 1], // at d2 = 0 two frames coincide
+} satisfies Partial<FormulaTask>;
 
 export const formulaTasks: Record<string, FormulaTask> = {
   rp: { ...rp, asked: planarPose },
@@ -60,7 +69,7 @@ function partsOf(text: string): Part[] {
 }
 
 /** Joint values as an answer, degrees: 34.05,97.33,-86.39. */
-export const anglesText = (q: number[]): string => q.map((value) => Number((value / degree).toFixed(2))).join(",");
+export const anglesText = (q: number[]): string => q.map((value) => Number((value / degree).toFixed(5))).join(",");
 const anglesOf = (text: string): number[] => text.split(",").map((value) => Number(value) * degree);
 
 /** Makes the arm of a text, judges with it, and releases it. */
@@ -106,6 +115,13 @@ function singular(answer: string): Verdict {
   return checkLost(direction.trim(), q.trim() === "" ? null : anglesOf(q));
 }
 
+/** The number that is asked for, or the whole screw. */
+function screw(answer: string): Verdict {
+  const one = checkNumbers(answer, [-7], rrrNames);
+  const whole = checkNumbers(answer, [1, 0, -7], rrrNames);
+  return whole.solved ? whole : one;
+}
+
 /** The judges of the exercises by the names that the lessons use. */
 export const judges: Record<string, Judge> = {
   ...Object.fromEntries(Object.entries(formulaTasks).map(([name, task]) => [name, formulas(task)])),
@@ -121,11 +137,11 @@ export const judges: Record<string, Judge> = {
   gain,
   singular,
   ominus: angle(110, 0),
-  steps: (answer) => checkCount(answer, 18, "step"),
-  elbow: angle(90, 180),
-  screw: (answer) => checkNumbers(answer, [-7], rrrNames),
-  "body-column": (answer) => checkNumbers(answer, [0, 2, 1], rrrNames),
+  steps: (answer) => checkCount(answer, 18, "step", atLeast),
+  elbow: (answer) => checkAngles(answer, 90, 180, { joints: [] }, []),
+  screw,
+  "body-column": (answer) => checkNumbers(answer, [0, 2, 1], rrrNames, ["x", "y", "θ"]),
   wrist: angle(-30, 360),
-  spare: (answer) => checkCount(answer, 7, "joint"),
-  intervals: (answer) => checkCount(answer, 32, "interval"),
+  spare: (answer) => checkCount(answer, 7, "joint|dof|degrees? of freedom"),
+  intervals: (answer) => checkCount(answer, 32, "interval", about),
 };

@@ -9,15 +9,21 @@ export interface Result {
 
 const key = "beeline-results";
 const mark = "beeline1-";
-const longestAnswer = 400; // characters
+const longestAnswer = 4100; // characters: four formulas
+const longestName = 40;
+const longestCode = 20_000;
+const longestContent = 500_000; // bytes, unpacked
 const most = 100; // results of a code
 const minute = 60_000;
+const lastMinute = 1e8; // in the year 2160
 
 let kept: Result[] | null = null; // as long as the page is open, where the browser keeps nothing
 
 function isResult(one: unknown): one is Result {
   const { name, answer, time } = (one ?? {}) as Partial<Result>;
-  return typeof name === "string" && typeof answer === "string" && Number.isFinite(time);
+  if (typeof name !== "string" || typeof answer !== "string" || typeof time !== "number") return false;
+  const isTime = Number.isFinite(time) && time >= 0 && time < (lastMinute + 1) * minute;
+  return name.length <= longestName && answer.length <= longestAnswer && isTime;
 }
 
 /** What was solved in this browser. */
@@ -32,7 +38,8 @@ export function results(): Result[] {
 
 /** Keeps a result; of an exercise that is solved again the later one. */
 export function keepResult(result: Result): void {
-  keep([...results().filter(({ name }) => name !== result.name), result]);
+  const answer = result.answer.replace(/\s+/g, " ").trim();
+  keep([...results().filter(({ name }) => name !== result.name), { ...result, answer }]);
 }
 
 export function forgetResults(): void {
@@ -54,26 +61,45 @@ function sumOf(text: string): string {
   return (hash % 36 ** 4).toString(36).padStart(4, "0");
 }
 
-/** Results as a code: letters, digits, - and _. Times are in minutes. */
-export async function codeOf(all: Result[]): Promise<string> {
-  const rows = all
-    .slice(-most)
-    .map(({ name, answer, time }) => [name, answer.slice(0, longestAnswer), Math.floor(time / minute)]);
-  const packed = await compressed(new TextEncoder().encode(JSON.stringify(rows)));
+/** Content as a code: letters, digits, - and _. */
+export async function codeOfContent(content: unknown): Promise<string> {
+  const packed = await compressed(new TextEncoder().encode(JSON.stringify(content)));
   return `${mark}${packed}${sumOf(packed)}`;
+}
+
+/** Results as a code. Times are in minutes. */
+export function codeOf(all: Result[]): Promise<string> {
+  const some = all.slice(-most);
+  return codeOfContent(
+    some.map(({ name, answer, time }) => [name, answer.slice(0, longestAnswer), Math.floor(time / minute)]),
+  );
+}
+
+/** Whether a code is neither cut off nor mistyped. */
+export function isWhole(code: string): boolean {
+  return code.startsWith(mark) && sumOf(code.slice(mark.length, -4)) === code.slice(-4);
+}
+
+/** The result of a row of a code. Throws where it is none. */
+function resultOf(row: unknown): Result {
+  const [name, answer, at] = row as unknown[];
+  const one = { name, answer, time: Number.isInteger(at) ? (at as number) * minute : NaN };
+  if (!isResult(one)) throw new Error("other content");
+  return one;
 }
 
 /** The results of a code. Throws, with a sentence, where it is none. */
 export async function resultsOf(code: string): Promise<Result[]> {
   const text = code.replace(/\s+/g, "");
+  if (!text.startsWith(mark) && /^beeline\d+-/.test(text)) throw new Error("the code is of another version of Beeline");
   if (!text.startsWith(mark)) throw new Error(`a code begins with ${mark}`);
-  const packed = text.slice(mark.length, -4);
-  if (sumOf(packed) !== text.slice(-4)) throw new Error("the code is cut off or changed");
+  if (text.length > longestCode) throw new Error("the code is longer than any that the page makes");
+  if (!isWhole(text)) throw new Error("the code is cut off or changed");
   try {
-    const rows: unknown = JSON.parse(new TextDecoder().decode(await decompressed(packed)));
-    const all = (rows as [string, string, number][]).map(([name, answer, at]) => ({ name, answer, time: at * minute }));
-    if (!all.every(isResult)) throw new Error("other content");
-    return all.slice(0, most);
+    const content = await decompressed(text.slice(mark.length, -4), longestContent);
+    const rows = JSON.parse(new TextDecoder().decode(content)) as unknown[];
+    if (rows.length > most) throw new Error("other content");
+    return rows.map(resultOf);
   } catch {
     throw new Error("the code has other content than results");
   }

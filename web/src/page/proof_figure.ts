@@ -1,4 +1,4 @@
-import { linkLengths, lineBound, lineRows, lineTruth } from "../core/line_bound.js";
+import { lineBound, lineRows, linkLengths, sampledDeviation } from "../core/line_bound.js";
 import { toolPosition } from "../core/pose.js";
 import { element, shown as text } from "../elements/element.js";
 import { pathOf, svg } from "../elements/svg.js";
@@ -7,7 +7,7 @@ import type { LessonFigure } from "./lesson_figures.js";
 import type { LessonPlayer } from "./lesson_player.js";
 import type { Services, Shown } from "./section.js";
 
-const points = 40; // of an interval, where the truth is computed
+const points = 40; // of an interval, where the deviation is computed
 const height = 200; // of the chart, pixels
 const [least, most] = [240, 560]; // its width
 const edge = { left: 52, right: 8, top: 12, bottom: 30 };
@@ -19,10 +19,15 @@ function roundedUp(value: number): number {
   return power * (ticks.find((tick) => tick * power >= value * (1 - 1e-9)) ?? 10);
 }
 
-/** The deviation between samples along a line: the truth as a curve, and a box for the bound of each interval, mm. `room`: the
- * width that there is, pixels. */
-function chart(bounds: number[], truths: number[][], room: number): SVGSVGElement {
-  const width = Math.min(most, Math.max(least, room));
+const hundredthMillimetres = 1e5; // of a metre
+/** A bound in mm, rounded away from 0: the number that is shown is one too. */
+const boundText = (bound: number): string => text(Math.ceil(bound * hundredthMillimetres) / 100, 2);
+const millimetres = (value: number): string => text(1000 * value, 2);
+
+/** The deviation between samples along a line: the computed one as a curve, and a box for the bound of each interval, mm.
+ * `available`: the width that there is, pixels. */
+function chart(bounds: number[], deviations: number[][], available: number): SVGSVGElement {
+  const width = Math.min(most, Math.max(least, available));
   const top = roundedUp(1000 * Math.max(...bounds, 1e-6));
   const digits = Math.max(0, 1 - Math.floor(Math.log10(top)));
   const label = (part: number): string => `${text(part * top, part === 0 ? 0 : digits)}${part === 1 ? " mm" : ""}`;
@@ -33,8 +38,8 @@ function chart(bounds: number[], truths: number[][], room: number): SVGSVGElemen
     const [x, y] = [px(i / count), py(1000 * bound)];
     return svg("rect", { class: "bound", x, y, width: px((i + 1) / count) - x, height: py(0) - y });
   });
-  const curve = truths.flatMap((truth, i) =>
-    truth.map((value, k): [number, number] => [px((i + k / (truth.length - 1)) / count), py(1000 * value)]),
+  const curve = deviations.flatMap((row, i) =>
+    row.map((value, k): [number, number] => [px((i + k / (row.length - 1)) / count), py(1000 * value)]),
   );
   const lines = [0, 0.5, 1].flatMap((part) => {
     const y = py(part * top);
@@ -46,12 +51,20 @@ function chart(bounds: number[], truths: number[][], room: number): SVGSVGElemen
   const samples = Array.from({ length: count + 1 }, (_, i) =>
     svg("circle", { class: "sample", cx: px(i / count), cy: py(0), r: 2.5 }),
   );
+  const numbers =
+    `Bound of each interval, mm: ${bounds.map(boundText).join(", ")}. Largest sampled deviation: ` +
+    deviations.map((row) => millimetres(Math.max(...row))).join(", ");
   return svg(
     "svg",
-    { class: "proof-chart", viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": "Deviation from the line" },
+    {
+      class: "proof-chart",
+      viewBox: `0 0 ${width} ${height}`,
+      role: "img",
+      "aria-label": `Deviation from the line. ${numbers}`,
+    },
     ...lines,
     ...boxes,
-    svg("path", { class: "truth", d: pathOf(curve) }),
+    svg("path", { class: "deviation", d: pathOf(curve) }),
     ...samples,
     svg("text", { x: edge.left, y: height - 8 }, "along the line: a dot is a sample"),
   );
@@ -80,7 +93,7 @@ export class ProofFigure implements LessonFigure {
       this.count,
       this.value,
     );
-    this.root.append(element("legend", {}, "Truth and bound between samples"), row, this.holder, this.says);
+    this.root.append(element("legend", {}, "Bound and sampled deviation between samples"), row, this.holder, this.says);
   }
 
   update(shown: Shown): void {
@@ -112,12 +125,12 @@ export class ProofFigure implements LessonFigure {
     const lengths = linkLengths(arm);
     const pairs = rows.slice(1).map((to, i): [number[], number[]] => [rows[i] ?? to, to]);
     const bounds = pairs.map(([from, to]) => lineBound(lengths, from, to));
-    const truths = pairs.map(([from, to]) => lineTruth(arm, from, to, points));
-    this.holder.replaceChildren(chart(bounds, truths, this.holder.clientWidth));
-    const [bound, truth] = [Math.max(...bounds), Math.max(...truths.flat())];
-    const share = text((100 * truth) / bound, 0);
+    const deviations = pairs.map(([from, to]) => sampledDeviation(arm, from, to, points));
+    this.holder.replaceChildren(chart(bounds, deviations, this.holder.clientWidth));
+    const [bound, largest] = [Math.max(...bounds), Math.max(...deviations.flat())];
     this.says.textContent =
-      `At most ${text(1000 * bound, 2)} mm, proved; ${text(1000 * truth, 2)} mm are found, ` + `${share} % of that.`;
+      `Bound ${boundText(bound)} mm, proved. Largest sampled deviation ${millimetres(largest)} mm, ` +
+      `${text((100 * largest) / bound, 0)} % of the bound.`;
     const dense = pairs.flatMap(([from, to]) =>
       Array.from({ length: points }, (_, i) => from.map((value, k) => value + (i / points) * ((to[k] ?? 0) - value))),
     );

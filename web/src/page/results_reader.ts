@@ -1,4 +1,5 @@
 import { element, table } from "../elements/element.js";
+import { codesIn, type HandedIn } from "../lessons/handed_in.js";
 import { judges, type Bench } from "../lessons/judges.js";
 import { resultsOf, type Result } from "../lessons/results.js";
 
@@ -6,42 +7,37 @@ const names = ["Exercise", "Answer", "Solved at (UTC)", "Checked here"];
 
 /** A result as a row: the answer is judged again, as anybody can write a code. */
 function row({ name, answer, time }: Result, bench: Bench): string[] {
-  const judge = judges[name];
+  const judge = Object.hasOwn(judges, name) ? judges[name] : undefined;
   const again = judge ? (judge(answer, bench).solved ? "right" : "not right") : "unknown exercise";
   return [name, answer, new Date(time).toISOString().slice(0, 16).replace("T", " "), again];
 }
 
-/** Reads codes that students hand in, one a line; words before a code name whose it is. */
+/** The results of a code as a table, or why it has none. */
+async function shownCode({ whose, code }: HandedIn, bench: Bench): Promise<HTMLElement> {
+  const refusal = (says: string): HTMLElement => element("p", { class: "refusal" }, `${whose}: ${says}.`);
+  if (code === "") return refusal("there is no code in this line");
+  try {
+    const rows = (await resultsOf(code)).map((result) => row(result, bench));
+    const labels = rows.map(([first = ""]) => first);
+    const cells = rows.map((all) => all.slice(1));
+    return table(`${whose}: ${rows.length} solved`, names.slice(1), labels, cells);
+  } catch (error) {
+    return refusal((error as Error).message);
+  }
+}
+
+/** Reads codes that students hand in, one a line; words beside a code name whose it is. */
 export function resultsReader(bench: Bench): HTMLElement {
   const input = element("textarea", { id: "handed-in", rows: 5, spellcheck: "false" });
   const out = element("div", { role: "status", class: "handed-in" });
   const read = async (): Promise<void> => {
-    const lines = input.value.split("\n").filter((line) => line.trim() !== "");
-    const parts = await Promise.all(
-      lines.map(async (line, i) => {
-        const at = Math.max(0, line.search(/beeline1-/));
-        const whose = line.slice(0, at).replace(/[\s:,;]+$/, "") || `Code ${i + 1}`;
-        try {
-          const rows = (await resultsOf(line.slice(at))).map((result) => row(result, bench));
-          const labels = rows.map(([first = ""]) => first);
-          return table(
-            `${whose}: ${rows.length} solved`,
-            names.slice(1),
-            labels,
-            rows.map((cells) => cells.slice(1)),
-          );
-        } catch (error) {
-          return element("p", { class: "refusal" }, `${whose}: ${(error as Error).message}.`);
-        }
-      }),
-    );
-    out.replaceChildren(...parts);
+    out.replaceChildren(...(await Promise.all(codesIn(input.value).map((one) => shownCode(one, bench)))));
   };
   const button = element("button", { type: "button", onclick: () => void read() }, "Read the codes");
   return element(
     "div",
     { class: "tool" },
-    element("label", { for: "handed-in" }, "Codes, one a line; what stands before a code names it"),
+    element("label", { for: "handed-in" }, "Codes, one a line; words beside a code name it"),
     input,
     element("p", { class: "pair" }, button),
     out,
