@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
-import { appendices, lessons } from "../src/lessons/lessons.js";
+import { allPages } from "../src/lessons/lessons.js";
 import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
@@ -49,34 +49,31 @@ beforeAll(async () => {
 });
 afterAll(() => there.close());
 
-test.each([...lessons, ...appendices].map(({ id, title }) => [id, title]))(
-  "the lesson %s opens, and is accessible",
-  async (id, title) => {
-    const { page, complaints } = await open(there, `#arm=rrr&section=lessons&lesson=${id}`, {
-      width: 360,
-      height: 740,
-    });
-    await page.locator("article h1").waitFor();
-    await page.locator(".contents summary").click();
-    await contents(page).getByRole("link", { name: title, exact: true }).waitFor();
-    const found = await axe(page);
-    expect(found).toEqual([]);
-    expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(360);
-    for (const details of await page.locator("article details summary").all()) await details.click();
-    for (const link of await page.locator("article a").all()) {
-      const address = (await link.getAttribute("href")) ?? "";
-      const section = /section=(\w+)/.exec(address)?.[1] ?? "lessons";
-      const arm = /arm=([^&:]+)/.exec(address)?.[1];
-      if (arm === undefined) continue; // another lesson
-      await link.click();
-      await expect.poll(async () => (await shownArm(page))?.split(":")[0]).toBe(arm);
-      await expect.poll(() => page.url()).toContain(`section=${section}`);
-      if (section !== "lessons") break;
-    }
-    expect(complaints).toEqual({ errors: [], requests: [] });
-    await page.context().close();
-  },
-);
+test.each(allPages.map(({ id, title }) => [id, title]))("the lesson %s opens, and is accessible", async (id, title) => {
+  const { page, complaints } = await open(there, `#arm=rrr&section=lessons&lesson=${id}`, {
+    width: 360,
+    height: 740,
+  });
+  await page.locator("article h1").waitFor();
+  await page.locator(".contents summary").click();
+  await contents(page).getByRole("link", { name: title, exact: true }).waitFor();
+  const found = await axe(page);
+  expect(found).toEqual([]);
+  expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(360);
+  for (const details of await page.locator("article details summary").all()) await details.click();
+  for (const link of await page.locator("article a").all()) {
+    const address = (await link.getAttribute("href")) ?? "";
+    const section = /section=(\w+)/.exec(address)?.[1] ?? "lessons";
+    const arm = /arm=([^&:]+)/.exec(address)?.[1];
+    if (arm === undefined) continue; // another lesson
+    await link.click();
+    await expect.poll(async () => (await shownArm(page))?.split(":")[0]).toBe(arm);
+    await expect.poll(() => page.url()).toContain(`section=${section}`);
+    if (section !== "lessons") break;
+  }
+  expect(complaints).toEqual({ errors: [], requests: [] });
+  await page.context().close();
+});
 
 test("an exercise is checked in the page", async () => {
   const { page } = await open(there, "#arm=rrr&section=lessons&lesson=forward");

@@ -56,7 +56,8 @@ export function changeTo(parts: Part[], [turn, slide]: [number, number]): number
 export function checkDrawing(parts: Part[]): Verdict {
   const no = (says: string, at?: number[]): Verdict => ({ solved: false, says, ...(at ? { at } : {}) });
   const joints = parts.filter(({ kind }) => kind !== "tool").map(({ kind }) => kind);
-  if (joints.length !== 2) return no(`The arm RP has two joints; there ${counted(joints.length)} in the drawing.`);
+  if (joints.length !== 2)
+    return no(`The arm RP has two joints; there ${jointsCounted(joints.length)} in the drawing.`);
   if (joints.join("") === "RR") return no("Both joints of the drawing turn: the second one of RP slides.");
   if (joints.join("") === "PP") return no("Both joints of the drawing slide: the first one of RP turns.");
   if (parts.at(-1)?.kind !== "tool") return no("Place the tool, beyond the last joint.");
@@ -73,7 +74,7 @@ export function checkDrawing(parts: Part[]): Verdict {
   return { solved: true, says: "Right: the tool is where it is to be at three configurations." };
 }
 
-function counted(joints: number): string {
+function jointsCounted(joints: number): string {
   return joints === 0 ? "is none" : joints === 1 ? "is one" : `are ${joints}`;
 }
 

@@ -151,3 +151,10 @@ export const appendices: Lesson[] = [
     () => import("beeline-documents/errata.md"),
   ),
 ];
+
+export const allPages: Lesson[] = [...lessons, ...appendices];
+
+/** The page of a name; of an unknown one the first lesson. */
+export function lessonOf(id: string): Lesson {
+  return allPages.find((one) => one.id === id) ?? (lessons[0] as Lesson);
+}

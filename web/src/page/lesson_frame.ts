@@ -1,5 +1,5 @@
 import { element } from "../elements/element.js";
-import { appendices, lessons, type Lesson } from "../lessons/lessons.js";
+import { allPages, lessons, type Lesson } from "../lessons/lessons.js";
 import { doneLessons, setDone } from "../lessons/progress.js";
 
 type Open = (id: string) => void;
@@ -20,7 +20,7 @@ export class Contents {
   private readonly links: HTMLAnchorElement[];
 
   constructor(open: Open) {
-    this.links = [...lessons, ...appendices].map(({ id, title }) => link(id, title, open));
+    this.links = allPages.map(({ id, title }) => link(id, title, open));
     const items = this.links.map((one) => element("li", {}, one));
     const lists = [items.slice(0, lessons.length), items.slice(lessons.length)].map((some) =>
       element("ul", {}, ...some),
@@ -37,7 +37,7 @@ export class Contents {
   show(opened: string): void {
     const done = doneLessons();
     this.links.forEach((one, i) => {
-      const { id = "", title = "" } = [...lessons, ...appendices][i] ?? {};
+      const { id = "", title = "" } = allPages[i] ?? {};
       if (id === opened) one.setAttribute("aria-current", "page");
       else one.removeAttribute("aria-current");
       one.classList.toggle("done", done.has(id));

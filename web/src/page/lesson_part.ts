@@ -20,8 +20,8 @@ export function partsOf(text: HTMLElement): LessonPart[] {
   });
 }
 
-/** Leaves the title and one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where there is no
- * such part the text stays. */
+/** Leaves the title and one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where
+ * there is no such part the text stays. */
 export function keepPart(text: HTMLElement, name: string): void {
   const wanted = [figureOf[name], name];
   const kept = blocks(text).filter((block) => wanted.includes(nameOf(block)));
@@ -29,7 +29,16 @@ export function keepPart(text: HTMLElement, name: string): void {
   if (kept.some((block) => nameOf(block) === name)) text.replaceChildren(...heading, ...kept);
 }
 
-/** Links in what is shown alone: those that lead to another section or lesson open the whole page. */
-export function openElsewhere(text: HTMLElement): void {
-  for (const link of text.querySelectorAll<HTMLAnchorElement>('a[href*="section="]')) link.target = "_blank";
+/** Links in what is shown alone: those that lead to another section or lesson open the whole page, without help where the
+ * part has none. */
+export function openElsewhere(text: HTMLElement, help: boolean): void {
+  for (const link of text.querySelectorAll<HTMLAnchorElement>('a[href*="section="]')) {
+    link.target = "_blank";
+    link.href = `${link.getAttribute("href") ?? ""}${helpWord(help)}`;
+  }
+}
+
+/** The end of an address that shows exercises with or without hints and solutions. */
+export function helpWord(help: boolean): string {
+  return help ? "" : "&help=0";
 }

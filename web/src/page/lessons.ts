@@ -2,14 +2,14 @@ import { partOf, stateOf } from "../address/address.js";
 import { element } from "../elements/element.js";
 import type { Exercise, ExerciseContext } from "../lessons/exercise.js";
 import { exercises } from "../lessons/exercises.js";
-import { appendices, lessons, type Lesson } from "../lessons/lessons.js";
+import { lessonOf, lessons, type Lesson } from "../lessons/lessons.js";
 import { keepResult } from "../lessons/results.js";
 import { sameArm, type ArmSource, type PageState } from "../state/page_state.js";
 import { documentOf } from "./documents.js";
 import { handIn } from "./hand_in.js";
 import { lessonFigure, type LessonFigure } from "./lesson_figures.js";
 import { Contents, footOf, headOf } from "./lesson_frame.js";
-import { keepPart, openElsewhere, partsOf, type LessonPart } from "./lesson_part.js";
+import { helpWord, keepPart, openElsewhere, partsOf, type LessonPart } from "./lesson_part.js";
 import { LessonPlayer } from "./lesson_player.js";
 import { resultsReader } from "./results_reader.js";
 import type { PageSection, Services, Shown } from "./section.js";
@@ -20,9 +20,6 @@ import { worksheet } from "./worksheet.js";
 function armOf({ arm, q, goal, gain, showFrames, showColumns, showSolutions, showEllipsoid }: Readonly<PageState>) {
   return { arm, q, goal, gain, showFrames, showColumns, showSolutions, showEllipsoid };
 }
-
-const lessonOf = (wanted: string): Lesson =>
-  [...lessons, ...appendices].find(({ id }) => id === wanted) ?? (lessons[0] as Lesson);
 
 /** A lesson that is open, and which part of it. */
 type Opened = Pick<PageState, "lesson" | "only" | "help">;
@@ -132,16 +129,13 @@ export class LessonsSection implements PageSection {
     this.text.innerHTML = html; // ours, made when the page was built
     if (!opened.help) for (const hint of this.text.querySelectorAll("[data-check] details")) hint.remove();
     if (opened.only !== "" && opened.only !== "lesson") keepPart(this.text, opened.only);
-    if (opened.only !== "") openElsewhere(this.text);
+    if (opened.only !== "") openElsewhere(this.text, opened.help);
     this.whole.textContent = `Lesson ${lesson.title}, in the whole page`;
-    this.whole.href = `#section=lessons&lesson=${lesson.id}`;
+    this.whole.href = `#section=lessons&lesson=${lesson.id}${helpWord(opened.help)}`;
     this.exercises = [];
     this.arms = [scene.arm];
-    const isLesson = lessons.includes(lesson);
-    const foot = footOf(lesson, this.open, () => this.contents.show(lesson.id));
-    this.foot.replaceChildren(...(isLesson ? [foot.root] : []));
-    this.tick = () => foot.tick();
-    if (isLesson) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
+    this.showFoot(lesson);
+    if (lessons.includes(lesson)) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-check]")) this.fill(place);
     this.handIn.root.hidden = this.exercises.length === 0;
     this.showFigures();
@@ -166,6 +160,16 @@ export class LessonsSection implements PageSection {
     heading?.focus({ preventScroll: true });
   }
 
+  /** A lesson ends with its tick, the errata with where their computations are. */
+  private showFoot(lesson: Lesson): void {
+    const foot = footOf(lesson, this.open, () => this.contents.show(lesson.id));
+    this.tick = () => foot.tick();
+    const computations = documentOf("errata of the chapter", "errata");
+    if (lessons.includes(lesson)) this.foot.replaceChildren(foot.root);
+    else if (lesson.id !== "errata") this.foot.replaceChildren();
+    else this.foot.replaceChildren(element("p", {}, "Computations for most entries: ", computations, "."));
+  }
+
   private showFigures(): void {
     for (const place of this.text.querySelectorAll<HTMLElement>("[data-figure]")) {
       const figure = lessonFigure(place.dataset["figure"] ?? "", this.services, this.player);
@@ -177,10 +181,10 @@ export class LessonsSection implements PageSection {
 
   /** An exercise that is shown alone brings its arm, where that is not the lesson's. */
   private bringArm({ only }: Opened): void {
-    const own = only === "lesson" ? undefined : this.exercises.find(({ arm }) => arm !== undefined)?.arm;
-    const { arm } = this.services.store.get();
-    if (only === "" || own === undefined || sameArm(arm, { text: own })) return;
-    this.services.store.set({ arm: { text: own }, q: null, goal: null });
+    if (only === "" || only === "lesson") return;
+    const { arm, start } = this.exercises.find((one) => one.arm !== undefined) ?? {};
+    if (arm === undefined || sameArm(this.services.store.get().arm, { text: arm })) return;
+    this.services.store.set({ arm: { text: arm }, q: start ?? null, goal: null });
   }
 
   private showTools(): void {

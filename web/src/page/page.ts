@@ -12,7 +12,7 @@ import { element } from "../elements/element.js";
 import { fading } from "../elements/fading.js";
 import { icon } from "../elements/icons.js";
 import { selectNumbers } from "../elements/select_numbers.js";
-import { appendices, lessons } from "../lessons/lessons.js";
+import { allPages } from "../lessons/lessons.js";
 import { follow, sessionOf } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
@@ -63,7 +63,7 @@ const idle = 1000; // milliseconds until the worker is loaded, which plans and p
  * are read. */
 async function stateAt(hash: string, longest?: number): Promise<PageState> {
   const state = await stateOf(hash, longest);
-  const scene = [...lessons, ...appendices].find(({ id }) => id === state.lesson)?.scene;
+  const scene = allPages.find(({ id }) => id === state.lesson)?.scene;
   if (scene === undefined || state.section !== "lessons") return state;
   return { ...state, ...(await partOf(scene)), ...(await partOf(hash, longest)) };
 }

@@ -1,14 +1,15 @@
 import { addressOf, longestAddress } from "../address/address.js";
 import { dialog } from "../elements/dialog.js";
 import { element } from "../elements/element.js";
+import { lessonOf } from "../lessons/lessons.js";
 import { saveFile } from "../share/save_file.js";
 import { pageAsDocument } from "../share/save_page.js";
-import type { LessonPart } from "./lesson_part.js";
+import { helpWord, type LessonPart } from "./lesson_part.js";
 import type { Services, Shown } from "./section.js";
 
 /** Makes the frames of a page as high as what they hold; without it they scroll. */
 const follower =
-  '<script>addEventListener("message", ({ data, source }) => { if (data && data.beeline === "height") ' +
+  '<script>addEventListener("message", ({ data, source }) => { if (data && data.beeline === "height" && Number.isFinite(data.height)) ' +
   'for (const frame of document.querySelectorAll("iframe")) if (frame.contentWindow === source) frame.height = data.height; ' +
   "});</script>";
 
@@ -61,7 +62,7 @@ export class ShareDialog {
       "Share",
       "small",
       this.choice,
-      element("p", {}, element("label", { for: "share-link" }, "A link to the arm as it stands"), this.link),
+      element("p", {}, element("label", { for: "share-link" }, "A link to what is shown"), this.link),
       copy(this.link, "link"),
       save("Picture", "A PNG of what is seen", () => this.savePicture()),
       save("Drawing", "An SVG as beeline draw makes it", () => this.saveDrawing()),
@@ -90,18 +91,19 @@ export class ShareDialog {
     for (const place of [this.says, ...this.copied]) place.textContent = "";
     const state = this.services.store.get();
     const only = this.part.value;
-    const help = this.help.checked ? "" : "&help=0";
-    const lesson = state.lesson === "" ? "definitions" : state.lesson;
-    const hash = only === "" ? await addressOf(state) : `section=lessons&lesson=${lesson}&only=${only}${help}`;
+    const lesson = lessonOf(state.lesson);
+    const alone = `section=lessons&lesson=${lesson.id}&only=${only}${helpWord(this.help.checked)}`;
+    const hash = only === "" ? await addressOf(state) : alone;
     this.help.disabled = only === "";
     const address = location.href.replace(/#.*|$/, () => `#${hash}`);
     const fits = hash.length <= longestAddress;
     this.link.value = fits ? address : tooLong;
-    const name = this.shown()?.description.name ?? "";
-    const title = `Beeline: ${name}`.replace(/[&"<>]/g, "");
+    const part = only === "lesson" ? lesson.title : (this.part.selectedOptions[0]?.textContent ?? "");
+    const title = `Beeline: ${only === "" ? (this.shown()?.description.name ?? "") : part}`.replace(/[&"<>]/g, "");
     const source = address.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
     this.frame.value = fits
-      ? `<iframe src="${source}" title="${title}" width="100%" height="640" style="border: 0"></iframe>${only === "" ? "" : follower}`
+      ? `<iframe src="${source}" title="${title}" width="100%" height="640" allow="clipboard-write" style="border: 0">` +
+        `</iframe>${only === "" ? "" : follower}`
       : tooLong;
   }
 

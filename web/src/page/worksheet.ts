@@ -40,6 +40,16 @@ function part({ block }: Task, selector: string): HTMLElement | null {
   return block.querySelector<HTMLElement>(selector)?.cloneNode(true) as HTMLElement | null;
 }
 
+/** The first sentence of a task, to choose it by. */
+function firstSentence({ block }: Task): Node[] {
+  const nodes = [...(block.querySelector(".task")?.cloneNode(true).childNodes ?? [])];
+  const last = nodes.findIndex((node) => node instanceof Text && /[.?]\s/.test(node.data));
+  const text = nodes[last];
+  if (!(text instanceof Text)) return nodes;
+  text.data = text.data.slice(0, text.data.search(/[.?]\s/) + 1);
+  return nodes.slice(0, last + 1);
+}
+
 async function question(task: Task, number: number, services: Services): Promise<HTMLElement> {
   const text = part(task, ".paper") ?? part(task, ".task") ?? element("p");
   const lines = Array.from({ length: linesToWrite }, () => element("div", { class: "line" }));
@@ -90,13 +100,11 @@ export function worksheet(services: Services): HTMLElement {
   const show = async (): Promise<void> => {
     tasks = (await allTasks()).map((task) => ({ task, box: element("input", { type: "checkbox", checked: true }) }));
     const groups = lessons.flatMap(({ title }) => {
-      const own = tasks.filter(({ task }) => task.lesson === title);
-      const labels = own.map(({ task, box }) => {
-        const text = element("span");
-        text.innerHTML = (task.block.querySelector(".task")?.innerHTML ?? "").split(/(?<=[.?])\s/)[0] ?? "";
-        return element("label", {}, box, text);
-      });
-      return own.length > 0 ? [element("fieldset", {}, element("legend", {}, title), ...labels)] : [];
+      const some = tasks.filter(({ task }) => task.lesson === title);
+      const labels = some.map(({ task, box }) =>
+        element("label", {}, box, element("span", {}, ...firstSentence(task))),
+      );
+      return some.length > 0 ? [element("fieldset", {}, element("legend", {}, title), ...labels)] : [];
     });
     list.replaceChildren(...groups);
   };
