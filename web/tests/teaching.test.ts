@@ -40,6 +40,34 @@ test("an exercise alone brings its arm, and with help=0 it has neither hints nor
   const [picture, text] = await Promise.all([page.locator("#stage").boundingBox(), form.boundingBox()]);
   expect((picture?.y ?? NaN) + (picture?.height ?? NaN)).toBeLessThanOrEqual(text?.y ?? NaN);
   expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(390);
+  expect(await jointValues(page)).toEqual([35, 1]); // its frames are apart
+});
+
+test("a part without help leads to pages without hints and solutions", async () => {
+  const page = await opened("#section=lessons&lesson=cartesian&only=lesson&help=0");
+  const follow = async (name: string): Promise<Page> => {
+    const [other] = await Promise.all([page.waitForEvent("popup"), page.getByRole("link", { name }).click()]);
+    return other;
+  };
+  const whole = await follow("Lesson 8");
+  await whole.getByLabel("Angle", { exact: true }).waitFor();
+  await whole.locator(".contents summary").waitFor();
+  expect(await whole.locator(".exercise details").count()).toBe(0);
+  await page.getByText("Sources of each statement").click();
+  const errata = await follow("errata");
+  await errata.getByRole("heading", { name: "Errata of the chapter" }).waitFor();
+  expect(errata.url()).toContain("help=0");
+  await errata.getByText("Computations for most entries: errata of the chapter (docs/errata.md)").waitFor(); // their computations
+});
+
+test("the exercise about a pose is judged for its arm only", async () => {
+  const solution = "q=0.594284,1.698729,-1.507790";
+  const right = await opened(`#arm=rrr&section=lessons&lesson=rrr&${solution}`);
+  await right.getByText("Right: the tool is there.").waitFor();
+  const other = await opened(`#arm=RRR:3.5,3.5,2.02&section=lessons&lesson=rrr&${solution}`);
+  await other.getByText("Another arm is in the picture.").waitFor();
+  await other.getByText("Figure 1.3").waitFor();
+  expect(await visible(other)).not.toContain("Right: the tool is there.");
 });
 
 test("a figure alone is played, and its links set the arm in place", async () => {
@@ -59,16 +87,18 @@ test("a frame in a page of another site has the height of what it holds, needs n
       },
     });
   });
+  const shared = await opened("#section=lessons&lesson=cartesian");
+  await shared.getByLabel("Angle", { exact: true }).waitFor();
+  await shared.getByRole("button", { name: "Share" }).click();
+  await shared.getByLabel("Without the surroundings").selectOption("ominus");
+  const field = shared.getByLabel("A frame for another page");
+  await expect.poll(() => field.inputValue()).toContain("only=ominus");
+  const copied = (await field.inputValue()).replace("127.0.0.1", "localhost").replace('height="640"', 'height="100"');
   const page = await context.newPage();
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
-  const address = `${there().address}#section=lessons&lesson=cartesian&only=ominus`.replace("127.0.0.1", "localhost");
   await page.goto(there().address.replace(/$/, "none"), { waitUntil: "commit" }).catch(() => null); // 404 of this server
-  await page.setContent(
-    `<h1>A course</h1><iframe title="Exercise" width="100%" height="100" src="${address.replaceAll("&", "&amp;")}"></iframe>` +
-      '<script>addEventListener("message", ({ data, source }) => { if (data.beeline === "height") for (const frame of ' +
-      'document.querySelectorAll("iframe")) if (frame.contentWindow === source) frame.height = data.height; });</script>',
-  );
+  await page.setContent(`<h1>A course</h1>${copied}`);
   const frame = page.frameLocator("iframe");
   await frame.getByRole("form", { name: "Exercise" }).waitFor();
   const isWhole = async (): Promise<boolean> => {
@@ -78,8 +108,16 @@ test("a frame in a page of another site has the height of what it holds, needs n
     ) as Promise<boolean>;
   };
   await expect.poll(isWhole).toBe(true);
-  const field = frame.getByLabel("Angle", { exact: true });
-  const hasFocus = (): Promise<boolean> => field.evaluate((one) => one === document.activeElement);
+  const heard = page.evaluate(
+    'new Promise((done) => addEventListener("message", ({ data }) => data === "last" && done(frames.length)))',
+  );
+  await page
+    .frames()[1]
+    ?.evaluate('parent.postMessage({ beeline: "height", height: "9999" }, "*"); parent.postMessage("last", "*")');
+  expect(await heard).toBe(1);
+  expect(await page.locator("iframe").getAttribute("height")).not.toBe("9999"); // no number
+  const angle = frame.getByLabel("Angle", { exact: true });
+  const hasFocus = (): Promise<boolean> => angle.evaluate((one) => one === document.activeElement);
   for (let i = 0; i < 40 && !(await hasFocus()); ++i) await page.keyboard.press("Tab");
   await page.keyboard.type("110");
   await page.keyboard.press("Enter");
@@ -95,7 +133,7 @@ test("Share makes links and frames of the parts of a lesson", async () => {
   await page.getByLabel("x =").waitFor();
   await page.getByRole("button", { name: "Share" }).click();
   const part = page.getByLabel("Without the surroundings");
-  const link = page.getByLabel("A link to the arm as it stands");
+  const link = page.getByLabel("A link to what is shown");
   expect(await link.inputValue()).toContain("arm=rp");
   await part.selectOption("1.4");
   await expect.poll(() => link.inputValue()).toMatch(/#section=lessons&lesson=forward&only=1\.4$/);
@@ -103,7 +141,10 @@ test("Share makes links and frames of the parts of a lesson", async () => {
   await page.getByLabel("with hints and solutions").uncheck();
   await expect.poll(() => link.inputValue()).toMatch(/&only=draw-rp&help=0$/);
   const frame = await page.getByLabel("A frame for another page").inputValue();
-  expect(frame).toMatch(/^<iframe src="http[^"]*&amp;only=draw-rp&amp;help=0" title=/);
+  expect(frame).toMatch(
+    /^<iframe src="http[^"]*&amp;only=draw-rp&amp;help=0" title="Beeline: Exercise: Draw the arm RP/,
+  );
+  expect(frame).toContain('allow="clipboard-write"');
   expect(frame).toContain("<script>");
 });
 
@@ -115,7 +156,13 @@ test("the worksheet prints the exercises of the lessons, and solutions on sheets
   await page.evaluate("print = () => (document.body.dataset.printed = 'yes')");
   await page.getByLabel("A gantry carries").waitFor();
   await page.getByRole("button", { name: "None" }).click();
-  for (const name of ["A gantry carries", "Bring the tool", "Draw the arm RP", "Now without looking up"])
+  for (const name of [
+    "A gantry carries",
+    "Bring the tool",
+    "Draw the arm RP",
+    "Now without looking up",
+    "The tool of the arm RRR is to be",
+  ])
     await page.getByLabel(name).check();
   await page.getByLabel("Solutions, on sheets of their own").check();
   await page.getByRole("button", { name: "Print the worksheet" }).click();
@@ -126,6 +173,8 @@ test("the worksheet prints the exercises of the lessons, and solutions on sheets
   const asked = /```check string\n([\s\S]*?)\nhint:/.exec(lessonText("1_definitions.md"))?.[1] ?? "";
   expect(words).toContain(asked.replace(/\s+/g, " ")); // the text of the lesson
   expect(words).toContain("Find both configurations"); // for paper
+  expect(words).toContain("The arm RRR has links of 3.5, 3.5 and 2. Its tool is to be at (5.5, 3.5), at 0°.");
+  expect(words).toContain("joint 2 is at (0.71, 0.71)"); // the second drawing
   expect(words).not.toContain("or use the sliders");
   for (const outside of ["Workspace", "Share", "For teachers", "Hint 1"]) expect(words).not.toContain(outside);
   expect(words).toContain("PPP. None of its joints turns");
@@ -169,15 +218,20 @@ test("a code that a student hands in is decoded, and its answers are checked aga
   const forged = await codeOf([
     { name: "elbow", answer: "45°", time: 0 },
     { name: "none", answer: "1", time: 0 },
+    ...["__proto__", "valueOf", "hasOwnProperty"].map((name) => ({ name, answer: "1", time: 0 })),
   ]);
   const input = page.getByLabel("Codes, one a line");
-  await input.fill(`Ada: ${code}\n${forged}\n${code.slice(0, -2)}`);
+  const wrapped = `${code.slice(0, 25)}\n${code.slice(25)}`;
+  await input.fill(`Ada: ${code}\n${forged}\n${code.slice(0, -2)}\n\u200b"${code}", Grace\nAlan ${wrapped}`);
   await page.getByRole("button", { name: "Read the codes" }).click();
   const ada = page.getByRole("table", { name: "Ada: 1 solved" });
   await ada.getByRole("row", { name: /string p p p 20\d\d-\d\d-\d\d \d\d:\d\d right/ }).waitFor();
-  const other = page.getByRole("table", { name: "Code 2: 2 solved" });
+  const other = page.getByRole("table", { name: "Code 2: 5 solved" });
   await other.getByRole("row", { name: "elbow 45° 1970-01-01 00:00 not right" }).waitFor();
   await other.getByRole("row", { name: "none 1 1970-01-01 00:00 unknown exercise" }).waitFor();
+  for (const name of ["__proto__", "valueOf", "hasOwnProperty"])
+    await other.getByRole("row", { name: `${name} 1 1970-01-01 00:00 unknown exercise` }).waitFor();
+  for (const name of ["Grace", "Alan"]) await page.getByRole("table", { name: `${name}: 1 solved` }).waitFor();
   await page.getByText("Code 3: the code is cut off or changed.").waitFor();
   await page.getByText("More in the documentation: lessons in a course (docs/howto/course.md).").waitFor();
   expect(await axe(page)).toEqual([]);
@@ -196,10 +250,14 @@ test("Remove results forgets them", async () => {
 
 test("the proof between samples follows the number of intervals", async () => {
   const page = await opened("#section=lessons&lesson=proof");
-  await page.getByText("At most 26.74 mm, proved; 15.55 mm are found, 58 % of that.").waitFor();
+  await page.getByText("Bound 26.75 mm, proved. Largest sampled deviation 15.55 mm, 58 % of the bound.").waitFor();
   await page.getByLabel("Intervals", { exact: true }).first().fill("16");
-  await page.getByText(/At most [67]\.\d\d mm, proved/).waitFor();
+  await page.getByText(/Bound [67]\.\d\d mm, proved/).waitFor();
   await expect.poll(() => page.locator(".proof-chart .bound").count()).toBe(16);
+  const spoken = (await page.getByRole("img", { name: "Deviation from the line" }).getAttribute("aria-label")) ?? "";
+  const [bounds = [], deviations = []] = [...spoken.matchAll(/: ([\d., ]+)/g)].map(([, row = ""]) => row.split(", "));
+  expect([bounds.length, deviations.length]).toEqual([16, 16]);
+  deviations.forEach((value, i) => expect(Number.parseFloat(value)).toBeLessThan(Number.parseFloat(bounds[i] ?? "")));
 });
 
 test("each figure of the chapter is also there as beeline figure draws it", async () => {
