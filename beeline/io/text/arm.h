@@ -231,8 +231,10 @@ struct ArmFile {
 ///   - mjcf: couplings are equality constraints. Bodies get a mass and an inertia of their own
 ///     from `boundmass` and `boundinertia` of `<compiler>`, without which MuJoCo reads no body.
 /// Links without a name are called link1, link2 and so on, and the tool is a link `tool`. The
-/// ControllerFrames are links `base` and `tool0` if they are stated; an assumed one is assumed
-/// again when the file is read. Shapes of links are not written. Throws Error as arm_to_json().
+/// ControllerFrames are links `base` and `tool0` if they are stated. An assumed one is assumed
+/// again when the file is read; if it is not what would be assumed there, as after with_mount() and
+/// with_tcp(), it is written and thus stated. Shapes of links are not written. Throws Error as
+/// arm_to_json().
 ArmFile arm_file(const Arm& arm, ArmFileFormat format);
 
 /// Writes arm_file() in the format of the path's ending. Throws Error for a gap, another ending and

@@ -59,8 +59,12 @@ double round_trip(const Arm& arm, ArmFileFormat format, testing::Random& random)
     }
     expect_same_limits(a.limits, b.limits, format != ArmFileFormat::mjcf);
   }
-  EXPECT_EQ(read.controller().base_assumed, arm.controller().base_assumed);
-  EXPECT_EQ(read.controller().flange_assumed, arm.controller().flange_assumed);
+  const ControllerFrames& controller = arm.controller();
+  const bool json = format == ArmFileFormat::json;
+  const bool same_base = json || controller.base.matrix().isIdentity(0);
+  const bool same_flange = json || controller.flange.matrix() == arm.tool().matrix();
+  EXPECT_EQ(read.controller().base_assumed, controller.base_assumed && same_base);
+  EXPECT_EQ(read.controller().flange_assumed, controller.flange_assumed && same_flange);
   double largest = 0;
   for (int k = 0; k < 20; ++k) {
     const Configuration q = random.configuration(arm);
@@ -70,13 +74,8 @@ double round_trip(const Arm& arm, ArmFileFormat format, testing::Random& random)
     const auto in_flange = [](const Arm& of) {
       return Pose(of.controller().flange.inverse() * of.tool());
     };
-    if (!arm.controller().flange_assumed) {
-      EXPECT_LT((in_flange(read).matrix() - in_flange(arm).matrix()).norm(), tolerance);
-    }
-    if (!arm.controller().base_assumed) {
-      EXPECT_LT((read.controller().base.matrix() - arm.controller().base.matrix()).norm(),
-                tolerance);
-    }
+    EXPECT_LT((in_flange(read).matrix() - in_flange(arm).matrix()).norm(), tolerance);
+    EXPECT_LT((read.controller().base.matrix() - controller.base.matrix()).norm(), tolerance);
   }
   return largest;
 }
@@ -119,7 +118,9 @@ TEST(ArmFile, RandomArmsReadBack) {
                     .flange = random.integer(0, 1) == 0 ? tool : random.pose()};
     }
     const Pose base = random.integer(0, 1) == 0 ? Pose::Identity() : random.pose();
-    const Arm arm("random", joints, tool, base, controller);
+    Arm arm("random", joints, tool, base, controller);
+    if (random.integer(0, 2) == 0) arm = with_tcp(arm, random.pose());
+    if (random.integer(0, 2) == 0) arm = with_mount(arm, random.pose());
     for (const ArmFileFormat format : tree_formats) {
       ASSERT_LT(round_trip(arm, format, random), tolerance) << i;
     }
@@ -181,6 +182,30 @@ TEST(ArmFile, FramesOfTheControllerKeepTheirNames) {
     EXPECT_LT(round_trip(at_flange, format, random), tolerance);
     expect_gaps(Arm("a", joints, tool, Pose::Identity(), ControllerFrames{.flange = tool}), format,
                 {ArmGapKind::controller_frame});
+  }
+}
+
+TEST(ArmFile, AssumedFramesOfTheControllerAreKept) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = with_mount(with_tcp(built_in(name), random.pose()), random.pose());
+    for (const ArmFileFormat format : {ArmFileFormat::json, tree_formats[0], tree_formats[1]}) {
+      EXPECT_LT(round_trip(arm, format, random), tolerance) << name;
+    }
+  }
+}
+
+TEST(ArmFile, AnAssumedFlangeIsNoLinkOfThatName) {
+  testing::Random random;
+  std::vector<Joint> joints = arm_from_joint_string("RRR:1,1,0").joints();
+  joints[2].link = "tool0";
+  const Arm with_tool("a", joints, random.pose());
+  joints[2].link = "";
+  joints[1].link = "tool0";  // not where the flange can be
+  const Arm before("a", joints, random.pose());
+  for (const ArmFileFormat format : tree_formats) {
+    expect_gaps(with_tool, format, {ArmGapKind::controller_frame});
+    EXPECT_LT(round_trip(before, format, random), tolerance);
   }
 }
 

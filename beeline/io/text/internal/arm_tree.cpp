@@ -26,7 +26,8 @@ class TreeOfArm {
     tree_.root = urdf_ ? new_name(mounted ? "world" : "base_link", taken_) : "world";
     last_ = tree_.root;
     const ControllerFrames& controller = arm_.controller();
-    if (!controller.base_assumed && is_free(root_frame, "")) {
+    const bool elsewhere = !controller.base.matrix().isIdentity(0);  // than readers assume
+    if ((elsewhere || !controller.base_assumed) && is_free(root_frame, "")) {
       tree_.links.push_back({.name = root_frame, .parent = tree_.root, .pose = controller.base});
     }
     if (mounted) add_fixed(new_name("base_link", taken_), last_, arm_.base());
@@ -99,12 +100,13 @@ class TreeOfArm {
   void add_tool() {
     const ControllerFrames& controller = arm_.controller();
     Pose tool = from_last_ * arm_.tool();
-    if (!controller.flange_assumed) {
-      const Pose flange = from_last_ * controller.flange;
-      const bool is_last = flange.matrix().isIdentity(0);
+    const Pose flange = from_last_ * controller.flange;
+    const bool same = arm_.tool().matrix() == controller.flange.matrix();  // as readers assume
+    const bool is_last = flange.matrix().isIdentity(0);
+    const bool taken = last_ == flange_frame && !is_last;  // readers would take that link for it
+    if (taken || !same || !controller.flange_assumed) {
       if (is_free(flange_frame, is_last ? last_ : "")) {
         add_fixed(flange_frame, last_, flange);
-        const bool same = arm_.tool().matrix() == controller.flange.matrix();
         tool = same ? Pose::Identity() : controller.flange.inverse() * arm_.tool();
       }
     }
