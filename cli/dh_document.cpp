@@ -41,6 +41,24 @@ std::string table_of(const Arm& arm, const DhTable& table, const UnitArgument& u
   return text;
 }
 
+/// The rows of a pose, as exact.
+std::string pose_text(const Pose& pose) {
+  std::array<std::size_t, 4> widths{};
+  for (int row = 0; row < 4; ++row) {
+    for (int k = 0; k < 4; ++k) {
+      widths[k] = std::max(widths[k], exact(pose.matrix()(row, k)).size());
+    }
+  }
+  std::string text;
+  for (int row = 0; row < 4; ++row) {
+    for (int k = 0; k < 4; ++k) {
+      text += fmt::format("  {:>{}}", exact(pose.matrix()(row, k)), widths[k]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 /// What the axes leave open of a frame.
 std::string open_text(DhFreedom freedom, std::size_t frame, std::size_t n) {
   switch (freedom) {
@@ -103,9 +121,9 @@ std::string dh_text(const Arm& arm, const DhTable& table, const UnitArgument& un
                                      ? "A = Rz(theta) Tz(d) Tx(a) Rx(alpha)"
                                      : "A = Tx(a) Rx(alpha) Rz(theta) Tz(d)");
   text += table_of(arm, table, unit) + couplings_text(arm);
-  text += "\nbase: frame 0 in the world\n" + matrix_text(table.base.matrix(), {"", "", "", ""});
+  text += "\nbase: frame 0 in the world\n" + pose_text(table.base);
   text += "\ntool: the tool in frame " + std::to_string(table.rows.size()) + "\n" +
-          matrix_text(table.tool.matrix(), {"", "", "", ""});
+          pose_text(table.tool);
   return text +
          "\nleft open by the axes, and chosen nearest to the frames of the arm's own links\n" +
          choices_text(table);

@@ -109,6 +109,28 @@ std::vector<LinkShapes> own_shapes(const ShowArguments& arguments) {
   return arguments.arm.shapes({}).links;
 }
 
+/// Whether an input of URDF or MJCF has shapes, read or not: a mesh may be missing.
+bool has_shapes(const ShowArguments& arguments) {
+  try {
+    const ArmShapes read = arguments.arm.shapes({});
+    return !read.links.empty() || !read.links_without_shapes.empty();
+  } catch (const FileError&) {
+    return true;
+  }
+}
+
+/// Warns of what the arm's URDF or MJCF file has and --out does not.
+void warn_of_lost_parts(const ShowArguments& arguments) {
+  const std::string& input = arguments.arm.text;
+  if (!is_urdf_path(input)) return;
+  if (has_shapes(arguments)) {
+    warn(arguments.out + " has no shapes of the links; they are in " + input);
+  }
+  if (arm_file_format(arguments.out) == ArmFileFormat::urdf && extension(input) == "urdf") {
+    warn(arguments.out + " has no efforts, which are written as 0; they are in " + input);
+  }
+}
+
 /// Writes --out, or adds the reasons why the format cannot describe the arm.
 void write_out(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
   const ArmFileFormat format = arm_file_format(arguments.out);
@@ -137,6 +159,7 @@ void write_out(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
     warn(arguments.out + " ends with the joints of a gripper; --tip " + shell_word(file.tip) +
          " reads them too");
   }
+  warn_of_lost_parts(arguments);
   write_file(arguments.out, file.text);
 }
 
@@ -174,7 +197,11 @@ Answer show(const ShowArguments& arguments) {
     answer.text += screw_table(arm);
     answer.document.add("screws", screw_document(arm));
   }
-  if (!arguments.out.empty()) write_out(arguments, arm, answer);
+  if (!arguments.out.empty() && answer.yes) {
+    write_out(arguments, arm, answer);
+  } else if (!arguments.out.empty()) {
+    refuse(answer, arguments.out + " is not written", {});
+  }
   add_source(arguments.arm.text, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;

@@ -34,6 +34,21 @@ def test_what_the_file_lacks_is_said(beeline):
     assert beeline("show", "rrr", "--out", "a.xml").err == ""
 
 
+def test_what_stays_in_the_input_is_said(beeline, written):
+    joint = '<joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit lower="-1" upper="1" effort="5" velocity="1"/></joint>'
+    for part in ("", "<visual/>", '<collision><geometry><mesh filename="none.stl"/></geometry></collision>'):
+        written("in.urdf", f'<robot name="n"><link name="a"/><link name="b">{part}</link>{joint}</robot>')
+        for file in ("out.json", "out.urdf"):
+            lines = beeline("show", "in.urdf", "--out", file).err.splitlines()
+            assert [f"{file} has no shapes of the links; they are in in.urdf" in line for line in lines].count(True) == bool(part)
+            assert [f"{file} has no efforts" in line for line in lines].count(True) == file.endswith("urdf")
+
+
+def test_nothing_is_written_without_the_table(beeline, tmp_path):
+    answer = beeline("show", "RHR:1,0.2p0.05,1", "--as", "dh", "--convention", "standard", "--out", "a.json")
+    assert answer.code == 1 and "a.json is not written" in answer.err and not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("file", ["a.urdf", "a.xml"])
 def test_a_gap_is_named_and_nothing_is_written(beeline, file, tmp_path):
     (tmp_path / file).write_text("as it was")

@@ -90,7 +90,9 @@ void write_arm(const std::string& path, const Arm& arm) {
   const ArmFileFormat format = arm_file_format(path);
   const ArmFile file = arm_file(arm, format);
   if (!file) {
-    throw Error(path + " is not written: " + sentence(file.gaps.front(), format));
+    std::string gaps;
+    for (const ArmGap& gap : file.gaps) gaps += (gaps.empty() ? "" : "; ") + sentence(gap, format);
+    throw Error(path + " is not written: " + gaps);
   }
   write_file(path, file.text);
 }

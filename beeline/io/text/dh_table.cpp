@@ -37,7 +37,7 @@ double tidy_angle(double value) {
   const double quarters = std::round(value / (std::numbers::pi / 2));
   if (quarters == -2 && value + std::numbers::pi < rounding) return std::numbers::pi;
   const double whole = quarters * (std::numbers::pi / 2);
-  return std::abs(whole - value) < rounding ? whole : tidy(value);
+  return std::abs(whole - value) < rounding ? whole + 0.0 : tidy(value);  // 0 rather than -0
 }
 
 /// The row from one frame to the next one. The pose of the next frame keeps the error of the row.
@@ -58,9 +58,9 @@ DhRow row_between(Pose& frame, const Pose& next, JointKind kind, DhConvention co
 }
 
 /// The error of a joint's axis that has a row, rad or, per metre of the arm's size, m.
-double axis_error(const Pose& world_T_frame, const internal::DhAxis& axis, double unit) {
-  const Vector3 z = world_T_frame.linear().col(2);
-  const Vector3 to = axis.point - world_T_frame.translation();
+double axis_error(const Pose& base_T_frame, const internal::DhAxis& axis, double unit) {
+  const Vector3 z = base_T_frame.linear().col(2);
+  const Vector3 to = axis.point - base_T_frame.translation();
   const double distance = axis.slides ? 0 : (to - to.dot(axis.direction) * axis.direction).norm();
   return std::max((z - axis.direction).norm(), distance / unit);
 }
@@ -110,8 +110,8 @@ DhTable dh_table(const Arm& arm, DhConvention convention) {
   for (const internal::DhAxis& axis : frames.axes) {
     unit = std::max(unit, (axis.point - frames.axes.front().point).norm());
   }
-  table.base = frames.frames.front();
-  Pose frame = table.base, last = arm.base();
+  table.base = arm.base() * frames.frames.front();
+  Pose frame = frames.frames.front(), last = Pose::Identity();
   for (std::size_t i = 0; i < frames.axes.size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Pose before = frame;

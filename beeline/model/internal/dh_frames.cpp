@@ -46,10 +46,10 @@ class FramesOfArm {
  public:
   FramesOfArm(const Arm& arm, DhConvention convention)
       : arm_(arm), standard_(convention == DhConvention::standard) {
-    links_.push_back(arm.base());
+    links_.push_back(Pose::Identity());
     for (const Joint& joint : arm.joints()) links_.push_back(links_.back() * joint.offset);
     for (const Pose& link : links_) {
-      unit_ = std::max(unit_, (link.translation() - arm.base().translation()).norm());
+      unit_ = std::max(unit_, link.translation().norm());
     }
     for (std::size_t i = 0; i < arm.joints().size(); ++i) add_axis(i);
   }

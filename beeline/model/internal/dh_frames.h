@@ -6,7 +6,7 @@
 
 namespace beeline::internal {
 
-/// The axis of a joint in the world at joint values 0: a line through `point`. Of a prismatic joint
+/// The axis of a joint in link 0 at joint values 0: a line through `point`. Of a prismatic joint
 /// the point is free; it is chosen.
 struct DhAxis {
   Vector3 direction;  ///< unit length
@@ -17,8 +17,8 @@ struct DhAxis {
 /// What two neighbouring axes leave open of the frame between them.
 enum class DhNormal { unique, parallel, coincident };
 
-/// The frames of a DH table in the world at joint values 0, from frame 0 to frame n, and what the
-/// axes leave open of the frames between two axes.
+/// The frames of a DH table in link 0, whose place in the world rounds nothing, at joint values 0,
+/// from frame 0 to frame n, and what the axes leave open of the frames between two axes.
 struct DhFrames {
   std::vector<DhAxis> axes;
   std::vector<Pose> frames;

@@ -251,6 +251,8 @@ TEST(ArmFile, WritesTheFormatOfTheEnding) {
   EXPECT_REFUSED(write_arm(folder.file("a.xacro"), arm), ".xml or .mjcf");
   EXPECT_REFUSED(write_arm(folder.file("b.urdf"), arm_from_joint_string("RHR:1,0.2p0.05,1")),
                  "joint2 is helical");
+  EXPECT_REFUSED(write_arm(folder.file("b.urdf"), arm_from_joint_string("RHH:1,0.2p0.05,1p0.05")),
+                 "joint3 is helical");
   EXPECT_REFUSED(write_arm(folder.file("c.urdf"), Arm("a\nb", arm.joints())), "the arm's name");
   EXPECT_EQ(folder.count(), 4u);
 }

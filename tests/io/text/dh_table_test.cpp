@@ -176,6 +176,27 @@ TEST(DhTable, MakersTablesComeBack) {
   EXPECT_DOUBLE_EQ(panda.tool.translation().z(), 0.107);
 }
 
+TEST(DhTable, AMountChangesTheBaseAlone) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    Pose mount = random.pose();
+    mount.translation() = Vector3(1e4, 2e4, 1);
+    const Arm arm = built_in(name), mounted = with_mount(arm, mount);
+    for (const DhConvention convention : conventions) {
+      const DhTable table = dh_table(arm, convention), there = dh_table(mounted, convention);
+      ASSERT_EQ(there.rows.size(), table.rows.size()) << name;
+      for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const DhRow &a = table.rows[i], &b = there.rows[i];
+        EXPECT_TRUE(a.a == b.a && a.alpha == b.alpha && a.d == b.d && a.theta == b.theta) << name;
+        EXPECT_FALSE((a.theta == 0 && std::signbit(a.theta)) ||
+                     (a.alpha == 0 && std::signbit(a.alpha)))
+            << name;
+      }
+      EXPECT_LT((there.base.matrix() - mount.matrix() * table.base.matrix()).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(DhTable, SaysWhatTheAxesLeaveOpen) {
   const DhTable table = dh_table(built_in("ur5"), DhConvention::standard);
   EXPECT_EQ(table.freedom,

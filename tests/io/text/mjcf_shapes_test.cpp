@@ -133,6 +133,11 @@ TEST(MjcfShapes, PlanesThatDoNotMoveAreNoShapesOfTheArm) {
   EXPECT_EQ(shapes.links_with_planes, (std::vector<std::string>{"world", "table"}));
   ASSERT_EQ(shapes.links.size(), 2u);
   EXPECT_EQ(shapes.links[0].shapes.size(), 1u);
+  const std::string drawn = "<geom type=\"plane\" size=\"1 1 1\" contype=\"0\" conaffinity=\"0\"/>";
+  const std::string arm = "<body name=\"a\"><joint/><geom size=\"1\"/></body>\n";
+  EXPECT_TRUE(arm_shapes_from_text(mujoco(drawn + arm), "a.xml").links_with_planes.empty());
+  EXPECT_EQ(arm_shapes_from_text(mujoco(plane + plane + arm), "a.xml").links_with_planes.size(),
+            1u);
   EXPECT_REFUSED(arm_shapes_from_text(mujoco("<body name=\"a\"><joint/><body name=\"b\">" + plane +
                                              "</body></body>\n"),
                                       "a.xml"),

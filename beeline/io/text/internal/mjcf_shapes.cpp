@@ -224,7 +224,7 @@ UrdfShapes mjcf_shapes(std::string_view text, const std::string& path,
   MjcfMeshes meshes(*model, package);
   UrdfShapes shapes;
   shapes.may_touch = pairs_that_may_touch(*model);
-  std::unordered_set<std::string> visible;
+  std::unordered_set<std::string> visible, planes;
   const std::unordered_set<std::string> is_static = static_links(model->file);
   for (const MjcfGeom& read : model->geoms) {
     refuse_misspelt_attribute(
@@ -237,12 +237,13 @@ UrdfShapes mjcf_shapes(std::string_view text, const std::string& path,
          "solref",   "surfacevel", "type",         "user",     "xyaxes",      "zaxis"});
     const std::string& link = model->file.links[read.link].name;
     const MjcfAttributes geom(*read.element, &model->defaults, read.of_class);
-    if (use == MjcfUse::links && geom.text_or("type", "") == "plane" && is_static.contains(link)) {
-      shapes.planes.push_back(link);
-    } else if (collides(geom)) {
-      shapes.of_link[link].push_back(read_shape(*model, read, geom, use, meshes));
-    } else {
+    if (!collides(geom)) {
       visible.insert(link);
+    } else if (use == MjcfUse::links && geom.text_or("type", "") == "plane" &&
+               is_static.contains(link)) {
+      if (planes.insert(link).second) shapes.planes.push_back(link);
+    } else {
+      shapes.of_link[link].push_back(read_shape(*model, read, geom, use, meshes));
     }
   }
   for (const UrdfFile::Link& link : model->file.links) {
