@@ -159,14 +159,14 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
   const auto most = static_cast<std::size_t>(options.max_samples);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
-  if (moves(trajectory) && section.trajectory.size() >= most) {
+  if (options.rate > 0 && moves(trajectory) && section.trajectory.size() >= most) {
     timed.reason = {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}};
     return internal::without_motion(std::move(timed));
   }
   if (moves(trajectory)) {
     RetimeOptions after = options;
     after.duration.reset();
-    after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+    if (options.rate > 0) after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
     timed = retimed_positions(arm, trajectory, after, budget);
     if (timed.reason.has(ReasonField::max_samples)) {
       timed.reason.set(ReasonField::max_samples, most);

@@ -25,7 +25,7 @@ double interval_at(StopSide side, const LinearSamples& samples, BudgetMeter& bud
     const double t = inside ? from_stop(side, motion, s, budget) : 0;
     return t >= shortest_interval ? t : 0;
   };
-  const auto nearest = [&](auto begin, auto end) {
+  const auto nearest = [&](const auto& begin, const auto& end) {
     for (auto s = begin; s != end; ++s) {
       if (const double t = next(*s); t > 0) return t;
     }
