@@ -124,7 +124,7 @@ test("in the dialog the question stands in the dialog, without a refusal, with t
   const choice = dialog.getByLabel("Where does the arm end?");
   await choice.waitFor();
   expect(await page.locator(".refusal:visible").count()).toBe(0);
-  expect(await page.getByText("is shown").count()).toBe(0);
+  expect(await page.getByText("arm.urdf is shown").count()).toBe(0);
   const links = await choice.locator("option").evaluateAll((all) => all.map((one) => one.getAttribute("value") ?? ""));
   for (const link of links)
     expect(run(["show", "arm.urdf", "--tip", link, "--json"], { "arm.urdf": gripper }).code).toBe(0);
