@@ -149,24 +149,24 @@ void count_recovery(Retimed& timed) {
 /// positions. If the budget ends it, what is retimed so far begins with the recovery, too.
 Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const RetimeOptions& options,
                              internal::BudgetMeter& budget) {
-  const Retimed section =
-      internal::recovery_section(arm, trajectory.positions.front(), options, budget);
+  Retimed section = internal::recovery_section(arm, trajectory.positions.front(), options, budget);
   if (!section) {
-    Retimed ended = section;
-    if (ended.trajectory.size() > 0) ended.recovery = recovery_of(arm, ended.trajectory);
-    return ended;
+    if (section.trajectory.size() > 0) section.recovery = recovery_of(arm, section.trajectory);
+    return section;
   }
   const auto most = static_cast<std::size_t>(options.max_samples);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
-  if (options.rate > 0 && moves(trajectory) && section.trajectory.size() >= most) {
-    timed.reason = {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}};
-    return internal::without_motion(std::move(timed));
-  }
   if (moves(trajectory)) {
     RetimeOptions after = options;
     after.duration.reset();
-    if (options.rate > 0) after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+    if (options.rate > 0) {
+      if (section.trajectory.size() >= most) {
+        timed.reason = {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}};
+        return internal::without_motion(std::move(timed));
+      }
+      after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+    }
     timed = retimed_positions(arm, trajectory, after, budget);
     if (timed.reason.has(ReasonField::max_samples)) {
       timed.reason.set(ReasonField::max_samples, most);

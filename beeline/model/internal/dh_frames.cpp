@@ -132,7 +132,7 @@ class FramesOfArm {
 
   const Arm& arm_;
   bool standard_;
-  std::vector<Pose> links_;  ///< of links 0 to n in the world
+  std::vector<Pose> links_;  ///< of links 0 to n in link 0
   double unit_ = 1;          ///< size of the arm, at least 1 m
   DhFrames found_ = {};
 };

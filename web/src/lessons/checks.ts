@@ -65,15 +65,11 @@ export function checkString(text: string, wanted: string): Verdict {
 
 const sameAngle = 0.05; // degrees: 1.92 rad are 110.008°, 1.57 rad are 89.954°
 
-/** Whether a typed angle is the wanted one, degrees, up to a multiple of `turn`, unless that is 0. */
-export function checkAngle(
-  text: string,
-  wanted: number,
-  turn: number,
-  names: Names,
-  q: number[],
-  tolerance = sameAngle,
-): Verdict {
+/** An angle that is asked for, degrees, up to a multiple of `turn`, unless that is 0; and what a typed formula may name. */
+type AskedAngle = [wanted: number, turn: number, names: Names, q: number[], tolerance?: number];
+
+/** Whether a typed angle is the one that is asked for. */
+export function checkAngle(text: string, ...[wanted, turn, names, q, tolerance = sameAngle]: AskedAngle): Verdict {
   if (text.trim() === "") return { solved: false, says: "Type an angle, such as 30 or 30°." };
   try {
     const typed = angleTyped(text, names, q);
@@ -86,18 +82,11 @@ export function checkAngle(
 }
 
 /** The same for one angle or several, such as ±90 or 30 or 210, of which each must be right. */
-export function checkAngles(
-  text: string,
-  wanted: number,
-  turn: number,
-  names: Names,
-  q: number[],
-  tolerance = sameAngle,
-): Verdict {
-  const whole = checkAngle(text, wanted, turn, names, q, tolerance);
+export function checkAngles(text: string, ...asked: AskedAngle): Verdict {
+  const whole = checkAngle(text, ...asked);
   const parts = anglesTyped(text);
   if (whole.solved || parts.length < 2) return whole;
-  const verdicts = parts.map((part) => checkAngle(part, wanted, turn, names, q, tolerance));
+  const verdicts = parts.map((part) => checkAngle(part, ...asked));
   return verdicts.find(({ solved }) => !solved) ?? { solved: true, says: "Right." };
 }
 

@@ -24,8 +24,7 @@ struct WrittenTree {
 
 /// Returns the tree of an arm, which must outlive it: the links of its joints, with names; `base`
 /// and `tool0` where the arm states frames of the controller or readers would assume others; and
-/// the tool. For URDF the frame of
-/// each link lies on its joint's axis.
+/// the tool. For URDF the frame of each link lies on its joint's axis.
 WrittenTree written_tree(const Arm& arm, ArmFileFormat format);
 
 /// Returns a coordinate or a component of a direction, which reads back exactly; 0 if it is
