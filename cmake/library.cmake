@@ -26,3 +26,17 @@ function(beeline_library name)
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   beeline_quick(beeline_${name})
 endfunction()
+
+# beeline_load_when_needed(target hdf5): the library that pkg-config found under that name is not linked: the target loads
+# it by the name that BEELINE_HDF5_LIBRARY has then (internal/shared_library.h).
+function(beeline_load_when_needed target name)
+  list(FILTER beeline_${name}_LINK_LIBRARIES INCLUDE REGEX "lib${name}[^/]*$")
+  list(GET beeline_${name}_LINK_LIBRARIES 0 library)
+  execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${library} OUTPUT_VARIABLE headers ERROR_QUIET)
+  if(headers MATCHES "SONAME +([^\n]+)")
+    set(library ${CMAKE_MATCH_1})
+  endif()
+  string(TOUPPER ${name} upper)
+  target_compile_definitions(${target} PRIVATE BEELINE_${upper}_LIBRARY="${library}")
+  target_include_directories(${target} PRIVATE ${beeline_${name}_INCLUDE_DIRS})
+endfunction()

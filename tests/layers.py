@@ -39,7 +39,7 @@ UMBRELLA = "beeline/beeline.h"  # includes every public header
 INTERNAL = {"simd", "math", "reason", "inverse/analytic", "inverse/numerical"}
 MAX_PUBLIC_HEADERS = 65  # planning/free_path.h is the 65th
 ERROR = ("beeline/error.h", "beeline/beeline.h")
-SYSTEM = {"fcntl", "poll", "spawn", "sys", "unistd"}  # C headers that any .cpp may use
+SYSTEM = {"dlfcn", "fcntl", "poll", "spawn", "sys", "unistd"}  # C headers that any .cpp may use
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

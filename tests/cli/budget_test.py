@@ -102,8 +102,10 @@ def catches_interrupts(process):
 
 def interrupted(build, folder, verb):
     """Runs a verb, and interrupts its search."""
+    # What a shell starts in the background ignores SIGINT, and so would the verb.
     process = subprocess.Popen([build / "beeline", *verb, "--json"], cwd=folder,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     while process.poll() is None and not catches_interrupts(process):
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)

@@ -128,7 +128,8 @@ TEST(DhTable, ParallelMeetingAndCoincidentAxesHaveOne) {
       for (const DhFreedom freedom : table.freedom) ++of_kind[static_cast<int>(freedom)];
     }
   }
-  for (const std::size_t count : of_kind) EXPECT_GT(count, static_cast<std::size_t>(testing::cases(100)));
+  for (const std::size_t count : of_kind)
+    EXPECT_GT(count, static_cast<std::size_t>(testing::cases(100)));
 }
 
 TEST(DhTable, AnArmOfATableGetsItsRows) {
