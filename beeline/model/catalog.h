@@ -29,8 +29,8 @@ struct BuiltInArm {
 const std::vector<BuiltInArm>& built_in_arms();
 std::vector<std::string> built_in_names();
 
-/// Returns the built-in arm; its tool is the flange. The source gives its joint limits. Throws
-/// Error for an unknown name, suggesting the nearest one.
+/// Returns the built-in arm; its tool is the flange or the frame that the note names. The source
+/// gives its joint limits. Throws Error for an unknown name, suggesting the nearest one.
 Arm built_in(std::string_view name);
 
 }  // namespace beeline

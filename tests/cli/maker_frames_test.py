@@ -44,7 +44,8 @@ class Table:
         pose = placed(self.document.get("base", {}))
         if "dh" not in self.document:
             for joint, value in zip(self.document["joints"], q, strict=True):
-                pose = pose @ along(joint["axis"], joint["point"], value)
+                axis, point = joint.get("axis", (0, 0, 1)), joint.get("point", (0, 0, 0))
+                pose = pose @ placed(joint.get("origin", {})) @ along(axis, point, value)
         else:
             table = self.document["dh"]
             unit = math.pi / 180 if table.get("degrees") else 1
@@ -134,8 +135,9 @@ def check_targets(table, program, moves):
 
 
 ARMS = ["cr5", "crx10ia", "crx10ial", "gen3_lite", "gp8", "hc10", "irb120", "irb6700", "jaco2", "kr210_r2700",
-        "kr6_r900", "lrmate200id", "m710ic", "puma560", "ur10", "ur10e", "ur12e", "ur15", "ur16e", "ur20", "ur3",
-        "ur30", "ur3e", "ur5", "ur5e", "ur7e", "widowx250s", "xarm6"]
+        "kr6_r900", "lite6", "lrmate200id", "m1013", "m710ic", "nova5", "parol6", "piper", "puma560", "tm5_900", "ur10",
+        "ur10e", "ur12e", "ur15", "ur16e", "ur20", "ur3", "ur30", "ur3e", "ur5", "ur5e", "ur7e", "widowx250s", "xarm6",
+        "z1"]
 
 
 def test_the_arms_of_six_revolute_joints_are_these(tables):

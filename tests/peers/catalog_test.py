@@ -1,18 +1,21 @@
-"""The built-in arms beside ssik's descriptions of them, by forward kinematics."""
+"""The built-in arms beside descriptions of ssik and of example-robot-data, by forward kinematics."""
 
 import importlib
 import math
 
 import beeline
 import numpy as np
+import pinocchio
 import pytest
 from scipy.spatial.transform import Rotation
+from urdf_tree import ROBOTS
 
 QUARTER, HALF = math.pi / 2, math.pi
 FLANGE_X = {"tool": (0, 0, 0, 0, -QUARTER, 0)}  # x of the other one's flange points forward
 URDF_BASE = {"base": (0, 0, 0, 0, 0, HALF)}  # base_link of Universal Robots' URDF files, rotated from the controller's
 
-# name: (module of ssik.prebuilt, frames, tolerance in m and rad). With them, pose = base^-1 * its pose * tool^-1.
+# name: (module of ssik.prebuilt, frames, tolerance in m and rad). With them, pose = base^-1 * its pose * tool^-1; at our zero its
+# joints have the values zeros.
 SAME = 1e-9
 ARMS = {
     "cr5": ("dobot.cr5", {}, 5e-5),  # right angles of five digits there
@@ -36,8 +39,14 @@ ARMS = {
         SAME,
     ),
     "m710ic": ("fanuc.m710ic", {"base": (0, 0, 0.565, 0, 0, 0), "tool": (0, 0, 0, 0, -QUARTER, HALF)}, SAME),
+    "m1013": ("doosan.m1013", {}, 2e-3),  # right angles of four digits there
+    "nova5": ("dobot.nova5", {}, 5e-5),  # right angles of five digits there
+    "openarm_left": ("openarm.left", {"base": (0, -0.031, 0, 0, 0, 0)}, SAME),
+    "openarm_right": ("openarm.right", {"base": (0, 0.031, 0, 0, 0, 0)}, SAME),
     "panda": ("franka.panda", {}, SAME),
+    "piper": ("agilex.piper", {"zeros": np.radians((0, 2, -2, 0, 0, 0))}, 5e-4),  # older zeros, lengths of the maker's URDF
     "puma560": ("unimation.puma560", {}, SAME),
+    "rizon4": ("flexiv.rizon4", {}, 1e-8),
     "rm75": ("realman.rm75", {}, 5e-5),
     "ur3e": ("universal_robots.ur3e", URDF_BASE, 1e-8),
     "ur5": ("universal_robots.ur5", URDF_BASE | {"tool": (0, 0, 0, 0, -QUARTER, QUARTER)}, 1e-8),
@@ -52,6 +61,16 @@ ARMS = {
     "widowx250s": ("trossen.widowx250s", {"tool": (-0.093575, 0, 0, 0, 0, 0)}, SAME),
     "xarm6": ("ufactory.xarm6", {}, 5e-5),
     "xarm7": ("ufactory.xarm7", {}, 5e-5),
+    "z1": ("unitree.z1", {"tool": (-0.051, 0, 0, 0, 0, 0)}, SAME),
+}
+
+SERVOS = ("shoulder_pan", "shoulder_lift", "elbow_flex", "wrist_flex", "wrist_roll")
+
+# name: (file below example-robot-data/robots, link, joints, tolerance in m and rad).
+URDF_FILES = {
+    "so100": ("so_arm_description/urdf/so100.urdf", "gripper", SERVOS, 5e-5),  # 1.57079 there
+    "so101": ("so_arm_description/urdf/so101.urdf", "gripper_frame_link", SERVOS, 5e-5),  # 1.5708 there
+    "z1": ("z1_description/urdf/z1.urdf", "gripperStator", [f"joint{k}" for k in range(1, 7)], SAME),
 }
 
 
@@ -85,5 +104,19 @@ def test_arm_equals_another_description(name, seed):
     base, tool = (transform(*frames.get(key, ())) for key in ("base", "tool"))
     arm = beeline.Arm.load(name)
     for q in np.random.default_rng(seed).uniform(-np.pi, np.pi, (200, arm.dof)):
-        other = np.linalg.inv(base) @ tool_of(body, q) @ np.linalg.inv(tool)
+        other = np.linalg.inv(base) @ tool_of(body, q + frames.get("zeros", 0)) @ np.linalg.inv(tool)
         np.testing.assert_allclose(beeline.forward_kinematics(arm, q), other, atol=tolerance, rtol=0)
+
+
+@pytest.mark.parametrize("name", URDF_FILES)
+def test_arm_equals_a_urdf_file(name, seed):
+    path, link, joints, tolerance = URDF_FILES[name]
+    model = pinocchio.buildModelFromUrdf(str(ROBOTS / path))
+    data, frame = model.createData(), model.getFrameId(link, pinocchio.FrameType.BODY)
+    at = [model.joints[model.getJointId(joint)].idx_q for joint in joints]
+    arm = beeline.Arm.load(name)
+    for q in np.random.default_rng(seed).uniform(-np.pi, np.pi, (1000, arm.dof)):
+        theirs = pinocchio.neutral(model)
+        theirs[at] = q
+        pinocchio.framesForwardKinematics(model, data, theirs)
+        np.testing.assert_allclose(beeline.forward_kinematics(arm, q), data.oMf[frame].homogeneous, atol=tolerance, rtol=0)
