@@ -138,5 +138,22 @@ TEST(SingularPoses, TheBestRedundantSolutionIsNoWorseThanAny) {
   }
 }
 
+// The tool's axis, beside the last joint's, is parallel to the first joint's: any value of either
+// joint closes the directions, but few close the positions.
+TEST(SingularPoses, WithAToolThatPointsDownOfFiveJoints) {
+  Random random;
+  const Arm arm = built_in("so101");
+  const Task task = task_named("111110:tool");
+  for (int i = 0; i < testing::cases(500); ++i) {
+    Configuration q = random.configuration(arm);
+    q[3] = pi / 2 - q[1] - q[2];
+    if (!within(internal::bounds_of(arm), q)) continue;
+    Pose pose = forward_kinematics(arm, q);
+    pose.rotate(Eigen::AngleAxisd(random.uniform(-pi, pi), Vector3::UnitZ()));
+    const InverseOptions options{.task = task, .all = i % 5 == 0};
+    testing::expect_solved(arm, pose, task, inverse_kinematics(arm, pose, options));
+  }
+}
+
 }  // namespace
 }  // namespace beeline

@@ -247,9 +247,12 @@ HWY_INLINE void solve_pieper_equations(const PieperLoop& loop, const PieperEquat
       Lanes(l0 * constant[0] + l1 * constant[1]), first_joint, loop.prismatic[first_joint],
       first_sign, unit[l1 == 0 ? 0 : 1], preferred[first_joint], one, status);
   const Lanes rest = fma(Lanes(first[e][0]), one.c, fma(Lanes(first[e][1]), one.s, constant[e]));
-  status.found = found & solve_one(Lanes(second[e][0]), Lanes(second[e][1]), rest, second_joint,
-                                   loop.prismatic[second_joint], second_sign, unit[e],
-                                   preferred[second_joint], other, status);
+  const LaneMask solved = solve_one(Lanes(second[e][0]), Lanes(second[e][1]), rest, second_joint,
+                                    loop.prismatic[second_joint], second_sign, unit[e],
+                                    preferred[second_joint], other, status);
+  // If the first unknown is free, another of its values may have a solution, which the numerical
+  // method searches for.
+  status.found = found & (solved | status.free[first_joint]);
 }
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -77,6 +77,13 @@ std::vector<VirtualJoints> virtual_joints(int dof, const Task& task) {
   return {};
 }
 
+/// Whether the axis of the link's joint is the axis of the joint before it. `size` is the extent of
+/// the arm, metres.
+bool repeats_axis(const Chain::Link& link, double size) {
+  constexpr double rounding = 1e-10;
+  return std::abs(link.sin_alpha) < rounding && link.translation.head<2>().norm() < rounding * size;
+}
+
 }  // namespace
 
 bool PieperSolver::lock_last(const Chain& chain) {
@@ -121,8 +128,11 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
     return std::nullopt;
   }
   for (const VirtualJoints& added : virtual_joints(arm.dof(), task)) {
-    const auto loop = pieper_loop(with_virtual_joints(chain, added.axes));
+    const Chain longer = with_virtual_joints(chain, added.axes);
+    const auto loop = pieper_loop(longer);
     if (!loop) continue;
+    // With two joints about one axis only their sum is determined, also if one of them is zero.
+    if (arm.dof() < 6 && !added.free && repeats_axis(longer.links[arm.dof()], loop->size)) continue;
     solver.loop_ = *loop;
     for (int k = 0; k < 6; ++k) {
       const bool real = k < arm.dof();

@@ -73,6 +73,8 @@ TEST(PieperSolver, IsDescribedForTheBuiltInArms) {
       {"ur5e", "closed form: three parallel axes (joints 2, 3, 4)"},
       {"panda", "closed form: three axes meet (joints 1, 2, 3)"},
       {"iiwa14", "closed form: three axes meet (joints 1, 2, 3)"},
+      {"so101", "closed form: three parallel axes (joints 2, 3, 4)"},
+      {"koch", "closed form: three parallel axes (joints 2, 3, 4)"},
       {"scara", "closed form: three parallel axes (joints 1, 2, 3)"}};
   for (const auto& [name, family] : families) {
     EXPECT_EQ(inverse_method(built_in(name)), family) << name;
@@ -97,6 +99,23 @@ TEST(PieperSolver, OfFiveJointsIsComplete) {
         }
       }
     }
+  }
+  EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
+}
+
+// Virtual joints about the tool's z axis would only add to the last joint's angle.
+TEST(PieperSolver, OfFiveJointsIsCompleteWithTheToolsAxesOnTheLastJointsAxis) {
+  Random random;
+  Counts counts;
+  for (int i = 0; i < example_size(20); ++i) {
+    const Arm arm = arm_through(axes_with(Family::parallel, 1, "RRRRR", random), random);
+    const Joint& last = arm.joints().back();
+    const Vector3 axis = last.screw.tail<3>();
+    Pose tool = Pose::Identity();
+    tool.translation() = axis.cross(last.screw.head<3>()) + random.uniform(-1, 1) * axis;
+    tool.linear() =
+        Eigen::Quaterniond::FromTwoVectors(Vector3::Unit(i % 3), axis).toRotationMatrix();
+    expect_complete({"coaxial", arm.joints(), tool}, Task::spatial(), 10, random, counts, i < 3);
   }
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
 }
