@@ -22,16 +22,30 @@ def transform(rotation, translation):
     return pose
 
 
-def dh_frames(arm, q):
-    """The poses of links 0..n of an arm file with a DH table."""
-    base = arm.get("base", {})
-    poses = [transform(rpy_matrix(base.get("rpy", [0, 0, 0])), base.get("xyz", [0, 0, 0]))]
+def pose_matrix(pose):
+    return transform(rpy_matrix(pose.get("rpy", [0, 0, 0])), pose.get("xyz", [0, 0, 0]))
+
+
+def link_frames(arm, q):
+    """The poses of links 0..n of an arm file with a DH table, or with revolute joints about axes through their frames' origins."""
+    poses = [pose_matrix(arm.get("base", {}))]
+    if "joints" in arm:
+        for joint, value in zip(arm["joints"], q, strict=True):
+            turn = transform(rotated(np.array(joint.get("axis", [0, 0, 1])), value), [0, 0, 0])
+            poses.append(poses[-1] @ pose_matrix(joint.get("origin", {})) @ turn)
+        return poses
     unit = np.pi / 180 if arm["dh"].get("degrees") else 1
     for row, value in zip(arm["dh"]["rows"], q, strict=True):
         turn = transform(rotated(np.array([0, 0, 1]), row.get("theta", 0) * unit + value), [0, 0, row["d"]])
         tilt = transform(rotated(np.array([1, 0, 0]), row["alpha"] * unit), [row["a"], 0, 0])
         poses.append(poses[-1] @ (turn @ tilt if arm["dh"]["convention"] == "standard" else tilt @ turn))
     return poses
+
+
+def joint_names(arm):
+    if "joints" in arm:
+        return [joint["name"] for joint in arm["joints"]]
+    return [row.get("name", f"joint{k}") for k, row in enumerate(arm["dh"]["rows"], 1)]
 
 
 def rpy_matrix(rpy):
@@ -130,11 +144,11 @@ def meshes_of_links(arm, path, turn=False):
     largest translation by which the two descriptions differ in 1,000 other configurations.
     """
     links = chain_links(pathlib.Path(path).resolve())
-    count = len(arm["dh"]["rows"])
+    count = len(joint_names(arm))
     base = transform(rotated(np.array([0, 0, 1]), np.pi * turn), [0, 0, 0])
 
     def offsets(q):
-        theirs, ours = link_poses(links, q), dh_frames(arm, q)
+        theirs, ours = link_poses(links, q), link_frames(arm, q)
         return {n: np.linalg.inv(ours[k]) @ base @ pose for n, (pose, k) in theirs.items() if k <= count}
 
     zero = offsets(np.zeros(count))

@@ -27,7 +27,7 @@ from scipy.optimize import linprog
 from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
 from scipy.spatial.transform import Rotation
 
-from arm_meshes import meshes_of_links
+from arm_meshes import joint_names, meshes_of_links
 from triangles import subdivided
 
 GRID, EDGE, ROUNDING = 0.004, 0.008, 1e-4  # m
@@ -349,7 +349,7 @@ def with_shapes(text, bodies):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("arm", help="a built-in arm with a DH table")
+    parser.add_argument("arm", help="a built-in arm with a DH table, or with revolute joints without `point`")
     parser.add_argument("description", help="URDF or MJCF file")
     parser.add_argument("--turn", action="store_true")
     parser.add_argument("--excess", type=float, nargs="+", default=[0.015], help="m, one or one for each link; %(default)s")
@@ -366,7 +366,7 @@ def main():
             continue
         found, reached = fit(triangles, most)
         print(f"{k} {name}: {', '.join(map(str, found))}; excess {1e3 * reached:.1f} mm", flush=True)
-        bodies.append((f"joint{k}" if k else None, name, [body.shape() for body in found]))
+        bodies.append((joint_names(arm)[k - 1] if k else None, name, [body.shape() for body in found]))
     text = path.read_text()
     start = text.find(',\n  "shapes": [')
     pathlib.Path(args.out or path).write_text(with_shapes(text if start < 0 else text[:start] + "\n}\n", bodies))

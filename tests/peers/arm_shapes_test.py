@@ -25,6 +25,7 @@ MOST_PLACES = int(20_000 * float(os.environ.get("BEELINE_CASES", "1")))  # of a 
 HALF_TURN = np.diag([-1.0, -1, 1, 1])  # from the base of the maker's controller to the description's, as in catalog_test.py
 URDF = {  # path below example-robot-data/robots, base
     "panda": ("panda_description/urdf/panda.urdf", np.eye(4)),
+    "so101": ("so_arm_description/urdf/so101.urdf", np.eye(4)),
     "ur3": ("ur_description/urdf/ur3_robot.urdf", HALF_TURN),
     "ur5": ("ur_description/urdf/ur5_robot.urdf", HALF_TURN),
     "ur10": ("ur_description/urdf/ur10_robot.urdf", HALF_TURN),

@@ -222,7 +222,7 @@ def test_shapes_of_built_in_arms():
     """They equal the shapes in the file of the arm; an arm has them if it says where they are from."""
     folder = pathlib.Path(__file__).resolve().parents[2] / "beeline/model/arms"
     with_shapes = [about.name for about in beeline.built_in_arms() if about.shapes_source]
-    assert set(with_shapes) == {"panda", "ur3", "ur5", "ur10", "ur5e", "iiwa7", "gen3", "xarm7"}
+    assert set(with_shapes) == {"panda", "ur3", "ur5", "ur10", "ur5e", "iiwa7", "gen3", "xarm7", "so101"}
     for name in (about.name for about in beeline.built_in_arms()):
         links = beeline.read_arm_shapes(name).links
         assert bool(links) == (name in with_shapes)
