@@ -141,12 +141,19 @@ Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
 }
 
 std::vector<Option> TaskArgument::options() {
-  return {Option("--task TASK",
-                 "The components of the tool's pose that count: planar (x, y, theta), position, "
-                 "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110, or three for x "
-                 "y theta of a planar arm, such as 110. A suffix :tool takes them along the tool's "
-                 "axes. Default: planar for planar arms, otherwise spatial.",
-                 &text, {.choices = {"planar", "position", "spatial"}, .other_values = true})};
+  return {
+      Option("--task TASK",
+             "The components of the tool's pose that count: planar (x, y, theta), position, "
+             "spatial; for arms of five joints direction, the position and the direction of "
+             "the tool's z axis, direction:x and direction:y of its other axes, or approach:xy, "
+             "approach:xz or approach:yz, everything except the rotation about the normal of "
+             "this plane of the world; or six digits 0 or 1 for x y z wx wy wz, such as 111010, "
+             "or three for x y theta of a planar arm, such as 110. A suffix :tool takes them "
+             "along the tool's axes. Default: planar for planar arms, otherwise spatial.",
+             &text,
+             {.choices = {"planar", "position", "spatial", "direction", "direction:x",
+                          "direction:y", "approach:xy", "approach:xz", "approach:yz"},
+              .other_values = true})};
 }
 
 Task TaskArgument::read(const Arm& arm) const {

@@ -1,11 +1,35 @@
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/task.h>
 
 namespace beeline {
+namespace {
+
+using Rows = std::array<bool, 6>;
+
+/// Names that take the suffix :tool.
+constexpr std::pair<const char*, Rows> rows_by_name[] = {
+    {"spatial", {true, true, true, true, true, true}},
+    {"position", {true, true, true, false, false, false}},
+    {"planar", {true, true, false, false, false, true}},
+};
+
+/// Names that state their axes: tasks without one rotation, about an axis of the tool or of the
+/// world.
+constexpr std::pair<const char*, Task> tasks_by_name[] = {
+    {"direction", {{true, true, true, true, true, false}, Frame::tool}},
+    {"direction:x", {{true, true, true, false, true, true}, Frame::tool}},
+    {"direction:y", {{true, true, true, true, false, true}, Frame::tool}},
+    {"approach:xy", {{true, true, true, true, true, false}, Frame::base}},
+    {"approach:xz", {{true, true, true, true, false, true}, Frame::base}},
+    {"approach:yz", {{true, true, true, false, true, true}, Frame::base}},
+};
+
+}  // namespace
 
 void check_task(const Task& task) {
   if (task.size() > 0 && task.frame != Frame::space) return;
@@ -15,6 +39,9 @@ void check_task(const Task& task) {
 int Task::size() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
 
 Task task_named(std::string_view text) {
+  for (const auto& [known, task] : tasks_by_name) {
+    if (text == known) return task;
+  }
   Task task;
   std::string_view mask = text;
   const std::string_view suffix = ":tool";
@@ -22,13 +49,9 @@ Task task_named(std::string_view text) {
     task.frame = Frame::tool;
     mask.remove_suffix(suffix.size());
   }
-  if (mask == "spatial") return task;
-  if (mask == "position") {
-    task.rows = Task::position().rows;
-    return task;
-  }
-  if (mask == "planar") {
-    task.rows = Task::planar().rows;
+  for (const auto& [known, rows] : rows_by_name) {
+    if (mask != known) continue;
+    task.rows = rows;
     return task;
   }
   const bool planar = mask.size() == 3;
@@ -36,10 +59,11 @@ Task task_named(std::string_view text) {
                        mask.find_first_not_of("01") == std::string_view::npos &&
                        mask.find('1') != std::string_view::npos;
   if (!is_mask) {
-    throw Error(
-        "unknown task \"" + std::string(text.substr(0, 40)) +
-        "\"; known: planar, position, spatial, six of 0 and 1 for x y z wx wy wz such as 111110, "
-        "or three for x y theta such as 110, with the suffix :tool for rows in the tool's axes");
+    throw Error("unknown task \"" + std::string(text.substr(0, 40)) +
+                "\"; known: planar, position, spatial, direction, direction:x, direction:y, "
+                "approach:xy, approach:xz, approach:yz, six of 0 and 1 for x y z wx wy wz such as "
+                "111010, or three for x y theta such as 110, with the suffix :tool for rows in the "
+                "tool's axes");
   }
   task.rows.fill(false);
   constexpr std::array<std::size_t, 3> planar_rows{0, 1, 5};
@@ -50,10 +74,13 @@ Task task_named(std::string_view text) {
 }
 
 std::string name(const Task& task) {
+  for (const auto& [known, named] : tasks_by_name) {
+    if (task == named) return known;
+  }
   std::string text;
-  if (task.rows == Task::spatial().rows) text = "spatial";
-  if (task.rows == Task::position().rows) text = "position";
-  if (task.rows == Task::planar().rows) text = "planar";
+  for (const auto& [known, rows] : rows_by_name) {
+    if (task.rows == rows) text = known;
+  }
   if (text.empty()) {
     for (const bool row : task.rows) text += row ? '1' : '0';
   }

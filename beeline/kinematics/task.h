@@ -31,9 +31,16 @@ struct Task {
 /// Throws Error for a task without rows, or in Frame::space.
 void check_task(const Task& task);
 
-/// Returns the task of a name: `spatial`, `position`, `planar`, or a mask such as `111110`, of a
-/// planar arm also one of x, y, theta such as `110`. The suffix `:tool` selects the tool's axes:
-/// `111110:tool` leaves rotation about the tool's z free.
+/// Returns the task of a name:
+/// - `spatial`, `position`, `planar`;
+/// - `direction`: position and direction of the tool's z axis, about which the tool may rotate;
+///   `direction:x` and `direction:y` for its other axes. They are the
+///   masks 111110:tool, 111011:tool and 111101:tool;
+/// - `approach:xy`, `approach:xz`, `approach:yz`: position and orientation, except for rotation
+///   about the normal of this plane of the world. An axis of the tool that lies in the plane stays
+///   in it; every axis keeps its angle to it. They are 111110, 111101 and 111011;
+/// - a mask such as `111010`, of a planar arm also one of x, y, theta such as `110`.
+/// The suffix `:tool`, after a mask or one of the first three names, selects the tool's axes.
 /// Throws Error for another name and for a mask without rows. name() is the inverse.
 Task task_named(std::string_view name);
 std::string name(const Task& task);

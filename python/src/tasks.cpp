@@ -6,7 +6,8 @@ namespace beeline::python {
 namespace {
 
 constexpr const char* task_doc =
-    "spatial, position, planar, a mask such as 111110, or of a planar arm's x, y, theta such as "
+    "spatial, position, planar; direction, direction:x, direction:y, approach:xy, approach:xz or "
+    "approach:yz, five components; a mask such as 111010, or of a planar arm's x, y, theta such as "
     "110; with :tool in the tool's axes.";
 const std::string optional_task_doc = std::string("Default: default_task(). ") + task_doc;
 

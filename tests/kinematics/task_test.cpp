@@ -33,8 +33,9 @@ std::vector<Task> all_tasks() {
 
 TEST(Task, HasANameThatReadsBackForEveryMaskAndFrame) {
   for (const Task& task : all_tasks()) EXPECT_EQ(task_named(name(task)), task) << name(task);
-  for (const char* text : {"spatial", "planar", "position", "spatial:tool", "111110:tool", "000001",
-                           "planar:tool", "position:tool"}) {
+  for (const char* text : {"spatial", "planar", "position", "spatial:tool", "000001", "planar:tool",
+                           "position:tool", "direction", "direction:x", "direction:y",
+                           "approach:xy", "approach:xz", "approach:yz", "111010:tool"}) {
     EXPECT_EQ(name(task_named(text)), text);
   }
 }
@@ -47,19 +48,42 @@ TEST(Task, NamedTasksAreTheirMasks) {
   EXPECT_EQ(Task::position().size(), 3);
   EXPECT_EQ(Task::planar().size(), 3);
   EXPECT_EQ(task_named("111110:tool").frame, Frame::tool);
+  EXPECT_EQ(task_named("direction"), task_named("111110:tool"));
+  EXPECT_EQ(task_named("direction:x"), task_named("111011:tool"));
+  EXPECT_EQ(task_named("direction:y"), task_named("111101:tool"));
+  EXPECT_EQ(task_named("approach:xy"), task_named("111110"));
+  EXPECT_EQ(task_named("approach:xz"), task_named("111101"));
+  EXPECT_EQ(task_named("approach:yz"), task_named("111011"));
   EXPECT_EQ(task_named("111"), Task::planar());
   EXPECT_EQ(task_named("110"), task_named("110000"));
   EXPECT_EQ(task_named("001:tool"), task_named("000001:tool"));
 }
 
 TEST(Task, RefusesOtherNamesAndListsTheKnownOnes) {
-  for (const char* text :
-       {"", "spatail", "000000", "000000:tool", "000", "112", "11", "11111", "1111111", "11111x",
-        "11112 ", ":tool", "spatial:tool:tool", "spatial:base", "Spatial"}) {
+  for (const char* text : {"",
+                           "spatail",
+                           "000000",
+                           "000000:tool",
+                           "000",
+                           "112",
+                           "11",
+                           "11111",
+                           "1111111",
+                           "11111x",
+                           "11112 ",
+                           ":tool",
+                           "spatial:tool:tool",
+                           "spatial:base",
+                           "Spatial",
+                           "direction:tool",
+                           "direction:xy",
+                           "approach",
+                           "approach:zx",
+                           "approach:xy:tool"}) {
     EXPECT_REFUSED(task_named(text), "unknown task \"" + std::string(text) + "\"");
     EXPECT_REFUSED(task_named(text), "planar, position, spatial");
   }
-  EXPECT_LT(testing::refusal([] { task_named(std::string(100000, '1')); }).size(), 300);
+  EXPECT_LT(testing::refusal([] { task_named(std::string(100000, '1')); }).size(), 400);
 }
 
 TEST(Task, IsPlanarForPlanarArmsByDefaultAndSpatialForOthers) {
