@@ -75,38 +75,52 @@ bool decouple_prismatic(PieperLoop& loop, double cosine) {
   return loop.family == PieperLoop::Family::parallel || std::abs(cosine) < special;
 }
 
-/// Fills in first, weight and second.
-void decouple(PieperLoop& loop) {
-  const auto matrix = [](const RigidMotion& k) {
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&k.rotation[0][0]);
-  };
-  const auto vector = [](const RigidMotion& k) { return Eigen::Map<const Vector3>(k.translation); };
+Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(const RigidMotion& k) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&k.rotation[0][0]);
+}
+
+Eigen::Map<const Vector3> vector(const RigidMotion& k) {
+  return Eigen::Map<const Vector3>(k.translation);
+}
+
+/// Finds a combination without joint d, by K_e: axis e relative to axis d.
+bool decouple_by_e(PieperLoop& loop) {
+  const Vector3 z = matrix(loop.before[1]).col(2), t = vector(loop.before[1]);
+  const bool decoupled = loop.prismatic[0] ? decouple_prismatic(loop, z.z())
+                                           : decouple_revolute(loop, -z.head<2>(), t.head<2>());
+  if (decoupled) loop.first = PieperLoop::First::w;
+  return decoupled;
+}
+
+/// Finds a combination without joint f, by K_f: axis f relative to axis e.
+bool decouple_by_f(PieperLoop& loop) {
+  const Vector3 z = matrix(loop.before[2]).row(2);
+  const Vector3 m = matrix(loop.before[2]).transpose() * vector(loop.before[2]);
+  const bool decoupled = loop.prismatic[2] ? decouple_prismatic(loop, z.z())
+                                           : decouple_revolute(loop, z.head<2>(), m.head<2>());
+  if (decoupled) loop.first = PieperLoop::First::u;
+  return decoupled;
+}
+
+/// Fills in first, weight and second. `for_goal`: whether the K that depends on the goal is known.
+void decouple(PieperLoop& loop, bool for_goal) {
   if (loop.family == PieperLoop::Family::parallel && (loop.prismatic[0] || loop.prismatic[2])) {
     // The first equation contains the angle between axes, which a translation does not change.
     decouple_by(loop, 1, 0, 1);
     loop.first = loop.prismatic[0] ? PieperLoop::First::w : PieperLoop::First::u;
     return;
   }
-  if (loop.goal_index != 1) {  // K_e is constant: axis e relative to axis d
-    const Vector3 z = matrix(loop.before[1]).col(2), t = vector(loop.before[1]);
-    const bool decoupled = loop.prismatic[0] ? decouple_prismatic(loop, z.z())
-                                             : decouple_revolute(loop, -z.head<2>(), t.head<2>());
-    if (decoupled) {
-      loop.first = PieperLoop::First::w;
-      return;
-    }
-  }
-  if (loop.goal_index != 2) {  // K_f is constant: axis f relative to axis e
-    const Vector3 z = matrix(loop.before[2]).row(2);
-    const Vector3 m = matrix(loop.before[2]).transpose() * vector(loop.before[2]);
-    const bool decoupled = loop.prismatic[2] ? decouple_prismatic(loop, z.z())
-                                             : decouple_revolute(loop, z.head<2>(), m.head<2>());
-    if (decoupled) loop.first = PieperLoop::First::u;
-  }
+  // Of a goal that has made axes e and f parallel, the first equation is of joint d alone. It
+  // vanishes if axis d is parallel to them too, and would leave joint f undetermined by K_e.
+  if (for_goal && loop.goal_index == 2 && decouple_by_f(loop)) return;
+  // Otherwise only constants decide.
+  if (loop.goal_index != 1 && decouple_by_e(loop)) return;
+  if (loop.goal_index != 2) decouple_by_f(loop);
 }
 
-/// Returns the loop that starts at joint `d`.
-PieperLoop loop_from(const Chain& chain, PieperLoop::Family family, int d, double size) {
+/// Returns the loop that starts at joint `d`, of all goals or of one.
+PieperLoop loop_from(const Chain& chain, PieperLoop::Family family, int d, double size,
+                     const Pose* world_T_tool) {
   PieperLoop loop;
   loop.family = family;
   loop.size = size;
@@ -134,7 +148,11 @@ PieperLoop loop_from(const Chain& chain, PieperLoop::Family family, int d, doubl
     loop.cos_alpha[i - 4] = link.cos_alpha;
     loop.height += link.translation.z();
   }
-  decouple(loop);
+  if (world_T_tool != nullptr) {
+    loop.before[loop.goal_index] =
+        rigid_motion(chain.tool * world_T_tool->inverse(Eigen::Isometry) * chain.base);
+  }
+  decouple(loop, world_T_tool != nullptr);
   return loop;
 }
 
@@ -154,13 +172,14 @@ bool solvable(const PieperLoop& loop) {
 
 }  // namespace
 
-std::optional<PieperLoop> pieper_loop(const Chain& chain) {
+std::optional<PieperLoop> pieper_loop(const Chain& chain, const Pose* world_T_tool) {
   const std::vector<JointAxis> axes = axes_of(chain);
   const double size = size_of(axes, chain.tool);
   std::optional<PieperLoop> best;
   const auto consider = [&](const std::vector<JointAxis>& link_axes, PieperLoop::Family family,
                             int d) {
-    const PieperLoop loop = loop_from(chain_through(chain, link_axes), family, d, size);
+    const PieperLoop loop =
+        loop_from(chain_through(chain, link_axes), family, d, size, world_T_tool);
     if (solvable(loop) && (!best || cost(loop) < cost(*best))) best = loop;
   };
   const auto revolute = [&](int i) { return chain.links[i].theta_per_q != 0; };

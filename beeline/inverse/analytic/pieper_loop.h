@@ -44,8 +44,9 @@ struct PieperLoop {
 };
 
 /// Returns the loop of a chain of six links, or nothing if no three consecutive axes intersect or
-/// are parallel. Each link is revolute or prismatic and has a coordinate of its own.
-std::optional<PieperLoop> pieper_loop(const Chain& chain);
+/// are parallel. Each link is revolute or prismatic and has a coordinate of its own. With
+/// `world_T_tool` the loop serves this goal only, and PieperLoop::first may depend on it.
+std::optional<PieperLoop> pieper_loop(const Chain& chain, const Pose* world_T_tool = nullptr);
 
 /// Returns a description such as `three axes meet (joints 4, 5, 6)`. If virtual joints complete an
 /// arm with `joints` below six, it is such as `three axes meet (joint 4 and 2 virtual at the

@@ -4,6 +4,7 @@
 
 #include <beeline/inverse/analytic/pieper_solver.h>
 #include <beeline/model/internal/chain.h>
+#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 namespace {
@@ -18,19 +19,17 @@ bool supported(const Arm& arm, const Chain& chain) {
   });
 }
 
-/// Returns the rotation from a frame whose z axis is the given axis of the tool to the tool.
-Pose tool_T_axis(char axis) {
-  Pose pose = Pose::Identity();
-  if (axis == 'x') pose.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-  if (axis == 'y') pose.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-  return pose;
+/// Returns the frame at the tool's origin whose z axis is this direction, seen from the tool.
+Pose tool_T_axis(const Vector3& axis) {
+  return frame_along(axis.unitOrthogonal(), axis, Vector3::Zero());
 }
 
-/// Appends revolute joints at the origin of the tool, about the given axes of the tool in order.
-Chain with_virtual_joints(const Chain& chain, const std::string& axes) {
+/// Appends revolute joints at the origin of the tool, about the given axes, seen from the tool, in
+/// order.
+Chain with_virtual_joints(const Chain& chain, const std::vector<Vector3>& axes) {
   Chain longer = chain;
   Pose last_T_tool = chain.tool;
-  for (const char axis : axes) {
+  for (const Vector3& axis : axes) {
     const Pose last_T_joint = last_T_tool * tool_T_axis(axis);
     // The rotation is Rot_z(first) Rot_x(alpha) Rot_z(theta_offset). Rot_z(first) is added to the
     // link before.
@@ -54,9 +53,9 @@ Chain with_virtual_joints(const Chain& chain, const std::string& axes) {
   return longer;
 }
 
-/// Virtual joints that complete an arm to six joints.
+/// Virtual joints that complete an arm to six joints: axes of the tool.
 struct VirtualJoints {
-  std::string axes;   ///< axes of the tool
+  std::string axes;
   bool free = false;  ///< whether any value solves the task; otherwise the value is zero
 };
 
@@ -64,11 +63,9 @@ struct VirtualJoints {
 /// three virtual joints may be singular, which does not matter: its joints are free.
 std::vector<VirtualJoints> virtual_joints(int dof, const Task& task) {
   const bool spatial = task.size() == 6;
-  const Task roll_free{{true, true, true, true, true, false}, Frame::tool};
   const Task position{{true, true, true, false, false, false}, task.frame};
   if (dof == 6 && spatial) return {{"", false}};
   if (dof == 5 && spatial) return {{"z", false}, {"y", false}, {"x", false}};
-  if (dof == 5 && task == roll_free) return {{"z", true}};
   if (dof == 4 && spatial) {
     return {{"xy", false}, {"yx", false}, {"zx", false},
             {"zy", false}, {"xz", false}, {"yz", false}};
@@ -77,12 +74,32 @@ std::vector<VirtualJoints> virtual_joints(int dof, const Task& task) {
   return {};
 }
 
-/// Whether the axis of the link's joint is the axis of the joint before it. `size` is the extent of
-/// the arm, metres.
-bool repeats_axis(const Chain::Link& link, double size) {
-  constexpr double rounding = 1e-10;
-  return std::abs(link.sin_alpha) < rounding && link.translation.head<2>().norm() < rounding * size;
+std::vector<Vector3> directions(const std::string& axes) {
+  std::vector<Vector3> all;
+  for (const char axis : axes) all.push_back(Vector3::Unit(axis - 'x'));
+  return all;
 }
+
+/// Returns the axis of the only rotation that the task does not determine, 0 to 2.
+std::optional<int> undetermined_axis(const Task& task) {
+  if (task.positions() < 3 || task.orientations() != 2) return std::nullopt;
+  const auto* const row = std::find(task.rows.begin() + 3, task.rows.end(), false);
+  return static_cast<int>(row - task.rows.begin()) - 3;
+}
+
+/// Whether the last joint rotates the tool about this axis of the tool, at the tool's origin.
+bool rotates_about(const Chain& chain, const Vector3& axis) {
+  constexpr double special = 1e-10;  // see pieper_loop.cpp
+  const Vector3 direction = chain.tool.linear().row(2);
+  const Vector3& origin = chain.tool.translation();
+  double size = origin.norm();
+  for (const Chain::Link& link : chain.links) size += link.translation.norm();
+  return direction.cross(axis).norm() < special &&
+         origin.head<2>().norm() <= special * size;
+}
+
+/// A rotation without special directions.
+Pose sample_goal() { return Pose(Eigen::AngleAxisd(1.1, Vector3(0.3, -0.5, 0.8).normalized())); }
 
 }  // namespace
 
@@ -118,6 +135,37 @@ bool PieperSolver::lock_first(const Chain& chain) {
   return true;
 }
 
+bool PieperSolver::add_virtual(const Chain& chain, const std::vector<Vector3>& axes, bool free) {
+  // With two joints about one axis only their sum is determined, also if one of them is zero.
+  if (!free && !axes.empty() && rotates_about(chain, axes.front())) return false;
+  const auto loop = pieper_loop(with_virtual_joints(chain, axes));
+  if (!loop) return false;
+  loop_ = *loop;
+  for (int k = 0; k < 6; ++k) {
+    const bool real = k < dof_;
+    coordinates_[k] = real ? k : virtual_joint;
+    free_[k] = !real && free;
+  }
+  return true;
+}
+
+bool PieperSolver::leave_free(const Chain& chain, int axis, Frame frame) {
+  if (frame == Frame::base) {
+    world_axis_ = axis;
+    const Vector3 seen = sample_goal().linear().row(axis);
+    return add_virtual(chain, {seen}, true);
+  }
+  if (!rotates_about(chain, Vector3::Unit(axis))) return add_virtual(chain, {Vector3::Unit(axis)}, true);
+  // Any axis normal to the last joint's would do.
+  for (const int normal : {(axis + 1) % 3, (axis + 2) % 3}) {
+    if (!add_virtual(chain, {Vector3::Unit(normal)}, false)) continue;
+    locked_ = 4;
+    coordinates_[4] = virtual_joint;
+    return true;
+  }
+  return false;
+}
+
 std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task) {
   const Chain& chain = chain_of(arm);
   if (!supported(arm, chain)) return std::nullopt;
@@ -127,21 +175,24 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
     if (solver.lock_last(chain) || solver.lock_first(chain)) return solver;
     return std::nullopt;
   }
+  if (const auto axis = undetermined_axis(task); axis && arm.dof() == 5) {
+    if (solver.leave_free(chain, *axis, task.frame)) return solver;
+    return std::nullopt;
+  }
   for (const VirtualJoints& added : virtual_joints(arm.dof(), task)) {
-    const Chain longer = with_virtual_joints(chain, added.axes);
-    const auto loop = pieper_loop(longer);
-    if (!loop) continue;
-    // With two joints about one axis only their sum is determined, also if one of them is zero.
-    if (arm.dof() < 6 && !added.free && repeats_axis(longer.links[arm.dof()], loop->size)) continue;
-    solver.loop_ = *loop;
-    for (int k = 0; k < 6; ++k) {
-      const bool real = k < arm.dof();
-      solver.coordinates_[k] = real ? k : virtual_joint;
-      solver.free_[k] = !real && added.free;
-    }
-    return solver;
+    if (solver.add_virtual(chain, directions(added.axes), added.free)) return solver;
   }
   return std::nullopt;
+}
+
+std::optional<PieperSolver> PieperSolver::for_goal(const Chain& chain,
+                                                   const Pose& world_T_tool) const {
+  const Vector3 seen = world_T_tool.linear().row(*world_axis_);
+  const auto loop = pieper_loop(with_virtual_joints(chain, {seen.normalized()}), &world_T_tool);
+  if (!loop) return std::nullopt;
+  PieperSolver solver = *this;
+  solver.loop_ = *loop;
+  return solver;
 }
 
 PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& weights,
@@ -158,10 +209,11 @@ PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configur
     const int own = coordinates_[k];
     request.wraps[k] = !(i < 3 && loop_.prismatic[i]);
     if (own == virtual_joint) {
+      const bool any = free_[k] || k == locked_;
       request.seed[k] = 0;
-      request.weight[k] = 1;
-      request.lower[k] = free_[k] ? -full_circle : 0;
-      request.upper[k] = free_[k] ? full_circle : 0;
+      request.weight[k] = k == locked_ ? 0 : 1;
+      request.lower[k] = any ? -full_circle : 0;
+      request.upper[k] = any ? full_circle : 0;
       continue;
     }
     request.seed[k] = seed[own];
@@ -175,7 +227,7 @@ PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configur
 void PieperSolver::branches(const Pose& world_T_tool, double locked_value, PieperRequest& request,
                             PieperBranches& found) const {
   Pose goal = world_T_tool;
-  if (locked_) {
+  if (locked_ && !spins()) {
     const Pose locked = before_locked_ * joint_motion(locked_link_, locked_value);
     goal = *locked_ == 0 ? locked.inverse(Eigen::Isometry) * goal
                          : goal * (locked * after_locked_).inverse(Eigen::Isometry);

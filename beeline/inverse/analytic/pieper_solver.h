@@ -13,8 +13,10 @@ namespace beeline::internal {
 /// Analytic inverse kinematics of an arm and a task by a PieperLoop, which has six joints:
 /// - an arm of seven joints has its first or its last joint locked at a given value;
 /// - an arm of four or five joints gets virtual revolute joints at the tool. A spatial task needs
-///   them at zero; a task that ignores the roll of the tool (111110 in the tool frame) leaves them
-///   free;
+///   them at zero; a task that leaves one rotation of five joints undetermined, about an axis of
+///   the tool or of the world (`direction`, `approach:xy`), leaves it free;
+/// - an arm of five joints whose last one only rotates the tool about the axis that the task leaves
+///   free has this joint as an input, and a virtual joint that must be zero;
 /// - an arm of three joints with a position task gets a virtual wrist of three free joints.
 class PieperSolver {
  public:
@@ -28,8 +30,20 @@ class PieperSolver {
     return description(loop_, dof_, locked_ == 0 ? locked_ : removed);
   }
 
-  /// Returns the coordinate of an arm of seven joints that is an input: the first or the last.
+  /// Returns the coordinate that is an input: the first or the last of seven joints, or the last of
+  /// five joints if it spins().
   std::optional<int> locked() const { return locked_; }
+
+  /// Whether every value of the locked coordinate solves: it rotates the tool about the axis that
+  /// the task leaves free.
+  bool spins() const { return locked_ == 4; }
+
+  /// Whether the loop depends on the goal: the task leaves free a rotation about an axis of the
+  /// world, which the tool sees as the goal turns it. Then only for_goal() has solutions.
+  bool depends_on_goal() const { return world_axis_.has_value(); }
+
+  /// Returns the solver of one goal, or nothing if it has no loop. `chain` is the arm's.
+  std::optional<PieperSolver> for_goal(const Chain& chain, const Pose& world_T_tool) const;
 
   /// Whether there are virtual joints. If so, a continuum of solutions may concern only these.
   bool has_virtual_joints() const { return dof_ < 6; }
@@ -65,6 +79,8 @@ class PieperSolver {
 
   bool lock_last(const Chain& chain);
   bool lock_first(const Chain& chain);
+  bool add_virtual(const Chain& chain, const std::vector<Vector3>& axes, bool free);
+  bool leave_free(const Chain& chain, int axis, Frame frame);
 
   PieperLoop loop_;
   /// For each joint of the loop, its coordinate in the arm, or virtual_joint.
@@ -72,6 +88,7 @@ class PieperSolver {
   std::array<bool, 6> free_{};  ///< for each joint of the loop, whether it is virtual and free
   int dof_ = 6;
   std::optional<int> locked_;
+  std::optional<int> world_axis_;  ///< axis of the world about which the virtual joint rotates
   Chain::Link locked_link_;
   Pose before_locked_ = Pose::Identity();  ///< constant transforms before and after the motion of
   Pose after_locked_ = Pose::Identity();   ///< the locked joint, outside the loop of the other six

@@ -73,6 +73,13 @@ void set_ended_before_solution(const Request& request, const Configuration& q,
   set_nearest(request, q, result);
 }
 
+/// Adds that the arm has fewer joints than a pose has conditions.
+void add_conditions(const Request& request, Reason& reason) {
+  if (request.task.size() < 6 || request.arm.dof() >= request.task.size()) return;
+  reason.set(ReasonField::joints, static_cast<std::size_t>(request.arm.dof()))
+      .set(ReasonField::conditions, static_cast<std::size_t>(request.task.size()));
+}
+
 /// Fills in the result from a proof of infeasibility.
 void set_violation(const Infeasibility& violation, InverseResult& result) {
   result.method = "geometry";
@@ -113,6 +120,7 @@ void set_orientation_unreachable(const Request& request, StageResult& found) {
   if (!result.nearest) return;
   result.residual = result.nearest->error.orientation;
   result.reason.set(ReasonField::angle, result.residual);
+  add_conditions(request, result.reason);
 }
 
 /// Sets the status unreachable, orientation_unreachable or outside_limits, with its reason. The
@@ -207,6 +215,7 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   if (result.iterations > 0) {
     reason.set(ReasonField::starts, static_cast<std::size_t>(result.restarts) + 1);
   }
+  add_conditions(request, reason);
   set_not_found(request, q, std::move(reason), result);
 }
 

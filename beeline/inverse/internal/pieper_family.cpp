@@ -15,22 +15,33 @@
 namespace beeline::internal {
 namespace {
 
+/// Returns the solver of the goal if the loop depends on it and exists.
+std::optional<PieperSolver> solver_of_goal(const PieperSolver& form, const Arm& arm,
+                                           const Pose& goal) {
+  if (!form.depends_on_goal()) return std::nullopt;
+  return form.for_goal(chain_of(arm), goal);
+}
+
 /// Whether the closed form recovers random configurations of the arm, or reports a continuum. It
 /// may do neither if axes of its loop coincide. Sixteen trials suffice, because it then fails
 /// almost everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
 /// rounding.
-bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
+bool recovers_configurations(const PieperSolver& kept, const Arm& arm) {
   constexpr int trials = 16;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
-  PieperRequest loop = form.request(zero, Configuration::Ones(arm.dof()), open.lower, open.upper);
+  PieperRequest loop = kept.request(zero, Configuration::Ones(arm.dof()), open.lower, open.upper);
   Splitmix random(1);
   for (int trial = 0; trial < trials; ++trial) {
     Configuration q(arm.dof()), recovered(arm.dof());
     for (double& value : q) value = 2 * random.next() - 1;
+    const Pose goal = forward_kinematics(arm, q);
+    const std::optional<PieperSolver> of_goal = solver_of_goal(kept, arm, goal);
+    if (kept.depends_on_goal() && !of_goal) return false;
+    const PieperSolver& form = of_goal ? *of_goal : kept;
     PieperBranches found;
     const double value = form.locked() ? q[*form.locked()] : 0;
-    form.branches(forward_kinematics(arm, q), value, loop, found);
+    form.branches(goal, value, loop, found);
     bool met = found.continuum != 0;
     for (int lane = 0; lane < 8 && !met; ++lane) {
       if ((found.found >> lane & 1) == 0) continue;
@@ -305,6 +316,9 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   if (request.options.lock) {
     check_lock(state, request.seed);
     value = request.seed[*request.options.lock];
+  } else if (form.spins()) {
+    const int k = *form.locked();
+    value = std::clamp(request.seed[k], request.bounds.lower[k], request.bounds.upper[k]);
   }
   LockedBranch at;
   evaluate(locked, value, at);
@@ -332,9 +346,18 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
 }
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
-  LockedRequest locked = locked_request(state.pieper_solver(), request);
-  if (request.finitely_many()) return solve_branches(state, locked, found);
-  solve_locked(state, locked, found);
+  const PieperSolver& kept = state.pieper_solver();
+  const std::optional<PieperSolver> of_goal = solver_of_goal(kept, request.arm, request.goal);
+  if (kept.depends_on_goal() && !of_goal) {
+    found.unconstrained.doubtful = true;
+    return;
+  }
+  LockedRequest locked = locked_request(of_goal ? *of_goal : kept, request);
+  if (!request.finitely_many()) return solve_locked(state, locked, found);
+  solve_branches(state, locked, found);
+  // Each solution has the seed's value of the last joint, of which any other does too.
+  const bool samples = kept.spins() && !request.options.lock;
+  found.unconstrained.continuum |= samples && !found.solutions->empty();
 }
 
 }  // namespace
