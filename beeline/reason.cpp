@@ -23,8 +23,8 @@ constexpr ReasonField flags[] = {
     search_limited, kept_at_rate, kept_without_rate, speed_changes,   shows_corners,
     none_kept,      overshoots,   at_singularity,    in_millimetres,  in_degrees};
 constexpr ReasonField counts[] = {
-    move, line,   lines,       segment,      pose, poses, sample, step, ReasonField::count,
-    of,   starts, max_samples, more_samples, point};
+    move, line,   lines,      segment, pose,        poses,        sample, step, ReasonField::count,
+    of,   joints, conditions, starts,  max_samples, more_samples, point};
 constexpr ReasonField reals[] = {fraction,
                                  time,
                                  begin,

@@ -194,6 +194,8 @@ enum class ReasonField {
   error,
   count,
   of,
+  joints,      ///< number of the arm's coordinates
+  conditions,  ///< number of the task's rows, if it is larger than `joints`
   starts,
   max_samples,
   more_samples,

@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/pose/so3.h>
 
 #include "arm_argument.h"
 #include "blocked_solutions.h"
@@ -73,6 +74,26 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
   return deviation;
 }
 
+/// The angle of the rotation in a deviation of x, y, z, roll, pitch, yaw, rad.
+double rotation_of(const Eigen::VectorXd& deviation) {
+  const Rotation rotation = (Eigen::AngleAxisd(deviation[5], Vector3::UnitZ()) *
+                             Eigen::AngleAxisd(deviation[4], Vector3::UnitY()) *
+                             Eigen::AngleAxisd(deviation[3], Vector3::UnitX()))
+                                .toRotationMatrix();
+  return so3_log(rotation).norm();
+}
+
+std::string tool_deviation_text(const Arm& arm, const Eigen::VectorXd& deviation,
+                                const UnitArgument& unit) {
+  const std::string values = shown(deviation_values(arm, deviation, unit));
+  if (arm.planar()) {
+    return fmt::format("  deviation of the tool from the pose (x, y, theta): {}\n", values);
+  }
+  return fmt::format(
+      "  deviation of the tool from the pose (x, y, z, roll, pitch, yaw): {}; its rotation {} {}\n",
+      values, shown(unit.shown(rotation_of(deviation))), unit.name());
+}
+
 /// "8 solutions", or "infinitely many solutions (self-motion of dimension 1), 312 samples"; in a
 /// scene "3 free solutions and 5 blocked".
 std::string number_of_solutions(const InverseResult& result, bool in_scene) {
@@ -133,11 +154,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const CheckedSc
                   number_of_solutions(result, scene != nullptr), completeness(arm, result),
                   result.method, residual_text(result, residual)) +
       solutions_text(arm, result, unit) + blocked_text(arm, result.blocked, unit);
-  if (result.deviation) {
-    text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
-                        arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
-                        shown(deviation_values(arm, *result.deviation, unit)));
-  }
+  if (result.deviation) text += tool_deviation_text(arm, *result.deviation, unit);
   if (result.singular && solved) text += fmt::format("  {}\n", sentence(result.reason));
   if (result.nearest) {
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),

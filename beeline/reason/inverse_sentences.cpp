@@ -73,6 +73,15 @@ std::string infeasible(const ReasonText& reason) {
   }
 }
 
+/// What an arm with fewer joints than a pose has conditions can do instead.
+std::string fewer_conditions(const ReasonText& reason) {
+  if (!reason.has(conditions)) return "";
+  constexpr std::size_t of_direction = 5;
+  return "; " + reason.number(joints) + " joints meet the " + reason.number(conditions) +
+         " conditions of a pose only by chance: ask for fewer, by the task " +
+         (reason.count(joints) == of_direction ? "direction, approach:xy or position" : "position");
+}
+
 std::string unreachable(const ReasonText& reason) {
   if (reason.code() == ReasonCode::position_unreachable) {
     if (!reason.has(distance)) return "the position is out of reach of arm " + reason.text(arm);
@@ -84,7 +93,9 @@ std::string unreachable(const ReasonText& reason) {
   return "the tool of arm " + reason.text(arm) +
          (reason.is(has_position) ? " can come to the position, but not with that orientation"
                                   : " cannot take that orientation") +
-         (reason.has(angle) ? ": the nearest that was found is off by " + reason.angle(angle) : "");
+         (reason.has(angle) ? ": the nearest that was found is off by " + reason.angle(angle)
+                            : "") +
+         fewer_conditions(reason);
 }
 
 }  // namespace
@@ -102,7 +113,8 @@ std::string inverse_sentence(const ReasonText& reason) {
     case ReasonCode::no_solution_found:
       return "no solution was found" +
              (reason.has(starts) ? " from " + reason.number(starts) + " starts" : "") +
-             "; the nearest misses by " + miss(reason) + "; a solution may still exist";
+             "; the nearest misses by " + miss(reason) +
+             (reason.has(conditions) ? fewer_conditions(reason) : "; a solution may still exist");
     case ReasonCode::no_closed_form_solution:
       return "no solution was found by the closed form, though a numerical search finds one; the "
              "nearest misses by " +

@@ -28,6 +28,10 @@ bool ReasonText::is(ReasonField field) const {
 
 double ReasonText::value(ReasonField field) const { return required<double>(reason_, field); }
 
+std::size_t ReasonText::count(ReasonField field) const {
+  return required<std::size_t>(reason_, field);
+}
+
 const std::string& ReasonText::text(ReasonField field) const {
   return required<std::string>(reason_, field);
 }

@@ -17,6 +17,7 @@ class ReasonText {
   bool has(ReasonField field) const { return reason_.has(field); }
   bool is(ReasonField field) const;  ///< whether the field is true
   double value(ReasonField field) const;
+  std::size_t count(ReasonField field) const;
   const std::string& text(ReasonField field) const;
   const Eigen::Vector3d& point(ReasonField field) const;
 

@@ -2,6 +2,31 @@
 
 namespace beeline::testing {
 
+namespace {
+
+/// Poses with more conditions than the arm has joints.
+std::vector<Said> with_said_of_few_joints(std::vector<Said> all) {
+  using enum ReasonField;
+  const std::string chance =
+      " joints meet the 6 conditions of a pose only by chance: ask for fewer, by the task ";
+  all.push_back(
+      {{ReasonCode::no_solution_found,
+        with(off, {{joints, std::size_t{4}}, {conditions, std::size_t{6}}})},
+       "no solution was found; the nearest misses by " + by_both + "; 4" + chance + "position"});
+  all.push_back({{ReasonCode::orientation_unreachable,
+                  {{arm, "px150"},
+                   {has_position, true},
+                   {ReasonField::angle, 0.2},
+                   {joints, std::size_t{5}},
+                   {conditions, std::size_t{6}}}},
+                 "the tool of arm px150 can come to the position, but not with that orientation: "
+                 "the nearest that was found is off by 0.2 rad (11.4592 deg); 5" +
+                     chance + "direction, approach:xy or position"});
+  return all;
+}
+
+}  // namespace
+
 std::vector<Said> said_of_inverse_kinematics() {
   using enum ReasonField;
   const Fields beyond =
@@ -14,7 +39,7 @@ std::vector<Said> said_of_inverse_kinematics() {
   const Fields along{{direction, "wx 1"}, {frame, "base"}};
   const std::string damping =
       " along wx 1 (base frame), a part of the velocity; damping gives rates of a velocity near it";
-  return {
+  return with_said_of_few_joints({
       {{ReasonCode::all_solutions_outside_limits, beyond},
        "every solution is outside the joint limits" + nearest_one},
       {{ReasonCode::solutions_outside_limits, beyond},
@@ -59,7 +84,7 @@ std::vector<Said> said_of_inverse_kinematics() {
       {{ReasonCode::singular_velocity, along},
        "the arm is singular: no joint rates move its tool" + damping},
       {{ReasonCode::too_few_joints, along}, "no joints of the arm move its tool" + damping},
-  };
+  });
 }
 
 }  // namespace beeline::testing

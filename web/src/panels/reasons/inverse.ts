@@ -8,7 +8,7 @@ export function ofInverse(fields: Fields): string | null {
     case "solutions_outside_limits":
       return `no solution within the joint limits was found; in the nearest one ${beyondLimit(fields)}`;
     case "no_solution_found":
-      return `no solution was found; the nearest joint values miss the pose by ${fields.deviation()}`;
+      return `no solution was found; the nearest joint values miss the pose by ${fields.deviation()}${fewJoints(fields)}`;
     case "no_closed_form_solution":
       return `no solution was found by the closed form; it misses the pose by ${fields.deviation()}`;
     case "self_motion":
@@ -30,14 +30,22 @@ function beyondLimit(fields: Fields): string {
   return `${fields.text("joint")} would be at ${fields.value("value")}, ${which} limit, ${fields.value("limit")}`;
 }
 
+/** Why an arm of five joints reaches almost no pose that is typed. */
+function fewJoints(fields: Fields): string {
+  if (!fields.has("conditions")) return "";
+  return `; a pose has ${fields.text("conditions")} conditions, and this arm ${fields.text("joints")} joints`;
+}
+
 function outOfReach(fields: Fields): string | null {
   switch (fields.of.code) {
     case "position_unreachable":
       return `the position is out of reach by ${fields.length("distance")}: the nearest point is ${fields.point("nearest")}`;
     case "orientation_unreachable":
-      return fields.is("has_position")
-        ? `the tool comes to the position, but its orientation stays ${fields.angle("angle")} off`
-        : `the tool cannot take this orientation: the nearest is ${fields.angle("angle")} off`;
+      return (
+        (fields.is("has_position")
+          ? `the tool comes to the position, but its orientation stays ${fields.angle("angle")} off`
+          : `the tool cannot take this orientation: the nearest is ${fields.angle("angle")} off`) + fewJoints(fields)
+      );
     case "beyond_reach":
       return (
         `the pose is ${fields.length("excess")} beyond the reach of the arm: it is ${fields.length("distance")} from ` +
