@@ -17,7 +17,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-reasons test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean
+.PHONY: help build demo bench bench-web docs site wheel test test-peers test-reasons test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -25,6 +25,7 @@ help:
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
 	@echo "make bench-web    the page's functions in WebAssembly beside native ones"
 	@echo "make docs      the documentation, in build/docs/html"
+	@echo "make site      the page and the documentation as one folder for any static web server, in build/site"
 	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next; CASES=3: with three times the random cases"
 	@echo "make test-reasons   the tests in C++ with every sentence of a reason replaced by X: no code and no test reads one"
@@ -74,6 +75,9 @@ docs:
 	@cmake --preset release $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target beeline _core
 	@scripts/docs.sh build build/docs
+
+site: web docs
+	@scripts/site.sh build/web build/docs/html build/site
 
 test:
 	@scripts/install_packages.sh build test python

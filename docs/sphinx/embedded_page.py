@@ -13,6 +13,7 @@ from beeline._page_document import document_of
 
 FRAME = """```{{raw}} html
 <iframe src="../{page}" title="The page: a Panda to hold" loading="lazy" class="page"></iframe>
+<p><a href="../{page}" target="_top">The page alone</a></p>
 ```
 """
 MISSING = "*The page stands here where it is built: `make web`, then `make docs`.*\n"
