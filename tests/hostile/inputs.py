@@ -101,6 +101,8 @@ move rrr --from 0.1,0.2,0.3 --to 0.5,0.1,0.9 --gain 0.5 --out out.csv
 line rrr --through planar.csv --out out.csv --draw out.svg
 line panda --through poses.csv --out out.json --blend 0.02 --rate 100
 line ur5 --through program.csv --out out.csv --profile trapezoidal --max-samples 5000
+ik px150.json --pose 0.25,0,0.1,0.3,1.2,0.1 --task approach:xy --all --seed 0.1,0.2,0.3,0.4,0.5
+ik px150.json --pose 0.25,0,0.1,0,1.5707963,0 --task direction:x --all --lock wrist_rotate=0.3
 line px150.json --through reachable.csv --task 111010:tool --tolerance 0.001 --max-samples 5000
 line gen3.json --through poses.csv --path spline --tool-speed 0.2 --branches
 check rrr line.csv --through planar.csv

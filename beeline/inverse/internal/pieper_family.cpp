@@ -276,9 +276,9 @@ void solve_locked(SolverState& state, LockedRequest& locked, StageResult& found)
 
 /// Adds a solution of every branch in the lanes that have a free joint. Returns whether there is
 /// one; if not, all are outside the limits.
-bool add_self_motions(const LockedRequest& locked, const PieperBranches& at_seed,
-                      StageResult& found) {
+bool add_self_motions(const LockedRequest& locked, const LockedBranch& branch, StageResult& found) {
   const PieperSolver& form = locked.form;
+  const PieperBranches& at_seed = branch.found;
   const Request& request = locked.request;
   PieperRequest loop = locked.loop;
   const std::vector<int> free = form.free_joints(at_seed);
@@ -289,7 +289,7 @@ bool add_self_motions(const LockedRequest& locked, const PieperBranches& at_seed
   const SolutionsAt solutions_at = [&](const std::vector<double>& at,
                                        std::vector<FreeSolution>& solutions) {
     for (std::size_t i = 0; i < free.size(); ++i) loop.seed[free[i]] = at[i];
-    form.branches(request.goal, 0, loop, there);
+    form.branches(request.goal, branch.value, loop, there);
     solutions.assign(8, {.miss = no_solution});
     for (int lane = 0; lane < 8; ++lane) {
       FreeSolution& solution = solutions[static_cast<std::size_t>(lane)];
@@ -298,7 +298,7 @@ bool add_self_motions(const LockedRequest& locked, const PieperBranches& at_seed
       solution.miss = closed ? there.excess[lane] : no_solution + there.residual[lane];
       if (solution.miss > 0) continue;
       solution.q.resize(request.arm.dof());
-      form.configuration(there, lane, 0, solution.q);
+      form.configuration(there, lane, branch.value, solution.q);
     }
   };
   std::vector<Configuration> branches = self_motion_branches(request, values, solutions_at);
@@ -329,7 +329,7 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   }
   unsigned lanes = all_lanes;
   if (!request.quick && branches.continuum != 0 && !form.has_free_joints() &&
-      add_self_motions(locked, branches, found)) {
+      add_self_motions(locked, at, found)) {
     lanes &= ~branches.continuum;
   }
   add_lanes(locked, at, lanes, found);
