@@ -48,8 +48,8 @@ Arm desk_arm(Random& random, bool on_axis) {
   return {"desk", joints, last.inverse(Eigen::Isometry) * world_T_tool, arm.base()};
 }
 
-InverseResult all_solutions(const Arm& arm, const Pose& pose, const Task& task,
-                            bool ignore_limits) {
+InverseResult closed_form_solutions(const Arm& arm, const Pose& pose, const Task& task,
+                                    bool ignore_limits) {
   return inverse_kinematics(arm, pose,
                             {.task = task,
                              .method = InverseMethod::closed_form,
@@ -62,17 +62,17 @@ bool has_within(const Arm& arm, const std::vector<Configuration>& all, const Con
   return holds(arm, all, q) && within(bounds_of(arm), q);
 }
 
-struct Counts {
+struct Compared {
   int poses = 0;
   int equal = 0;  ///< poses for which a search found as many solutions
 };
 
 /// Checks that a random configuration is among the solutions of its pose, turned as the task leaves
 /// it free, that all solve, and that a numerical search finds no further solution.
-void expect_complete(const Arm& arm, const Task& task, Random& random, Counts* counts) {
+void expect_every_solution(const Arm& arm, const Task& task, Random& random, Compared* counts) {
   const Configuration from = random.configuration(arm);
   const Pose pose = testing::moved_where_free(forward_kinematics(arm, from), task, random);
-  const InverseResult result = all_solutions(arm, pose, task, true);
+  const InverseResult result = closed_form_solutions(arm, pose, task, true);
   ASSERT_EQ(result.status, InverseStatus::solved)
       << name(task) << ", " << result.method << ": " << result.reason;
   EXPECT_TRUE(holds(arm, result.solutions, from)) << name(task) << ' ' << from.transpose();
@@ -91,12 +91,12 @@ void expect_complete(const Arm& arm, const Task& task, Random& random, Counts* c
 
 TEST(FiveJoints, HaveAllSolutionsOfEachTaskThatLeavesARotationFree) {
   Random random;
-  Counts counts;
+  Compared counts;
   const int searched = testing::cases(15);
   for (int i = 0; i < testing::cases(150); ++i) {
     const Arm arm = desk_arm(random, false);
     for (const char* task : five_conditions) {
-      expect_complete(arm, task_named(task), random, i < searched ? &counts : nullptr);
+      expect_every_solution(arm, task_named(task), random, i < searched ? &counts : nullptr);
     }
   }
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
@@ -104,14 +104,15 @@ TEST(FiveJoints, HaveAllSolutionsOfEachTaskThatLeavesARotationFree) {
 
 TEST(FiveJoints, NeedNotBeADeskArm) {
   Random random;
-  Counts counts;
+  Compared counts;
   using Family = PieperLoop::Family;
   for (int i = 0; i < testing::cases(60); ++i) {
     const Family family = i % 2 == 0 ? Family::intersecting : Family::parallel;
     const auto axes = testing::axes_with(family, static_cast<std::size_t>(i % 3), "RRRRR", random);
     const Arm arm = arm_through(axes, random);
     for (const char* task : five_conditions) {
-      expect_complete(arm, task_named(task), random, i < testing::cases(6) ? &counts : nullptr);
+      expect_every_solution(arm, task_named(task), random,
+                            i < testing::cases(6) ? &counts : nullptr);
     }
   }
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
@@ -123,9 +124,9 @@ TEST(FiveJoints, GiveEverySolutionWithinLimitsAndNoOther) {
     const Arm arm = i % 3 == 0 ? built_in("px150") : desk_arm(random, false);
     const Task task = task_named(five_conditions[random.integer(i % 3 == 0 ? 2 : 0, 5)]);
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
-    const InverseResult limited = all_solutions(arm, pose, task, false);
+    const InverseResult limited = closed_form_solutions(arm, pose, task, false);
     testing::expect_solved(arm, pose, task, limited);
-    for (const Configuration& q : all_solutions(arm, pose, task, true).solutions) {
+    for (const Configuration& q : closed_form_solutions(arm, pose, task, true).solutions) {
       const Configuration there =
           nearest_representative(arm, q, middle_configuration(arm), bounds_of(arm));
       if (!within(bounds_of(arm), there)) continue;
