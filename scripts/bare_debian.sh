@@ -4,6 +4,7 @@
 # Usage: bare_debian.sh SUITE COMMAND..., such as bare_debian.sh trixie make demo
 #
 # build-bare/SUITE.tar keeps the bare system. Each run unpacks it into build-bare/SUITE; KEEP=1 uses what the last run left.
+# SHARED=FOLDER: the command finds this folder of this machine as /shared and may write into it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 suite=${1:-}
@@ -22,7 +23,10 @@ root=$PWD/build-bare/$suite
 if [[ ! -f $root.tar ]]; then
   echo "Unpacking a bare Debian, $suite"
   rm -rf --one-file-system "$root"
-  debootstrap --variant=minbase --include=ca-certificates,make "$suite" "$root" >"$root.log"
+  # The mirror of this machine, where it is a Debian; otherwise debootstrap's own.
+  # shellcheck disable=SC2016  # apt-get expands it
+  mirror=$(apt-get indextargets --format '$(LABEL) $(REPO_URI)' | awk '$1 == "Debian" {mirror = $2} END {print mirror}')
+  debootstrap --variant=minbase --include=ca-certificates,make "$suite" "$root" ${mirror:+"$mirror"} >"$root.log"
   tar --create --file "$root.tar.new" --one-file-system --directory "$root" .
   mv "$root.tar.new" "$root.tar"
 fi
@@ -47,8 +51,9 @@ done
 # command in it removes devices of this machine.
 # shellcheck disable=SC2016  # expands inside
 unshare --mount --pid --fork --kill-child bash -euo pipefail -c '
-  root=$1
-  shift
+  root=$1 shared=$2
+  shift 2
+  if [[ -n $shared ]]; then mkdir -p "$root/shared" && mount --bind "$shared" "$root/shared"; fi
   mount -t proc proc "$root/proc"
   mount -t sysfs sysfs "$root/sys"
   mount -t tmpfs -o mode=755 tmpfs "$root/dev"
@@ -64,4 +69,4 @@ unshare --mount --pid --fork --kill-child bash -euo pipefail -c '
   ln -s pts/ptmx "$root/dev/ptmx"
   chroot "$root" update-ca-certificates >/dev/null
   exec chroot "$root" /usr/bin/env --chdir=/beeline "$@"
-' - "$root" -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "${network[@]}" "$@"
+' - "$root" "${SHARED:-}" -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "${network[@]}" "$@"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi|portable...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi|portable|deb...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -18,6 +18,7 @@ web=(emscripten dpkg-dev chromium-headless-shell python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
 lint=(shellcheck python3 python3-venv)
 portable=(debootstrap util-linux)
+deb=(debhelper dpkg-dev lintian python3)
 
 wanted=()
 for group in "$@"; do
@@ -34,7 +35,8 @@ for group in "$@"; do
     mpi) wanted+=("${mpi[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
     portable) wanted+=("${portable[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi, portable" >&2; exit 2 ;;
+    deb) wanted+=("${deb[@]}") ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi, portable, deb" >&2; exit 2 ;;
   esac
 done
 

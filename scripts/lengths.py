@@ -9,7 +9,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MAX_FILE, MAX_FUNCTION = 400, 60  # lines
-FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "mpi", "python", "scripts", "web/core", "web/src", "web/tests")
+FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "mpi", "packaging", "python", "scripts", "web/core",
+           "web/src", "web/tests")
 CODE = {".h", ".cpp"}
 ENDINGS = CODE | {".py", ".sh", ".cmake", ".txt", ".ts", ".css", ".html"}
 

@@ -12,7 +12,7 @@ formatting() { scripts/sources.sh | xargs clang-format --dry-run -Werror; }
 headers() { cmake --build "$build" --target all_verify_interface_header_sets header_texts; }
 
 step "formatting" formatting
-step "scripts" shellcheck scripts/*.sh .ci/run
+step "scripts" shellcheck scripts/*.sh packaging/*.sh .ci/run
 step "layers" python3 -B tests/layers.py
 step "lengths" python3 -B scripts/lengths.py
 step "words" python3 -B scripts/words.py
