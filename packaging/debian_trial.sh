@@ -88,14 +88,16 @@ END
   expect "solved" "$program/build/own"
 }
 
-# Whatever has the name of the package, or is a file of it; apt's archives and logs are not looked at.
+# Whatever has the name of the package, or is a file of it. Not looked at: apt's archives, logs, and the pages that man has
+# formatted, which it removes itself in time.
 find_remains() {
   local path
   while read -r path; do
-    if [[ -e $path && ! -d $path || $path == *beeline* && -e $path ]]; then echo "$path"; fi
+    # Folders of others stay.
+    if [[ -e $path && (! -d $path || $path == *beeline*) ]]; then echo "$path"; fi
   done <owned
   find / -xdev -path /beeline -prune -o -path "$folder" -prune -o -path /tmp -prune -o -path /var/log -prune \
-    -o -path /var/cache/apt -prune -o -iname '*beeline*' -print
+    -o -path /var/cache/apt -prune -o -path /var/cache/man -prune -o -iname '*beeline*' -print
   dpkg-query --show 'beeline*' 'libbeeline*' 2>/dev/null || true
 }
 

@@ -31,7 +31,10 @@ void add_seed(const Request& request, StageResult& found) {
   });
   const bool is_new = same == solutions.end();
   const bool regular = !is_new && same->regular;
-  (is_new ? solutions.add() : *same) = {request.seed, error_at(request, request.seed), regular};
+  Solution& solution = is_new ? solutions.add() : *same;
+  solution.q = request.seed;
+  solution.error = error_at(request, request.seed);
+  solution.regular = regular;
   UnconstrainedResult& evidence = found.unconstrained;
   if (is_new && !evidence.continuum) evidence.complete = evidence.branches_complete = false;
 }
