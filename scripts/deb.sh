@@ -21,13 +21,10 @@ export_sources() {
     echo "$0: the packages lack the page: make web" >&2
     return
   fi
-  mkdir -p "$1/build" "$1/notices"
+  mkdir -p "$1/build"
   cp -r build/web "$1/build/web"
-  local package notice
-  for package in $(python3 -c 'import json; print(*json.load(open("web/package.json"))["dependencies"])'); do
-    notice=$(find "web/node_modules/$package" -maxdepth 1 -iname 'licen[cs]e*' | head -n 1)
-    cp "$notice" "$1/notices/$package"
-  done
+  packaging/page_notices.py "$1/notices"
+  # Emscripten's libraries are in the page's module.
   if [[ -f /usr/share/doc/emscripten/copyright ]]; then cp /usr/share/doc/emscripten/copyright "$1/notices/emscripten"; fi
 }
 
