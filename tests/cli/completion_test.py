@@ -52,7 +52,7 @@ def completed(script, tmp_path):
 
 def test_bash_completes(completed, written):
     assert completed("re") == {"reach", "retime", "replay"}
-    assert completed("fk", "pa") == {"panda"}
+    assert completed("fk", "pan") == {"panda"}
     assert completed("fk", "panda", "--deg") == {"--degrees"}
     assert completed("retime", "panda", "--profile", "s") == {"s-curve"}
     assert completed("retime", "panda", "--profile", "=", "qu") == {"quintic"}
@@ -83,7 +83,7 @@ def test_fish_completes(script, written, tmp_path):
         return {row.split("\t")[0] for row in process.stdout.splitlines()}
 
     assert complete("beeline re") == {"reach", "retime", "replay"}
-    assert complete("beeline fk pa") == {"panda"}
+    assert complete("beeline fk pan") == {"panda"}
     assert complete("beeline retime panda --profile s") == {"s-curve"}
     assert complete("beeline batch j") == {"jacobian"}
     assert complete("beeline help batch ") == {"fk", "jacobian", "ik"}
