@@ -41,8 +41,8 @@ struct InverseOptions {
   /// middle_configuration(), the middle of the limits. It may be outside the limits.
   std::optional<Configuration> seed = std::nullopt;
   /// Components of the pose: spatial, position, planar, direction or approach:xy (arms of five
-  /// joints), direction:x, :y, approach:xz, :yz, or a mask such as 111010, with :tool for the tool's
-  /// axes; default: planar for a planar arm, whose poses must then be in its plane, else spatial.
+  /// joints), or a mask such as 111010, with :tool for the tool's axes; default: planar for a
+  /// planar arm, whose poses must then be in its plane, else spatial.
   std::optional<Task> task = std::nullopt;
   InverseMethod method = InverseMethod::automatic;  ///< method of computation
   /// Whether all solutions are computed, instead of one. A closed form finds all solutions; for a
