@@ -8,16 +8,17 @@ web=$1 html=$2 folder=$3
 
 rm -rf "$folder.new"
 mkdir -p "$folder.new"
-rsync --archive --exclude=/saved.html "$web/" "$folder.new/"
+rsync --archive "$web/" "$folder.new/"
 # The documentation's own copy of the page gives way to the one in front.
 rsync --archive --exclude=/page.html --exclude=/.doctrees --exclude=/.buildinfo "$html/" "$folder.new/docs/"
 sed -i 's|<body>|<body data-docs="docs">|' "$folder.new/index.html"
+grep --quiet 'data-docs="docs"' "$folder.new/index.html"
 cat >"$folder.new/docs/page.html" <<'END'
 <!doctype html>
 <html lang="en">
   <meta charset="utf-8">
   <title>Beeline: the page</title>
-  <meta http-equiv="refresh" content="0; url=../index.html">
+  <meta http-equiv="refresh" content="0; url=../index.html#arm=panda">
   <a href="../index.html">The page</a>
 </html>
 END

@@ -7,8 +7,10 @@
 
 namespace beeline::internal {
 
-SharedLibrary::SharedLibrary(const char* file) : handle_(dlopen(file, RTLD_LAZY | RTLD_LOCAL)) {
-  if (handle_ == nullptr) throw Error(std::string("a library cannot be loaded: ") + dlerror());
+SharedLibrary::SharedLibrary(const char* file, const char* cure)
+    : handle_(dlopen(file, RTLD_LAZY | RTLD_LOCAL)) {
+  if (handle_ != nullptr) return;
+  throw Error(std::string("a library cannot be loaded: ") + dlerror() + "; " + cure);
 }
 
 SharedSymbol SharedLibrary::operator[](const char* name) const {

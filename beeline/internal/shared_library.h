@@ -20,9 +20,9 @@ class SharedSymbol {
 /// libraries that they need take 7 ms to load, longer than most commands run.
 class SharedLibrary {
  public:
-  /// `file`: the name by which the system's loader finds it, as "libcairo.so.2". Throws Error where
-  /// it cannot be loaded.
-  explicit SharedLibrary(const char* file);
+  /// `file`: the name by which the system's loader finds it, as "libcairo.so.2"; `cure`: what helps
+  /// where it cannot be loaded, for the Error that is thrown then.
+  SharedLibrary(const char* file, const char* cure);
 
   /// The function or variable of that name. Throws Error where the library has none.
   SharedSymbol operator[](const char* name) const;

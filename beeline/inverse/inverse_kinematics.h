@@ -231,8 +231,8 @@ void explain(InverseResult& result, const Budget& budget = {});
 /// takes the place of options.seed, also for the default of options.redundancy. Returns 0, without
 /// a diagnosis, if there is none, or if the budget ended before one was found. Solutions of a
 /// closed form are checked by closing the loop. Does not allocate in the ordinary case;
-/// `blocked_by` does, and a lock, unless it is the first or last of seven joints. Throws Error as
-/// inverse_kinematics() does, and for `solutions` of another size.
+/// `blocked_by` does, approach:xy and its kind, and a lock, unless it is the first or last of seven
+/// joints. Throws Error as inverse_kinematics() does, and for `solutions` of another size.
 int inverse_kinematics(const Arm& arm, const Pose& world_T_tool, const ConfigurationRef& seed,
                        Eigen::Ref<Eigen::MatrixXd> solutions, const InverseOptions& options = {});
 

@@ -113,8 +113,8 @@ std::string inverse_sentence(const ReasonText& reason) {
     case ReasonCode::no_solution_found:
       return "no solution was found" +
              (reason.has(starts) ? " from " + reason.number(starts) + " starts" : "") +
-             "; the nearest misses by " + miss(reason) +
-             (reason.has(conditions) ? fewer_conditions(reason) : "; a solution may still exist");
+             "; the nearest misses by " + miss(reason) + "; a solution may still exist" +
+             fewer_conditions(reason);
     case ReasonCode::no_closed_form_solution:
       return "no solution was found by the closed form, though a numerical search finds one; the "
              "nearest misses by " +

@@ -64,6 +64,17 @@ def test_figures_are_animated(beeline, parsed, number):
     assert any(animation.get("attributeName") == "d" for animation in parsed("a.svg").iter(SVG + "animate"))
 
 
+def test_a_picture_without_cairo(beeline, written, tmp_path):
+    """The loader finds a file of that name that is no library."""
+    written("libcairo.so.2", "no library\n")
+    refused = beeline("draw", "rrr", "--out", "arm.png", env=os.environ | {"LD_LIBRARY_PATH": str(tmp_path)})
+    if refused.code == 0:
+        pytest.skip("this build loads Cairo by another name, or links it")
+    assert refused.code == 2 and refused.out == "" and not (tmp_path / "arm.png").exists()
+    assert "libcairo.so.2" in refused.err and "install Cairo, or write an .svg" in refused.err
+    assert len(refused.err.splitlines()) == 1
+
+
 def test_an_animation_without_ffmpeg(beeline, tmp_path):
     answer = beeline("figure", "1.7", "--animate", "a.gif", env=os.environ | {"PATH": ""})
     assert answer.code == 2 and "apt install ffmpeg" in answer.err and answer.err.count("\n") == 1

@@ -9,10 +9,10 @@ std::vector<Said> with_said_of_few_joints(std::vector<Said> all) {
   using enum ReasonField;
   const std::string chance =
       " joints meet the 6 conditions of a pose only by chance: ask for fewer, by the task ";
-  all.push_back(
-      {{ReasonCode::no_solution_found,
-        with(off, {{joints, std::size_t{4}}, {conditions, std::size_t{6}}})},
-       "no solution was found; the nearest misses by " + by_both + "; 4" + chance + "position"});
+  all.push_back({{ReasonCode::no_solution_found,
+                  with(off, {{joints, std::size_t{4}}, {conditions, std::size_t{6}}})},
+                 "no solution was found; the nearest misses by " + by_both +
+                     "; a solution may still exist; 4" + chance + "position"});
   all.push_back({{ReasonCode::orientation_unreachable,
                   {{arm, "px150"},
                    {has_position, true},

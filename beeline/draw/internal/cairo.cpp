@@ -16,7 +16,7 @@ constexpr double pixels_per_point = 2.5;
 
 /// The functions of Cairo that are used here, without their prefix cairo_.
 struct Cairo {
-  SharedLibrary library{BEELINE_CAIRO_LIBRARY};
+  SharedLibrary library{BEELINE_CAIRO_LIBRARY, "install Cairo, or write an .svg"};
 #define BEELINE_FUNCTION(name) decltype(::cairo_##name)* name = library["cairo_" #name]
   BEELINE_FUNCTION(close_path);
   BEELINE_FUNCTION(create);

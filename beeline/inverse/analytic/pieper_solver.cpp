@@ -94,8 +94,7 @@ bool rotates_about(const Chain& chain, const Vector3& axis) {
   const Vector3& origin = chain.tool.translation();
   double size = origin.norm();
   for (const Chain::Link& link : chain.links) size += link.translation.norm();
-  return direction.cross(axis).norm() < special &&
-         origin.head<2>().norm() <= special * size;
+  return direction.cross(axis).norm() < special && origin.head<2>().norm() <= special * size;
 }
 
 /// A rotation without special directions.
@@ -155,7 +154,8 @@ bool PieperSolver::leave_free(const Chain& chain, int axis, Frame frame) {
     const Vector3 seen = sample_goal().linear().row(axis);
     return add_virtual(chain, {seen}, true);
   }
-  if (!rotates_about(chain, Vector3::Unit(axis))) return add_virtual(chain, {Vector3::Unit(axis)}, true);
+  if (!rotates_about(chain, Vector3::Unit(axis)))
+    return add_virtual(chain, {Vector3::Unit(axis)}, true);
   // Any axis normal to the last joint's would do.
   for (const int normal : {(axis + 1) % 3, (axis + 2) % 3}) {
     if (!add_virtual(chain, {Vector3::Unit(normal)}, false)) continue;

@@ -75,8 +75,10 @@ void set_ended_before_solution(const Request& request, const Configuration& q,
 
 /// Adds that the arm has fewer joints than a pose has conditions.
 void add_conditions(const Request& request, Reason& reason) {
-  if (request.task.size() < 6 || request.arm.dof() >= request.task.size()) return;
-  reason.set(ReasonField::joints, static_cast<std::size_t>(request.arm.dof()))
+  constexpr int of_position = 3;  // what the advice asks for, at least
+  const int n = request.arm.dof();
+  if (request.has_lock || request.task.size() < 6 || n < of_position || n >= 6) return;
+  reason.set(ReasonField::joints, static_cast<std::size_t>(n))
       .set(ReasonField::conditions, static_cast<std::size_t>(request.task.size()));
 }
 

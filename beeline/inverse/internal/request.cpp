@@ -99,7 +99,8 @@ Request make_request(const SolverState& state, const Pose& world_T_tool,
           .tolerance = std::max(state.options.tolerance, rounding_of(state.arm, goal)),
           .budget = budget,
           .redundancy = state.redundancy,
-          .near_seed = state.near_seed};
+          .near_seed = state.near_seed,
+          .has_lock = state.removed_coordinate.has_value()};
 }
 
 double distance_from_seed(const Request& request, const ConfigurationRef& q) {

@@ -29,6 +29,7 @@ struct Request {
   bool quick = false;
   /// Whether solutions of a closed form are checked by closing the loop only.
   bool trusts_closed_loops = false;
+  bool has_lock = false;  ///< whether `arm` is another one with a coordinate locked
 
   /// Whether the task determines all coordinates but the locked one.
   bool finitely_many() const { return arm.dof() - (options.lock ? 1 : 0) <= task.size(); }

@@ -24,7 +24,7 @@ namespace {
 
 /// The functions and the identifiers of HDF5 that are used here, without their prefix H5.
 struct Hdf5 {
-  SharedLibrary library{BEELINE_HDF5_LIBRARY};
+  SharedLibrary library{BEELINE_HDF5_LIBRARY, "install HDF5"};
 #define BEELINE_FUNCTION(name) decltype(::H5##name)* name = library["H5" #name]
   BEELINE_FUNCTION(dont_atexit);
   BEELINE_FUNCTION(open);
@@ -102,6 +102,7 @@ struct Hdf5 {
 /// HDF5, loaded by the first call. Throws Error where it cannot be.
 const Hdf5& h5() {
   static const Hdf5 library;
+  if (library.has_identifiers < 0) throw Error("HDF5 cannot be started");
   return library;
 }
 
