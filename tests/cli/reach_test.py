@@ -30,6 +30,18 @@ def test_a_map_says_what_it_is_of(beeline, puma):
     assert 0.5 < totals["volume"] / (4 / 3 * math.pi * reach**3) < 1
 
 
+def test_a_map_without_hdf5(beeline, written, tmp_path):
+    """The loader finds a file of that name that is no library."""
+    names = ["libhdf5_serial.so.103", "libhdf5_serial.so.310"]  # of Debian 12 and 13
+    for name in names:
+        written(name, "no library\n")
+    refused = beeline(*MAP, "--out", "map.h5", env=os.environ | {"LD_LIBRARY_PATH": str(tmp_path)})
+    if refused.code == 0:
+        pytest.skip("this build loads HDF5 by another name")
+    assert refused.code == 2 and "install HDF5" in refused.err and len(refused.err.splitlines()) == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == names
+
+
 def test_the_answer_for_a_centre_equals_ik(beeline, puma, tmp_path):
     # One orientation, so that a cell is a pose.
     path = tmp_path / "down.h5"

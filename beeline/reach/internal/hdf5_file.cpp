@@ -22,6 +22,7 @@ static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>
 
 namespace {
 
+// NOLINTBEGIN(readability-identifier-naming): the names are HDF5's.
 /// The functions and the identifiers of HDF5 that are used here, without their prefix H5.
 struct Hdf5 {
   SharedLibrary library{BEELINE_HDF5_LIBRARY, "install HDF5"};
@@ -98,6 +99,7 @@ struct Hdf5 {
   BEELINE_IDENTIFIER(T_STD_U8LE);
 #undef BEELINE_IDENTIFIER
 };
+// NOLINTEND(readability-identifier-naming)
 
 /// HDF5, loaded by the first call. Throws Error where it cannot be.
 const Hdf5& h5() {
@@ -175,6 +177,8 @@ Hdf5Shape chunk_of(hid_t properties, std::size_t axes) {
 }
 
 }  // namespace
+
+void load_hdf5() { h5(); }
 
 Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept {
   std::swap(id_, other.id_);

@@ -9,6 +9,10 @@
 
 namespace beeline::internal {
 
+/// Throws Error where the HDF5 library cannot be loaded, as all below do; before anything is
+/// written.
+void load_hdf5();
+
 /// The numbers of a dataset.
 enum class Hdf5Type { uint8, float32, float64 };
 template <class Value>

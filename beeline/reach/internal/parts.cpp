@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <regex>
 
+#include <beeline/reach/internal/hdf5_file.h>
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
 #include <beeline/reach/internal/parts.h>
@@ -38,6 +39,7 @@ std::vector<SlabRange> units_of(const ReachMapHeader& header) {
 Parts::Parts(const std::string& map_path, const ReachMapHeader& header)
     : folder_(map_path + ".parts"), header_(header), slabs_(header.grid) {
   check_map_path(map_path);
+  load_hdf5();
   std::error_code error;
   std::filesystem::create_directory(folder_, error);
   if (error) throw FileError(folder_, 0, "cannot be made: " + error.message());
