@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
 
 #include "arm_argument.h"
@@ -76,11 +77,7 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
 
 /// The angle of the rotation in a deviation of x, y, z, roll, pitch, yaw, rad.
 double rotation_of(const Eigen::VectorXd& deviation) {
-  const Rotation rotation = (Eigen::AngleAxisd(deviation[5], Vector3::UnitZ()) *
-                             Eigen::AngleAxisd(deviation[4], Vector3::UnitY()) *
-                             Eigen::AngleAxisd(deviation[3], Vector3::UnitX()))
-                                .toRotationMatrix();
-  return so3_log(rotation).norm();
+  return so3_log(rotation(RollPitchYaw{deviation[3], deviation[4], deviation[5]})).norm();
 }
 
 std::string tool_deviation_text(const Arm& arm, const Eigen::VectorXd& deviation,

@@ -9,14 +9,9 @@
 namespace beeline {
 namespace {
 
-using Rows = std::array<bool, 6>;
-
 /// Names that take the suffix :tool.
-constexpr std::pair<const char*, Rows> rows_by_name[] = {
-    {"spatial", {true, true, true, true, true, true}},
-    {"position", {true, true, true, false, false, false}},
-    {"planar", {true, true, false, false, false, true}},
-};
+constexpr std::pair<const char*, Task (*)()> rows_by_name[] = {
+    {"planar", Task::planar}, {"position", Task::position}, {"spatial", Task::spatial}};
 
 /// Names that state their axes: tasks without one rotation, about an axis of the tool or of the
 /// world.
@@ -28,6 +23,14 @@ constexpr std::pair<const char*, Task> tasks_by_name[] = {
     {"approach:xz", {{true, true, true, true, false, true}, Frame::base}},
     {"approach:yz", {{true, true, true, false, true, true}, Frame::base}},
 };
+
+/// All names, each with a comma behind it.
+std::string listed_names() {
+  std::string text;
+  for (const auto& named : rows_by_name) text += std::string(named.first) + ", ";
+  for (const auto& named : tasks_by_name) text += std::string(named.first) + ", ";
+  return text;
+}
 
 }  // namespace
 
@@ -51,7 +54,7 @@ Task task_named(std::string_view text) {
   }
   for (const auto& [known, rows] : rows_by_name) {
     if (mask != known) continue;
-    task.rows = rows;
+    task.rows = rows().rows;
     return task;
   }
   const bool planar = mask.size() == 3;
@@ -60,10 +63,9 @@ Task task_named(std::string_view text) {
                        mask.find('1') != std::string_view::npos;
   if (!is_mask) {
     throw Error("unknown task \"" + std::string(text.substr(0, 40)) +
-                "\"; known: planar, position, spatial, direction, direction:x, direction:y, "
-                "approach:xy, approach:xz, approach:yz, six of 0 and 1 for x y z wx wy wz such as "
-                "111010, or three for x y theta such as 110, with the suffix :tool for rows in the "
-                "tool's axes");
+                "\"; known: " + listed_names() +
+                "six of 0 and 1 for x y z wx wy wz such as 111010, or three for x y theta such as "
+                "110, with the suffix :tool for rows in the tool's axes");
   }
   task.rows.fill(false);
   constexpr std::array<std::size_t, 3> planar_rows{0, 1, 5};
@@ -79,7 +81,7 @@ std::string name(const Task& task) {
   }
   std::string text;
   for (const auto& [known, rows] : rows_by_name) {
-    if (task.rows == rows) text = known;
+    if (task.rows == rows().rows) text = known;
   }
   if (text.empty()) {
     for (const bool row : task.rows) text += row ? '1' : '0';

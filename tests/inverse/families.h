@@ -1,12 +1,15 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_loop.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 
+#include <tests/inverse/answer.h>
 #include <tests/random.h>
 
 namespace beeline::testing {
@@ -92,6 +95,42 @@ inline std::vector<Configuration> search_all(const Arm& arm, const Pose& pose, c
     idle = is_new ? 0 : idle + 1;
   }
   return found;
+}
+
+/// All solutions that the closed form finds, by default with limits ignored.
+inline InverseResult closed_form_solutions(const Arm& arm, const Pose& pose, const Task& task,
+                                           bool ignore_limits = true) {
+  return inverse_kinematics(arm, pose,
+                            {.task = task,
+                             .method = InverseMethod::closed_form,
+                             .all = true,
+                             .ignore_limits = ignore_limits});
+}
+
+struct Counts {
+  int poses = 0;
+  int equal = 0;  ///< poses for which a search found as many solutions
+};
+
+/// Checks that the closed form solves the pose, that `from` is among its solutions, that all reach
+/// the pose, and, with `counts`, that a numerical search finds no further one.
+inline void expect_every_solution(const Arm& arm, const Task& task, const Configuration& from,
+                                  const Pose& pose, Random& random, Counts* counts) {
+  const InverseResult result = closed_form_solutions(arm, pose, task);
+  SCOPED_TRACE(name(task) + ", " + result.method);
+  ASSERT_EQ(result.status, InverseStatus::solved) << result.reason;
+  EXPECT_TRUE(holds(arm, result.solutions, from)) << from.transpose();
+  EXPECT_LE(result.solutions.size(), 8U);
+  for (const Configuration& q : result.solutions) {
+    EXPECT_LE(largest(task_deviation(task, pose, forward_kinematics(arm, q))), 1e-10);
+  }
+  if (counts == nullptr) return;
+  const auto found = search_all(arm, pose, task, result.solutions.size(), 400, random);
+  ++counts->poses;
+  counts->equal += found.size() == result.solutions.size();
+  for (const Configuration& q : found) {
+    EXPECT_TRUE(holds(arm, result.solutions, q, 1e-4)) << q.transpose();
+  }
 }
 
 }  // namespace beeline::testing

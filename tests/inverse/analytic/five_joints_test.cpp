@@ -14,8 +14,8 @@ namespace {
 
 using testing::arm_through;
 using testing::Axis;
+using testing::Counts;
 using testing::holds;
-using testing::largest;
 using testing::Random;
 
 using std::numbers::pi;
@@ -48,55 +48,26 @@ Arm desk_arm(Random& random, bool on_axis) {
   return {"desk", joints, last.inverse(Eigen::Isometry) * world_T_tool, arm.base()};
 }
 
-InverseResult closed_form_solutions(const Arm& arm, const Pose& pose, const Task& task,
-                                    bool ignore_limits) {
-  return inverse_kinematics(arm, pose,
-                            {.task = task,
-                             .method = InverseMethod::closed_form,
-                             .all = true,
-                             .ignore_limits = ignore_limits});
-}
-
 /// The solutions within the arm's limits, of which `all` may have multiples of 2 pi.
 bool has_within(const Arm& arm, const std::vector<Configuration>& all, const Configuration& q) {
   return holds(arm, all, q) && within(bounds_of(arm), q);
 }
 
-struct Compared {
-  int poses = 0;
-  int equal = 0;  ///< poses for which a search found as many solutions
-};
-
-/// Checks that a random configuration is among the solutions of its pose, turned as the task leaves
-/// it free, that all solve, and that a numerical search finds no further solution.
-void expect_every_solution(const Arm& arm, const Task& task, Random& random, Compared* counts) {
+/// expect_every_solution() of a random configuration's pose, moved where the task leaves it free.
+void expect_complete_for(const Arm& arm, const Task& task, Random& random, Counts* counts) {
   const Configuration from = random.configuration(arm);
   const Pose pose = testing::moved_where_free(forward_kinematics(arm, from), task, random);
-  const InverseResult result = closed_form_solutions(arm, pose, task, true);
-  ASSERT_EQ(result.status, InverseStatus::solved)
-      << name(task) << ", " << result.method << ": " << result.reason;
-  EXPECT_TRUE(holds(arm, result.solutions, from)) << name(task) << ' ' << from.transpose();
-  EXPECT_LE(result.solutions.size(), 8U);
-  for (const Configuration& q : result.solutions) {
-    EXPECT_LE(largest(task_deviation(task, pose, forward_kinematics(arm, q))), 1e-10);
-  }
-  if (counts == nullptr) return;
-  const auto found = testing::search_all(arm, pose, task, result.solutions.size(), 400, random);
-  ++counts->poses;
-  counts->equal += found.size() == result.solutions.size();
-  for (const Configuration& q : found) {
-    EXPECT_TRUE(holds(arm, result.solutions, q, 1e-4)) << name(task) << ' ' << q.transpose();
-  }
+  testing::expect_every_solution(arm, task, from, pose, random, counts);
 }
 
 TEST(FiveJoints, HaveAllSolutionsOfEachTaskThatLeavesARotationFree) {
   Random random;
-  Compared counts;
+  Counts counts;
   const int searched = testing::cases(15);
   for (int i = 0; i < testing::cases(150); ++i) {
     const Arm arm = desk_arm(random, false);
     for (const char* task : five_conditions) {
-      expect_every_solution(arm, task_named(task), random, i < searched ? &counts : nullptr);
+      expect_complete_for(arm, task_named(task), random, i < searched ? &counts : nullptr);
     }
   }
   EXPECT_GE(counts.equal, 0.95 * counts.poses - 2) << "of " << counts.poses;
@@ -104,15 +75,14 @@ TEST(FiveJoints, HaveAllSolutionsOfEachTaskThatLeavesARotationFree) {
 
 TEST(FiveJoints, NeedNotBeADeskArm) {
   Random random;
-  Compared counts;
+  Counts counts;
   using Family = PieperLoop::Family;
   for (int i = 0; i < testing::cases(60); ++i) {
     const Family family = i % 2 == 0 ? Family::intersecting : Family::parallel;
     const auto axes = testing::axes_with(family, static_cast<std::size_t>(i % 3), "RRRRR", random);
     const Arm arm = arm_through(axes, random);
     for (const char* task : five_conditions) {
-      expect_every_solution(arm, task_named(task), random,
-                            i < testing::cases(6) ? &counts : nullptr);
+      expect_complete_for(arm, task_named(task), random, i < testing::cases(6) ? &counts : nullptr);
     }
   }
   EXPECT_GE(counts.equal, 0.95 * counts.poses - 2) << "of " << counts.poses;
@@ -124,9 +94,9 @@ TEST(FiveJoints, GiveEverySolutionWithinLimitsAndNoOther) {
     const Arm arm = i % 3 == 0 ? built_in("px150") : desk_arm(random, false);
     const Task task = task_named(five_conditions[random.integer(i % 3 == 0 ? 2 : 0, 5)]);
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
-    const InverseResult limited = closed_form_solutions(arm, pose, task, false);
+    const InverseResult limited = testing::closed_form_solutions(arm, pose, task, false);
     testing::expect_solved(arm, pose, task, limited);
-    for (const Configuration& q : closed_form_solutions(arm, pose, task, true).solutions) {
+    for (const Configuration& q : testing::closed_form_solutions(arm, pose, task).solutions) {
       const Configuration there =
           nearest_representative(arm, q, middle_configuration(arm), bounds_of(arm));
       if (!within(bounds_of(arm), there)) continue;

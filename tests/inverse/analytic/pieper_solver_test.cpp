@@ -12,9 +12,11 @@ namespace {
 
 using testing::arm_through;
 using testing::axes_with;
+using testing::closed_form_solutions;
+using testing::Counts;
 using testing::example_size;
+using testing::expect_every_solution;
 using testing::holds;
-using testing::largest;
 using testing::Random;
 using Family = PieperLoop::Family;
 
@@ -28,17 +30,6 @@ Arm shortened(const Arm& arm, int count) {
   return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
-InverseResult all_solutions(const Arm& arm, const Pose& pose, const Task& task) {
-  return inverse_kinematics(
-      arm, pose,
-      {.task = task, .method = InverseMethod::closed_form, .all = true, .ignore_limits = true});
-}
-
-struct Counts {
-  int poses = 0;
-  int equal = 0;  ///< poses for which a search found as many solutions
-};
-
 /// Checks that random configurations are among the solutions of their poses, and that a numerical
 /// search finds no further solution.
 void expect_complete(const Arm& arm, const Task& task, int poses, Random& random, Counts& counts,
@@ -48,20 +39,7 @@ void expect_complete(const Arm& arm, const Task& task, int poses, Random& random
     Pose pose = forward_kinematics(arm, from);
     if (task == Task::position()) pose.linear() = random.rotation();
     if (task == rolling) pose.rotate(Eigen::AngleAxisd(random.uniform(-3, 3), Vector3::UnitZ()));
-    const InverseResult result = all_solutions(arm, pose, task);
-    ASSERT_EQ(result.status, InverseStatus::solved) << result.method << ": " << result.reason;
-    EXPECT_TRUE(holds(arm, result.solutions, from)) << result.method << ' ' << from.transpose();
-    EXPECT_LE(result.solutions.size(), 8U);
-    for (const Configuration& q : result.solutions) {
-      EXPECT_LE(largest(task_deviation(task, pose, forward_kinematics(arm, q))), 1e-10);
-    }
-    if (!search) continue;
-    const auto found = search_all(arm, pose, task, result.solutions.size(), 400, random);
-    ++counts.poses;
-    counts.equal += found.size() == result.solutions.size();
-    for (const Configuration& q : found) {
-      EXPECT_TRUE(holds(arm, result.solutions, q, 1e-4)) << result.method << ' ' << q.transpose();
-    }
+    expect_every_solution(arm, task, from, pose, random, search ? &counts : nullptr);
   }
 }
 
