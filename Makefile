@@ -135,20 +135,20 @@ test-web: build web
 	@PATH="$$(scripts/node_path.sh)" && cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
 
 asan asan-all:
-	@scripts/install_packages.sh build test python
+	@scripts/install_packages.sh build test python clang
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@cmake --preset $@ $(module)
 	@cmake --build --preset $@ --parallel $(JOBS)
 	@ctest --preset $@ --parallel $(JOBS)
 
 fuzz:
-	@scripts/install_packages.sh build fuzz
+	@scripts/install_packages.sh build clang
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz --parallel $(JOBS)
 	@scripts/fuzz.sh build-fuzz $(MINUTES) $(JOBS)
 
 tsan:
-	@scripts/install_packages.sh build test
+	@scripts/install_packages.sh build test clang
 	@cmake --preset tsan
 	@cmake --build --preset tsan --parallel $(JOBS)
 	@ctest --preset tsan

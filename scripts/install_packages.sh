@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi|portable|deb...
+# Usage: install_packages.sh build|test|python|peers|bench|clang|lint|docs|web|arm|mpi|portable|deb...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -13,7 +13,7 @@ python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
 mpi=(libopenmpi-dev openmpi-bin iproute2 procps)
-fuzz=(clang-14 libclang-rt-14-dev)
+clang=(clang libclang-rt-dev llvm)  # sanitizers, with the program that names the lines of their findings
 web=(emscripten dpkg-dev chromium-headless-shell python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
 lint=(shellcheck python3 python3-venv)
@@ -26,6 +26,7 @@ for group in "$@"; do
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     peers) wanted+=("${peers[@]}") ;;
+    clang) wanted+=("${clang[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     python) wanted+=("${python[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
@@ -33,10 +34,9 @@ for group in "$@"; do
     arm) wanted+=("${arm[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
     mpi) wanted+=("${mpi[@]}") ;;
-    fuzz) wanted+=("${fuzz[@]}") ;;
     portable) wanted+=("${portable[@]}") ;;
     deb) wanted+=("${deb[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi, portable, deb" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, clang, lint, docs, web, arm, mpi, portable, deb" >&2; exit 2 ;;
   esac
 done
 

@@ -8,15 +8,10 @@
 /// Counts this thread's allocations in `allocations`, for one file of a test program. Eigen calls
 /// malloc itself, so that counting operator new would miss its own.
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BEELINE_COUNTS_ALLOCATIONS 0  // sanitizers replace malloc
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define BEELINE_COUNTS_ALLOCATIONS 0
-#endif
-#endif
-#if !defined(BEELINE_COUNTS_ALLOCATIONS) && defined(__GLIBC__)
+#if defined(__GLIBC__) && !defined(BEELINE_SANITIZED)  // sanitizers replace malloc
 #define BEELINE_COUNTS_ALLOCATIONS 1
+#else
+#define BEELINE_COUNTS_ALLOCATIONS 0
 #endif
 
 namespace {

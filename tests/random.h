@@ -12,7 +12,7 @@
 namespace beeline::testing {
 
 /// Sanitizers take up to 100 times as long, the emulator about 20 times.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(BEELINE_EMULATED)
+#if defined(BEELINE_SANITIZED) || defined(BEELINE_EMULATED)
 constexpr bool slow_build = true;
 #else
 constexpr bool slow_build = false;

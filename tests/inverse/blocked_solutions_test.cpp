@@ -167,7 +167,7 @@ TEST(BlockedSolutions, OfAnArmThatIsNotRedundantLeadToTheNearestToTheSeed) {
     InverseOptions options{.seed = random.configuration(arm), .redundancy = Redundancy::centred};
     const Configuration first = inverse_kinematics(arm, pose, options).solutions.at(0);
     options.blocked_by = [&](const ConfigurationRef& q) {
-      return (q - first).norm() < 1e-6 ? Reason(ReasonCode::bodies_collide) : Reason();
+      return (q - first).norm() < 1e-6 ? Reason{ReasonCode::bodies_collide} : Reason();
     };
     const InverseResult one = inverse_kinematics(arm, pose, options);
     options.all = true;
@@ -181,7 +181,7 @@ TEST(BlockedSolutions, OfAnArmThatIsNotRedundantLeadToTheNearestToTheSeed) {
 TEST(BlockedSolutions, BesideAToleranceAreNotCalledAllThatExist) {
   const Arm arm = built_in("rrr");
   InverseOptions options{.blocked_by = [](const ConfigurationRef& /*q*/) {
-    return Reason(ReasonCode::bodies_collide);
+    return Reason{ReasonCode::bodies_collide};
   }};
   const Pose pose = forward_kinematics(arm, {0.3, 0.4, 0.5});
   EXPECT_TRUE(inverse_kinematics(arm, pose, options).complete);

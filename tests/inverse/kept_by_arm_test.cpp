@@ -188,7 +188,7 @@ TEST(KeptByArm, AnArmKeepsAtMost64Kilobytes) {
   std::cout << "most of " << arms.size() << " arms: " << most << " bytes\n";
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(BEELINE_SANITIZED)
 TEST(KeptByArm, CountsTheMemoryThatItAllocates) {
   for (const char* name : {"ur5", "panda", "rrr"}) {
     const Arm first = fresh(built_in(name)), arm = fresh(first);
