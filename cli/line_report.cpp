@@ -55,6 +55,14 @@ double duration_of(const LineReport& report, std::size_t i) {
   return t[report.moves[i].end] - t[report.moves[i].begin];
 }
 
+/// What became of the blend of a move with the next one; nothing of blends between lines.
+std::string blend_text(const PlannedMove& planned) {
+  if (planned.blend == BlendOutcome::stop) return "   stops in place of its blend";
+  if (planned.joint_blend_radius == 0) return "";
+  return (planned.blend == BlendOutcome::smaller ? "   smaller blend of " : "   blend of ") +
+         shown(planned.joint_blend_radius) + " in joint space";
+}
+
 /// A line for each move.
 std::string moves_text(const LineReport& report, const UnitArgument& unit) {
   std::string text =
@@ -68,9 +76,10 @@ std::string moves_text(const LineReport& report, const UnitArgument& unit) {
       bound = fmt::format("{:.2e} m   {:.2e} {}", rounded_up(planned.bound.position, 3),
                           rounded_up(unit.shown(planned.bound.orientation), 3), unit.name());
     }
-    text += fmt::format("  {:>4}  {:<8}  {:<10}  {:<10}  {:<14}  {}   {}\n", i + 1, name(move.kind),
-                        shown(duration_of(report, i)), shown(pause_after(report, i)),
-                        fmt::format("{:.4g} m/s", planned.tool_speed), bound, move.place);
+    text += fmt::format(
+        "  {:>4}  {:<8}  {:<10}  {:<10}  {:<14}  {}   {}{}\n", i + 1, name(move.kind),
+        shown(duration_of(report, i)), shown(pause_after(report, i)),
+        fmt::format("{:.4g} m/s", planned.tool_speed), bound, move.place, blend_text(planned));
   }
   return text;
 }
@@ -79,15 +88,21 @@ Json json_moves(const LineReport& report, const UnitArgument& unit) {
   Json moves = Json::list();
   for (std::size_t i = 0; i < report.moves.size(); ++i) {
     const PlannedMove& planned = report.moves[i];
-    moves.append({{"motion", name(report.program.moves[i].kind)},
-                  {"place", report.program.moves[i].place},
-                  {"begin", planned.begin + 1},
-                  {"end", planned.end + 1},
-                  {"duration", duration_of(report, i)},
-                  {"dwell", pause_after(report, i)},
-                  {"tool_speed", planned.tool_speed},
-                  {"deviation_bound", planned.bound.position},
-                  {"orientation_bound", unit.shown(planned.bound.orientation)}});
+    Json move{{"motion", name(report.program.moves[i].kind)},
+              {"place", report.program.moves[i].place},
+              {"begin", planned.begin + 1},
+              {"end", planned.end + 1},
+              {"duration", duration_of(report, i)},
+              {"dwell", pause_after(report, i)},
+              {"tool_speed", planned.tool_speed},
+              {"deviation_bound", planned.bound.position},
+              {"orientation_bound", unit.shown(planned.bound.orientation)}};
+    if (planned.blend != BlendOutcome::none) {
+      move.add("blend", name(planned.blend));
+      move.add("blend_radius", planned.blend_radius);
+      move.add("joint_blend_radius", planned.joint_blend_radius);
+    }
+    moves.append(move);
   }
   return moves;
 }

@@ -13,6 +13,7 @@ using namespace internal;
 namespace {
 
 constexpr internal::EnumNames<MoveKind> move_kinds("motion");
+constexpr internal::EnumNames<BlendOutcome> blend_outcomes("blend");
 
 /// Whether the links and limits of two arms are the same; their bases may be at different poses.
 bool is_same(const Arm& a, const Arm& b) {
@@ -46,6 +47,8 @@ void check_scene(const Arm& arm, const Program& program, const CollisionModel* m
 std::string name(MoveKind value) { return move_kinds.of(value); }
 
 MoveKind move_kind_named(std::string_view name) { return move_kinds.named(name); }
+
+std::string name(BlendOutcome value) { return blend_outcomes.of(value); }
 
 bool is_joint_motion(MoveKind kind) { return kind == MoveKind::joint || kind == MoveKind::around; }
 

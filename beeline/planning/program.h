@@ -41,9 +41,13 @@ struct Move {
   /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: the limit of the options. It
   /// also holds on the blend with the next move.
   std::optional<double> speed = std::nullopt;
-  /// Max deviation of the blend with the next move from the waypoint and from both lines, m. The
-  /// max deviation in orientation is 5 rad for each metre: see blended_lines(). 0: no blend. Both
-  /// moves must be lines.
+  /// Max deviation of the blend with the next move from the waypoint, m. The max deviation in
+  /// orientation is 5 rad for each metre. 0: no blend. Each of both moves must be a line or a joint
+  /// move. Between two lines it also holds for the deviation from both: see blended_lines().
+  /// Between two joint moves, the tool passes the waypoint within it; if this is a configuration,
+  /// so does each joint: within 5 rad for each metre, or, if it slides, within as many metres.
+  /// Between a line and a joint move, the tool follows the line, up to or from a point on the half
+  /// at the waypoint that is within it.
   double blend = 0;
   double dwell = 0;        ///< time at rest at the waypoint, s, 0 or more
   std::string place = {};  ///< place of the move in a file, for messages: pick.csv:5
@@ -112,17 +116,31 @@ class AttachmentError : public Error {
   std::string fault_;
 };
 
+/// What became of the blend of a move with the next one.
+enum class BlendOutcome {
+  none,     ///< the move has no blend
+  full,     ///< it is as large as its deviation and the lengths of both moves allow
+  smaller,  ///< it is smaller, because a larger one was not proved or takes longer
+  stop,     ///< the arm stops, because no blend was proved or a stop is quicker
+};
+std::string name(BlendOutcome outcome);
+
 /// The part of a trajectory that is one move.
 struct PlannedMove {
   std::size_t begin = 0;  ///< index of its first sample
-  /// The sample at its waypoint or, if it blends into the next move, at the blend's end or the
-  /// first after it. A dwell follows.
+  /// The sample at its waypoint. If it blends into the next move: with two lines, the sample at the
+  /// blend's end or the first after it, otherwise the sample nearest to the waypoint. A dwell
+  /// follows.
   std::size_t end = 0;
   Deviation bound = {};     ///< proved deviation from its path; 0 for a joint motion
   double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
   double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
+  /// Length of the part of both moves that a blend with a joint move replaces, in joint space:
+  /// norm of the change of the joints, which adds radians and metres.
+  double joint_blend_radius = 0;
+  BlendOutcome blend = BlendOutcome::none;  ///< what became of the blend with the next move
   /// Of a move around obstacles: FreePath::waypoints. The motion passes the inner ones in blends
-  /// or stops there.
+  /// or stops there. Of a joint move that is passed in a blend: its waypoint.
   std::vector<Configuration> waypoints = {};
 };
 
@@ -169,6 +187,11 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// with
 ///   all its pauses, and verify() passes it. The options hold for all moves, except that a move can
 ///   have its own speed; `suggest` is ignored.
+/// - A blend with a joint move passes the waypoint on a joint path, without a stop. It is a quintic
+///   polynomial from a point of one move to a point of the next, at most as long as half of each.
+///   If the motion is not proved with it, it is made smaller, and in the end a stop:
+///   PlannedMove::blend. So it is where stops take less time than blends, and where a joint motion
+///   turns back. Where the joints do not move between two waypoints, the arm stops.
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
@@ -179,10 +202,10 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// `budget` limits the planning of the whole program. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
 /// before its beginning or after the last move, and at a waypoint that the tool passes without a
-/// stop, and MoveError for a blend that is not between two lines or is at a dwell, for a via or a
-/// configuration of a move that cannot have one, for an arc without via, for a move `around`
-/// without a model, for a speed, blend or dwell out of range, for a configuration outside the
-/// limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
+/// stop, and MoveError for a blend that is not between lines and joint moves or is at a dwell, for
+/// a via or a configuration of a move that cannot have one, for an arc without via, for a move
+/// `around` without a model, for a speed, blend or dwell out of range, for a configuration outside
+/// the limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
 /// throws as prove_clearance() with a program does.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {},
@@ -194,11 +217,16 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   are at rest there, unless a blend or a spline passes the waypoint, and for each dwell. A
 ///   trajectory that does not begin at the first waypoint moves there first. Rest is to the
 ///   tolerance of verify() for the ends; a dwell is within 1e-5 rad or m of one configuration.
+/// - A blend with a joint move passes the waypoint within Move::blend, at a sample or between two.
+///   A line that begins or ends in such a blend is verified from or to the sample at which the tool
+///   is on it, within Move::blend of the waypoint and on the line's half there; without a sample on
+///   this part of the line it is refused. Up to 16 passages are tried.
 /// - A joint motion to a pose ends at a rest there before the next waypoint: it may change the
 ///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves except joint motions from stop to stop. A joint motion only has to
 ///   be within the arm's limits.
-/// - The tool's speed is within the speed limit of each move.
+/// - The tool's speed is within the speed limit of each move, up to its passage in a blend with a
+///   joint move. In the interval between samples that has the passage, the larger limit holds.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
 /// Throws Error as move_program() and verify() do, and AttachmentError for an attachment at a

@@ -9,7 +9,8 @@ this script's own evaluation of it between its samples. Milliseconds are CPU tim
 toppra takes minimum time under limits of velocity and acceleration along the spline that Beeline takes too:
 both get no limit of jerk there. ruckig's community version passes no waypoints without a stop (those need
 its cloud service), so it moves from rest to rest between neighbours. Beeline does that too, with
-joint_blend=0, moves along straight lines with blends, and along the spline.
+joint_blend=0, moves along straight lines with blends, and along the spline. A program passes the waypoints in
+blends whose distance from them is one of the tool; its time includes the proof of the motion.
 """
 
 import argparse
@@ -81,6 +82,19 @@ def of_beeline(arm, runs, **options):
     return measured
 
 
+def of_program(arm, runs, blend):
+    """A program of joint moves, whose blends are metres of the tool; its plan contains the proof."""
+    def measured(waypoints):
+        moves = [beeline.Move("joint", q=q, blend=blend) for q in waypoints[1:]]
+        moves[-1].blend = 0
+        motion, milliseconds = shortest_time(
+            lambda: beeline.move_program(arm, waypoints[0], beeline.Program(moves)), runs)
+        if not motion:
+            raise RuntimeError(str(motion.reason))
+        return motion.duration, milliseconds, evaluated(motion.trajectory)
+    return measured
+
+
 def of_toppra(waypoints):
     chords = numpy.linalg.norm(numpy.diff(waypoints, axis=0), axis=1)
     spline = toppra.SplineInterpolator(numpy.concatenate([[0], numpy.cumsum(chords)]), waypoints)
@@ -138,6 +152,9 @@ def methods(count):
     for blend in (0.2, 0.1):
         yield f"lines, blends up to {blend}", "Beeline", of_beeline(PANDA, runs, joint_blend=blend)
     yield "lines, stops", "Beeline", of_beeline(PANDA, runs, joint_blend=0)
+    for blend in (0.05, 0.02):
+        yield f"lines, blends within {blend} m", "Beeline, program", of_program(PANDA, runs, blend)
+    yield "lines, stops", "Beeline, program", of_program(PANDA, runs, 0)
     if ruckig:
         yield "any way, stops", "ruckig", of_ruckig
 

@@ -32,7 +32,8 @@ struct Fields<Program> : Members<&Program::moves, &Program::attachments> {
 template <>
 struct Fields<PlannedMove>
     : Members<&PlannedMove::begin, &PlannedMove::end, &PlannedMove::bound, &PlannedMove::tool_speed,
-              &PlannedMove::blend_radius, &PlannedMove::waypoints> {};
+              &PlannedMove::blend_radius, &PlannedMove::joint_blend_radius, &PlannedMove::blend,
+              &PlannedMove::waypoints> {};
 
 template <>
 struct Fields<ProgramMotion>

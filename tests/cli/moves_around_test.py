@@ -104,4 +104,4 @@ def test_obstacles_are_asked_for(beeline, cell, tmp_path):
     assert beeline("line", "panda", *HOME, *TOOL, "--self", "--through", "moves.csv").code == 0
     (tmp_path / "blend.csv").write_text("motion,x,y,z,roll,pitch,yaw,blend\naround,0.5,0.3,0.2,180,0,0,0.01\n,0.5,0.2,0.2,180,0,0,\n")
     answer = cell("line", "panda", *HOME, "--through", "blend.csv")
-    assert answer.code not in (0, 1) and "blend.csv:2" in answer.err and "two lines" in answer.err
+    assert answer.code not in (0, 1) and "blend.csv:2" in answer.err and "between lines" in answer.err

@@ -146,7 +146,7 @@ def test_a_program_in_a_work_frame(picked, beeline, written, tmp_path):
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,0,,\n", 3, ["speed must be at least 1e-08"]),
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,-1,\n", 3, ["blend must be 0"]),
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,,-1\n", 3, ["dwell must be"]),
-    (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,0.1,\n", 3, ["a blend must be between two lines"]),
+    (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,0.1,\n", 3, ["a blend must be between lines"]),
     (ABOVE + "arc,,0.5,0.2,0.2,180,0,0,,,,\n", 3, ["motion via"]),
     (ABOVE + "via,,0.5,0.2,0.2,180,0,0,,,,\n", 3, ["followed by an arc"]),
     (ABOVE + "via,,0.5,0.2,0.2,180,0,0,,1,,\n", 3, ["via row has no speed"]),

@@ -77,7 +77,9 @@ void expect_move(const Arm& arm, const Program& program, const ProgramMotion& mo
   constexpr int parts = 200;
   const Trajectory& trajectory = motion.trajectory;
   const Move& move = program.moves[i];
-  const auto [begin, end, bound, speed, radius, waypoints] = motion.moves[i];
+  const auto [begin, end, bound, speed] = [](const PlannedMove& planned) {
+    return std::tuple(planned.begin, planned.end, planned.bound, planned.tool_speed);
+  }(motion.moves[i]);
   const double start = trajectory.times[begin], dt = (trajectory.times[end] - start) / parts;
   Configuration before = trajectory.positions[begin];
   const Line line{forward_kinematics(arm, before),
@@ -345,7 +347,11 @@ TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   };
   using Moves = std::vector<Move>;
   EXPECT_REFUSED(planned([](Moves& moves) { moves.clear(); }), "needs moves");
-  EXPECT_REFUSED(planned([](Moves& moves) { moves[0].blend = 0.1; }), "move 1 (joint): a blend");
+  EXPECT_REFUSED(planned([](Moves& moves) {
+                   moves[0].blend = 0.1;
+                   moves[1].kind = MoveKind::screw;
+                 }),
+                 "move 1 (joint): a blend");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].blend = 0.1; }), "move 2 (line): a dwell");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[2].blend = 0.1; }), "move 3 (line): a blend");
   EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = -1; }), "move 2 (line): dwell");

@@ -152,7 +152,8 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     const PlannedMove& planned = motion.moves[i];
     ControllerMove written;
     written.kind = is_joint_motion(move.kind) ? MoveKind::joint : move.kind;
-    written.q = trajectory.positions[planned.end];
+    const bool passed = move.kind == MoveKind::joint && !planned.waypoints.empty();
+    written.q = passed ? planned.waypoints.back() : trajectory.positions[planned.end];
     written.target = frame_T_world * move.target;
     if (move.via) {
       const Pose from = forward_kinematics(arm, trajectory.positions[planned.begin]);

@@ -46,9 +46,13 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
     throw Error(move.via ? "only arcs have a via position" : "an arc needs a via position");
   }
   if (move.blend == 0) return;
-  const bool lines = move.kind == MoveKind::line && i + 1 < program.moves.size() &&
-                     program.moves[i + 1].kind == MoveKind::line;
-  if (!lines) throw Error("a blend must be between two lines");
+  const auto can_blend = [](MoveKind kind) {
+    return kind == MoveKind::line || kind == MoveKind::joint;
+  };
+  if (!can_blend(move.kind) || i + 1 == program.moves.size() ||
+      !can_blend(program.moves[i + 1].kind)) {
+    throw Error("a blend must be between lines or moves `joint`");
+  }
   if (move.dwell > 0) throw Error("a dwell and a blend at one waypoint exclude each other");
 }
 
@@ -63,8 +67,7 @@ ProgramSection blended_section(const Program& program, std::size_t i,
                                const std::vector<Pose>& poses) {
   std::vector<Deviation> within;
   for (std::size_t k = 0; k + 2 < poses.size(); ++k) {
-    const double blend = program.moves[i + k].blend;
-    within.push_back({blend, blend / metres_per_radian});
+    within.push_back(blend_deviation(program.moves[i + k]));
   }
   BlendedPath blended = blended_lines(poses, within);
   ProgramSection section{route_of(blended), std::move(blended.lines), {}};
@@ -109,7 +112,7 @@ std::size_t add_section(const Program& program, std::size_t i, Pose& from, doubl
                         ProgramPart& part) {
   std::vector<Pose> poses{from, program.moves[i].target};
   std::size_t last = i;
-  while (is_passed(program, last)) poses.push_back(program.moves[++last].target);
+  while (continues_path(program, last)) poses.push_back(program.moves[++last].target);
   check_distinct(program, i, poses);
   ProgramSection section;
   try {
@@ -176,6 +179,17 @@ void check_program(const Arm& arm, const Program& program, const std::optional<T
   }
   check_attachments(program);
 }
+
+bool continues_path(const Program& program, std::size_t i) {
+  return is_passed(program, i) && !is_joint_motion(program.moves[i].kind) &&
+         !is_joint_motion(program.moves[i + 1].kind);
+}
+
+bool blends_with_joint_move(const Program& program, std::size_t i) {
+  return is_passed(program, i) && !continues_path(program, i);
+}
+
+Deviation blend_deviation(const Move& move) { return {move.blend, move.blend / metres_per_radian}; }
 
 bool is_passed(const Program& program, std::size_t i) {
   const Move& move = program.moves[i];

@@ -18,6 +18,10 @@ struct ProgramPart {
   std::size_t last_segment(std::size_t move) const;
 };
 
+/// Most of a line, from its end, that a blend with a joint move may replace. Of a line with two of
+/// them a sixteenth at least is followed.
+constexpr double blended_fraction = 15.0 / 32;
+
 /// "move 3 (line)", "moves 3 to 5".
 std::string part_name(const Program& program, const ProgramPart& part);
 
@@ -30,8 +34,17 @@ void check_move(const Arm& arm, const Program& program, std::size_t i);
 void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task,
                    double recover = 0);
 
-/// Whether the tool passes the waypoint of move i without a stop.
+/// Whether the tool passes the waypoint of move i without a stop, if there is a motion that does.
 bool is_passed(const Program& program, std::size_t i);
+
+/// Whether it does so on a path of the tool: both moves are lines, or both are parts of a spline.
+bool continues_path(const Program& program, std::size_t i);
+
+/// Whether it does so in a blend with a joint move: one of both moves is one.
+bool blends_with_joint_move(const Program& program, std::size_t i);
+
+/// The max deviation of the blend of a move.
+Deviation blend_deviation(const Move& move);
 
 /// The waypoint of a move as a pose.
 Pose waypoint_of(const Arm& arm, const Move& move);

@@ -2,20 +2,18 @@
 #include <cmath>
 #include <utility>
 
-#include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/current_scene.h>
 #include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/pose_configurations.h>
+#include <beeline/planning/internal/program_completion.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_planner.h>
-#include <beeline/planning/internal/program_refusal.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/trajectory/internal/motion_start.h>
-#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
 namespace {
@@ -26,7 +24,7 @@ class ProgramPlanner {
  public:
   ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options,
                  const CollisionModel* model)
-      : arm_(arm), program_(program), budget_(options.budget), options_(options) {
+      : arm_(arm), program_(program), budget_(options.budget), options_(options), model_(model) {
     if (model != nullptr) scene_.emplace(*model, program);
     options_.budget = budget_.part();
     options_.task = options.task.value_or(default_task(arm));
@@ -334,6 +332,9 @@ class ProgramPlanner {
     for (std::size_t i = part.first; i <= part.last; ++i) {
       PlannedMove planned{.begin = trajectory_.last(),
                           .blend_radius = part.blend_radii[i - part.first]};
+      if (program_.moves[i].blend > 0) {
+        planned.blend = planned.blend_radius > 0 ? BlendOutcome::full : BlendOutcome::stop;
+      }
       for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
         trajectory_.append(ahead->trajectory, ++k);
         // A rest before it is at the same path parameter.
@@ -351,36 +352,20 @@ class ProgramPlanner {
     return true;
   }
 
-  /// Completes the trajectory and proves it as a whole by verify(), as a check of its file does:
-  /// the moves one by one, and that each continues the one before.
+  /// Completes the trajectory and its proof.
   bool finish() {
     motion_.trajectory = trajectory_.finished();
-    const Trajectory& trajectory = motion_.trajectory;
-    VerifyOptions options = proof_options(options_);
-    options.budget = budget_.part();
-    Verification found = verify(arm_, trajectory, program_, options);
+    const auto why = complete_program({arm_, program_, options_, parts_, model_},
+                                      std::move(planned_), budget_, motion_);
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    if (!found) {
-      const auto why = program_refusal(
-          {arm_, program_, trajectory, motion_.moves, parts_, planned_, options_}, found, budget_);
-      return why ? fail(why->move, why->status, why->reason, why->name)
-                 : fail_ended(program_.moves.size() - 1);
-    }
-    motion_.deviation = std::move(found.deviation);
-    for (PlannedMove& move : motion_.moves) {
-      for (std::size_t k = move.begin; k < move.end; ++k) {
-        grow(move.bound, motion_.deviation.interval_bounds[k]);
-      }
-      move.tool_speed = tool_speed_bound(arm_, samples_between(trajectory, move.begin, move.end));
-    }
-    motion_.limits = limit_usage(arm_, trajectory, budget_.part());
-    return budget_.complete() || fail_ended(program_.moves.size() - 1);
+    return !why || fail(why->move, why->status, why->reason, why->name);
   }
 
   const Arm& arm_;
   const Program& program_;
   BudgetMeter budget_;
   PathMotionOptions options_;
+  const CollisionModel* model_;
   ProgramMotion motion_;
   std::vector<ProgramPart> parts_;
   ProgramTrajectory trajectory_;

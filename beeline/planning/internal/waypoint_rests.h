@@ -15,6 +15,9 @@ class WaypointRests {
   WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
                 const Deviation& tolerance);
 
+  /// The pose of the tool at each sample.
+  const std::vector<Pose>& tool() const { return tool_; }
+
   /// The distance of sample k from a pose, or from the waypoint of a move, as a fraction of the
   /// tolerance.
   double offset(const Pose& goal, std::size_t k) const;

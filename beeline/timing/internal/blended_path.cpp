@@ -8,37 +8,43 @@ namespace {
 constexpr double least_speed = 0.1;  // in the middle of a blend, relative to the lines
 constexpr double touching = 1e-12;   // of a line between two blends; shorter, they touch
 
-void add_point(JointPath& path, double s, const Configuration& q, const Configuration& direction) {
-  if (!path.s.empty() && s - path.s.back() <= touching) return;
-  path.s.push_back(s);
-  path.q.push_back(q);
-  path.dq.push_back(direction);
-  path.ddq.push_back(Configuration::Zero(q.size()));
-}
-
 Configuration direction_of(const Configuration& from, const Configuration& to) {
   return (to - from).normalized();
 }
 
-/// The path from a stop to the next one, with a blend of radius above 0 at each inner waypoint.
-JointPath blended_path(const std::vector<Configuration>& waypoints,
-                       const std::vector<double>& radii) {
-  JointPath path;
-  Configuration direction = direction_of(waypoints[0], waypoints[1]);
-  add_point(path, 0, waypoints[0], direction);
-  double s = 0, radius = 0;  // of the waypoint before
-  for (std::size_t k = 1; k + 1 < waypoints.size(); ++k) {
-    const JointBlend blend{waypoints[k - 1], waypoints[k], waypoints[k + 1], radii[k - 1]};
-    s += (waypoints[k] - waypoints[k - 1]).norm() - radius - blend.radius;
-    add_point(path, s, blend.begin(), direction);
-    direction = direction_of(waypoints[k], waypoints[k + 1]);
-    s += 2 * blend.radius;
-    add_point(path, s, blend.end(), direction);
-    radius = blend.radius;
+void add_point(JointPath& path, double s, const PathPoint& point) {
+  if (!path.s.empty() && s - path.s.back() <= touching) return;
+  path.s.push_back(s);
+  path.q.push_back(point.q);
+  path.dq.push_back(point.dq);
+  path.ddq.push_back(point.ddq);
+}
+
+void add_limit(ToolSpeeds& speeds, double end, double limit) {
+  if (!speeds.limits.empty() && speeds.limits.back() == limit) {
+    speeds.ends.back() = end;
+    return;
   }
-  s += (waypoints.back() - waypoints[waypoints.size() - 2]).norm() - radius;
-  add_point(path, s, waypoints.back(), direction);
-  return path;
+  speeds.ends.push_back(end);
+  speeds.limits.push_back(limit);
+}
+
+/// Appends the part of `next` between two of its parameters, at parameter `begin` of `path`.
+void append(LimitedPath& path, const LimitedPath& next, double from, double to, double begin) {
+  add_point(path.path, begin, point_at(next.path, from));
+  for (std::size_t k = 0; k < next.path.size(); ++k) {
+    const double s = next.path.s[k];
+    if (s - from <= touching || to - s <= touching) continue;
+    add_point(path.path, begin + s - from,
+              {next.path.q[k], next.path.dq[k], next.path.ddq[k], Configuration()});
+  }
+  add_point(path.path, begin + to - from, point_at(next.path, to));
+  const ToolSpeeds& speeds = next.tool_speeds;
+  for (std::size_t k = 0; k < speeds.ends.size(); ++k) {
+    if (!(speeds.ends[k] > from)) continue;
+    add_limit(path.tool_speeds, begin + std::min(speeds.ends[k], to) - from, speeds.limits[k]);
+    if (speeds.ends[k] >= to) break;
+  }
 }
 
 }  // namespace
@@ -50,6 +56,28 @@ Trajectory JointBlend::curve(const std::vector<std::string>& joint_names) const 
           {begin(), end()},
           {direction_of(before, at), direction_of(at, after)},
           {none, none}};
+}
+
+JointPath straight_path(const Configuration& from, const Configuration& to) {
+  const Configuration direction = direction_of(from, to), none = Configuration::Zero(from.size());
+  return {{0, (to - from).norm()}, {from, to}, {direction, direction}, {none, none}};
+}
+
+PathPoint point_at(const JointPath& path, double s) {
+  const auto next = std::upper_bound(path.s.begin() + 1, path.s.end() - 1, s);
+  const auto k = static_cast<std::size_t>(next - path.s.begin()) - 1;
+  const bool straight =
+      path.dq[k] == path.dq[k + 1] && path.ddq[k].isZero(0) && path.ddq[k + 1].isZero(0);
+  if (straight) {  // without the rounding of the polynomial, which counts in short steps
+    return {path.q[k] + (s - path.s[k]) * path.dq[k], path.dq[k], path.ddq[k], path.ddq[k]};
+  }
+  return path_point(path, k, (s - path.s[k]) / (path.s[k + 1] - path.s[k]));
+}
+
+JointPath blend_between(const JointPath& before, const JointPath& after, double radius) {
+  const PathPoint a = point_at(before, before.s.back() - radius);
+  const PathPoint b = point_at(after, after.s.front() + radius);
+  return {{0, 2 * radius}, {a.q, b.q}, {a.dq, b.dq}, {a.ddq, b.ddq}};
 }
 
 bool turns_back(const JointBlend& blend) {
@@ -82,20 +110,40 @@ std::vector<double> with_stops_below(double radius, std::vector<double> radii) {
   return radii;
 }
 
+std::vector<LimitedPath> joined_paths(const std::vector<LimitedPath>& paths,
+                                      const std::vector<double>& radii) {
+  std::vector<LimitedPath> joined;
+  double s = 0, before = 0;  // the radius of the blend before
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const double after = i < radii.size() ? radii[i] : 0;
+    const JointPath& path = paths[i].path;
+    if (before == 0) {
+      LimitedPath& begun = joined.emplace_back();
+      begun.tool_speeds.ends.clear();
+      begun.tool_speeds.limits.clear();
+      s = 0;
+    }
+    append(joined.back(), paths[i], path.s.front() + before, path.s.back() - after, s);
+    s += path.s.back() - path.s.front() - before - after;
+    if (after > 0) {
+      s += 2 * after;
+      const double limit =
+          std::min(paths[i].tool_speeds.limits.back(), paths[i + 1].tool_speeds.limits.front());
+      add_limit(joined.back().tool_speeds, s, limit);
+    }
+    before = after;
+  }
+  return joined;
+}
+
 std::vector<JointPath> blended_paths(const std::vector<Configuration>& waypoints,
                                      const std::vector<double>& radii) {
-  std::vector<JointPath> paths;
-  std::size_t first = 0;
+  std::vector<LimitedPath> straight;
   for (std::size_t k = 1; k < waypoints.size(); ++k) {
-    const bool is_last = k + 1 == waypoints.size();
-    if (!is_last && radii[k - 1] > 0) continue;
-    const auto at = [](auto& list, std::size_t i) {
-      return list.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    paths.push_back(blended_path({at(waypoints, first), at(waypoints, k + 1)},
-                                 {at(radii, first), at(radii, k - 1)}));
-    first = k;
+    straight.push_back({straight_path(waypoints[k - 1], waypoints[k]), {}});
   }
+  std::vector<JointPath> paths;
+  for (LimitedPath& joined : joined_paths(straight, radii)) paths.push_back(std::move(joined.path));
   return paths;
 }
 

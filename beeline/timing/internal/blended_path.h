@@ -3,10 +3,11 @@
 #include <vector>
 
 #include <beeline/path/joint_path.h>
+#include <beeline/timing/internal/timed_section.h>
 #include <beeline/trajectory/trajectory.h>
 
-// Straight joint motions between waypoints that pass inner waypoints in blends. Distances are norms
-// of differences of configurations, which add radians and metres.
+// Joint motions between waypoints that pass inner waypoints in blends. Distances are norms of
+// differences of configurations, which add radians and metres.
 
 namespace beeline::internal {
 
@@ -40,6 +41,29 @@ std::vector<double> largest_blends(const std::vector<Configuration>& waypoints, 
 
 /// Returns the radii with stops, 0, in place of those that are smaller than `radius`.
 std::vector<double> with_stops_below(double radius, std::vector<double> radii);
+
+/// A joint path with the limits of the tool's speed along it.
+struct LimitedPath {
+  JointPath path = {};
+  ToolSpeeds tool_speeds = {};
+};
+
+/// Returns the straight joint path between two configurations, by its length.
+JointPath straight_path(const Configuration& from, const Configuration& to);
+
+/// Returns the point of a joint path at a parameter.
+PathPoint point_at(const JointPath& path, double s);
+
+/// Returns the blend from a joint path, whose last part of a length it replaces, to the next one,
+/// whose first part of this length it replaces: the quintic polynomial with their derivatives at
+/// its ends. Its parameter is 0 at its beginning.
+JointPath blend_between(const JointPath& before, const JointPath& after, double radius);
+
+/// Returns the paths from stop to stop along joint paths of which each begins where the one before
+/// it ends, with a blend after paths[i] if radii[i] is not 0. In a blend the lower one of both
+/// limits of the tool's speed holds. Parameters are lengths in joint space, about.
+std::vector<LimitedPath> joined_paths(const std::vector<LimitedPath>& paths,
+                                      const std::vector<double>& radii);
 
 /// Returns the paths of straight joint motions between waypoints, from stop to stop, with a blend
 /// at each inner waypoint whose radius is not 0. The radii of two neighbours are together at most

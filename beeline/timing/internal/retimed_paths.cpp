@@ -29,10 +29,11 @@ std::vector<double> required_samples(const JointPath& path, bool linear) {
 class Sections {
  public:
   Sections(const Arm& arm, const std::vector<JointPath>& paths, const RetimeOptions& options,
-           BudgetMeter& budget)
+           BudgetMeter& budget, const std::vector<ToolSpeeds>& tool_speeds)
       : arm_(arm),
         options_{.timing = options, .tool_speeds = options.tool_speed, .budget = budget},
-        paths_(paths) {}
+        paths_(paths),
+        tool_speeds_(tool_speeds) {}
 
   std::size_t count() const { return paths_.size(); }
   std::size_t steps(std::size_t i) const { return paths_[i].size() - 1; }
@@ -45,7 +46,7 @@ class Sections {
   /// Returns section i with its time scaling, or with the reason why there is none.
   const TimedSection& timed(std::size_t i) {
     while (timed_.size() <= i) {
-      timed_.push_back(timed_section(arm_, paths_[timed_.size()], options_));
+      timed_.push_back(timed_section(arm_, paths_[timed_.size()], options_of(timed_.size())));
     }
     return timed_[i];
   }
@@ -53,7 +54,7 @@ class Sections {
   /// Returns the samples of section i at a rate. Its first sample is the last of the `samples` of
   /// the motion so far, at `time`.
   SampledSection sampled(std::size_t i, double rate, std::size_t samples, double time) {
-    SectionOptions section = options_;
+    SectionOptions section = options_of(i);
     section.timing.rate = rate;
     section.samples_before = samples;
     section.begin = time;
@@ -87,6 +88,12 @@ class Sections {
   }
 
  private:
+  SectionOptions options_of(std::size_t i) const {
+    SectionOptions section = options_;
+    if (!tool_speeds_.empty()) section.tool_speeds = tool_speeds_[i];
+    return section;
+  }
+
   bool is_linear() const { return options_.timing.interpolation == Interpolation::linear; }
   std::vector<double> required(std::size_t i) const {
     return required_samples(paths_[i], is_linear());
@@ -108,6 +115,7 @@ class Sections {
   const Arm& arm_;
   SectionOptions options_;
   const std::vector<JointPath>& paths_;
+  const std::vector<ToolSpeeds>& tool_speeds_;
   std::deque<TimedSection> timed_;
 };
 
@@ -166,11 +174,12 @@ void end_with(const BudgetMeter& budget, std::size_t sections, Retimed& timed) {
 }
 
 Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
-                      const RetimeOptions& options, BudgetMeter& budget) {
+                      const RetimeOptions& options, BudgetMeter& budget,
+                      const std::vector<ToolSpeeds>& tool_speeds) {
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   timed.trajectory.joint_names = arm.joint_names();
-  Sections sections(arm, paths, options, budget);
+  Sections sections(arm, paths, options, budget, tool_speeds);
   const double count = static_cast<double>(sections.steps());
   double steps = 0;  // of the sections so far
   for (std::size_t i = 0; i < sections.count(); ++i) {

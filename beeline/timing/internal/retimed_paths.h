@@ -4,14 +4,17 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/path/joint_path.h>
+#include <beeline/timing/internal/timed_section.h>
 #include <beeline/timing/retime.h>
 
 namespace beeline::internal {
 
 /// Minimises the duration of a motion along joint paths, at rest where one ends and the next, which
 /// begins there, begins. See retime(): without a rate every grid point of the paths is a sample.
+/// `tool_speeds` has the limits of the tool's speed of each path; empty: options.tool_speed.
 Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
-                      const RetimeOptions& options, BudgetMeter& budget);
+                      const RetimeOptions& options, BudgetMeter& budget,
+                      const std::vector<ToolSpeeds>& tool_speeds = {});
 
 /// Returns a refusal: the reason, without trajectory and recovery.
 Retimed without_motion(Retimed timed);

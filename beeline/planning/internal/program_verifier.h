@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <beeline/certificate/verify.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/planning/internal/program_parts.h>
+#include <beeline/planning/internal/waypoint_passages.h>
+#include <beeline/planning/internal/waypoint_rests.h>
+#include <beeline/planning/program.h>
+
+namespace beeline::internal {
+
+/// Joint moves from one stop, or line, to the next, which pass the waypoints between them in
+/// blends.
+struct JointRun {
+  /// The moves whose waypoints are passed, in order. The first may be a line, the others are joint
+  /// moves.
+  std::vector<std::size_t> passed = {};
+  /// The joint move at whose waypoint the arm then rests; none: a line follows the last blend.
+  std::optional<std::size_t> rest = std::nullopt;
+  std::size_t next = 0;  ///< the part after them
+};
+
+/// Passages of the waypoint of a move, with the passage of the move before from which each is
+/// possible.
+struct PassageLayer {
+  std::vector<Passage> passages = {};
+  std::vector<std::size_t> before = {};
+};
+
+/// Proves the parts of a program one after the other. Each begins at the sample at which the one
+/// before it ends.
+class ProgramVerifier {
+ public:
+  /// All arguments must outlive the object.
+  ProgramVerifier(const Arm& arm, const Trajectory& trajectory, const Program& program,
+                  const VerifyOptions& options, BudgetMeter& budget);
+
+  Verification run();
+
+ private:
+  /// The state from which a further candidate for the end of a move is verified.
+  struct Progress {
+    Verification result = {};
+    std::size_t part = 0;   ///< the next one
+    std::size_t begin = 0;  ///< the sample at which it begins
+    /// The line whose end is being passed in a blend with the next joint move.
+    std::optional<std::size_t> leaving = std::nullopt;
+    bool entering = false;  ///< whether the next part is a path that begins in a blend
+    /// The sample from which the speed of the next move counts, if not from `begin`: the line that
+    /// is being left has no sample at its end, and a blend ends before its line is followed.
+    std::optional<std::size_t> speed_from = std::nullopt;
+    /// End of the last dwell, s.
+    double dwelled_until = -std::numeric_limits<double>::infinity();
+  };
+
+  /// The end of a section of a path.
+  struct SectionEnd {
+    std::size_t first = 0;  ///< segment of the part
+    std::size_t move = 0;   ///< its last one
+    std::size_t sample = 0;
+    bool is_last = false;  ///< of the program
+    bool leaves = false;   ///< whether it ends in a blend with a joint move
+  };
+
+  // In program_verifier.cpp:
+  bool fail(Fault fault, std::size_t k, Reason reason);
+  bool fail(Fault fault, std::size_t k, std::size_t move, Reason reason);
+  bool fail_to_reach(std::size_t move);
+  bool end(Ending ending, const Reason& reason);
+  Pose tool_at(std::size_t k) const { return rests_.tool()[k]; }
+  bool check_stop(std::size_t i);
+  bool check_dwell(std::size_t move);
+  bool check_rest(std::size_t move);
+  std::optional<double> excess_speed(std::size_t from, std::size_t to,
+                                     const std::optional<double>& limit) const;
+  bool check_speed(std::size_t move, std::size_t from, std::size_t to,
+                   const std::optional<double>& limit);
+  std::size_t speed_from() const { return now_.speed_from.value_or(now_.begin); }
+  void return_to(Progress saved);
+
+  // In program_verifier_joints.cpp:
+  bool is_followed(const Segment& segment) const;
+  bool passes_after(std::size_t part) const;
+  JointRun joint_run() const;
+  bool check_joint_moves();
+  bool check_rests(const JointRun& run, const std::vector<PassageLayer>& layers);
+  bool check_line_begins(const JointRun& run, const std::vector<PassageLayer>& layers);
+  bool add_layers(const JointRun& run, std::vector<PassageLayer>& layers);
+  bool fail_to_pass(std::size_t move, std::size_t first);
+  std::vector<std::size_t> joint_rests(std::size_t part, std::size_t first) const;
+  bool check_passages(const JointRun& run, std::size_t next, const std::vector<Passage>& passed);
+  std::optional<std::size_t> line_begin(const Line& line, std::size_t move,
+                                        const Passage& passage) const;
+
+  // In program_verifier_paths.cpp:
+  bool check_path();
+  std::vector<std::size_t> path_rests(const Route& route) const;
+  std::vector<std::size_t> line_ends(const Line& line, std::size_t move) const;
+  bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end);
+  bool check_section(const ProgramPart& part, const Route& route, const SectionEnd& end);
+  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
+                                           std::size_t reached, std::size_t end);
+  bool add(const Verification& found);
+
+  /// Whether sample k is on a line, within the tolerance, at its fraction `fraction`.
+  bool is_on(const Line& line, std::size_t k, double& fraction) const;
+
+  /// Tries the candidates for the end of a move one after the other until one passes. If none does,
+  /// what failed is the attempt that passed most moves, the first of them.
+  template <class Check>
+  bool check_candidates(std::span<const std::size_t> candidates, const Check& check) {
+    const Progress before = now_;
+    std::optional<Progress> failed;
+    for (const std::size_t end : candidates.first(std::min(candidates.size(), max_candidates))) {
+      return_to(before);
+      if (check(end)) return true;
+      if (now_.result.ending != Ending::complete) return false;
+      if (!failed || now_.result.arrivals.size() > failed->result.arrivals.size()) failed = now_;
+    }
+    return_to(*failed);
+    return false;
+  }
+
+  static constexpr std::size_t max_candidates = 16;
+
+  const Arm& arm_;
+  const Trajectory& trajectory_;
+  const Program& program_;
+  VerifyOptions options_;
+  BudgetMeter& budget_;
+  Task task_;
+  WaypointRests rests_;
+  WaypointPassages passages_;
+  std::vector<ProgramPart> parts_ = {};
+  Progress now_ = {};
+  std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
+  std::size_t bounds_end_ = 0;                   // of those that the last attempt wrote
+};
+
+}  // namespace beeline::internal

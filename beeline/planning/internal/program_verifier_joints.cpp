@@ -1,0 +1,225 @@
+#include <numeric>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/kinematics/internal/deviation_reason.h>
+#include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/planning/internal/program_verifier.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The passages before `last`, each with the one of the move before from which it is possible.
+std::vector<Passage> chain_of(const std::vector<PassageLayer>& layers, std::size_t last) {
+  std::vector<Passage> chain(layers.size());
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    chain[i] = layers[i].passages[last];
+    last = layers[i].before[last];
+  }
+  return chain;
+}
+
+/// The last passage of a layer that is not after a time; the passages are in its order.
+std::optional<std::size_t> last_until(const PassageLayer& layer, double at) {
+  const auto after =
+      std::upper_bound(layer.passages.begin(), layer.passages.end(), at,
+                       [](double time, const Passage& passage) { return time < passage.at; });
+  if (after == layer.passages.begin()) return std::nullopt;
+  return static_cast<std::size_t>(after - layer.passages.begin()) - 1;
+}
+
+}  // namespace
+
+bool ProgramVerifier::is_followed(const Segment& segment) const {
+  return std::holds_alternative<Line>(segment) && !stands_still(segment, task_);
+}
+
+bool ProgramVerifier::is_on(const Line& line, std::size_t k, double& fraction) const {
+  fraction = nearest_fraction(line, tool_at(k), task_);
+  return within(deviation_from(line, tool_at(k), task_),
+                {options_.tolerance, options_.orientation_tolerance});
+}
+
+/// Whether the joint move of a part passes its waypoint in a blend. The tool rests before a line
+/// without length, which could not be followed.
+bool ProgramVerifier::passes_after(std::size_t part) const {
+  if (!blends_with_joint_move(program_, parts_[part].last)) return false;
+  const ProgramPart& next = parts_[part + 1];
+  return next.joint || is_followed(next.route.path.segments.front());
+}
+
+JointRun ProgramVerifier::joint_run() const {
+  JointRun run{.next = now_.part};
+  if (now_.leaving) run.passed.push_back(*now_.leaving);
+  while (true) {
+    const std::size_t part = run.next++, move = parts_[part].last;
+    if (!passes_after(part)) {
+      run.rest = move;
+      return run;
+    }
+    run.passed.push_back(move);
+    if (!parts_[run.next].joint) return run;
+  }
+}
+
+/// Fails at a waypoint that is not passed within the deviation of its blend.
+bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first) {
+  std::size_t nearest = first;
+  double least = passages_.distance(program_.moves[move], first);
+  for (std::size_t k = first + 1; k < trajectory_.size(); ++k) {
+    const double here = passages_.distance(program_.moves[move], k);
+    if (here < least) nearest = k, least = here;
+  }
+  const Deviation away =
+      task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_at(nearest));
+  Reason reason = deviation_reason(ReasonCode::off_path, away);
+  reason.set(ReasonField::move, move + 1)
+      .set(ReasonField::segment_name, "the waypoint of " + move_name(program_, move));
+  return fail(Fault::not_through, nearest, std::move(reason));
+}
+
+/// Finds the passages of the waypoints that a run passes. A passage counts if it is after one of
+/// the waypoint before and the tool keeps the speed of the move between them; the latest one before
+/// it decides, as less of the motion is between them.
+bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>& layers) {
+  auto first = static_cast<double>(now_.begin);
+  for (const std::size_t move : run.passed) {
+    const auto& limit = program_.moves[move].speed;
+    PassageLayer layer;
+    std::optional<std::pair<std::size_t, std::size_t>> too_fast;
+    for (const Passage& passage : passages_.passages(program_.moves[move], first, max_candidates)) {
+      const std::size_t before = layers.empty() ? 0 : *last_until(layers.back(), passage.at);
+      const std::size_t from =
+          layers.empty() ? speed_from() : layers.back().passages[before].after();
+      if (excess_speed(from, passage.before(), limit)) {
+        if (!too_fast) too_fast = {from, passage.before()};
+        continue;
+      }
+      layer.passages.push_back(passage);
+      layer.before.push_back(before);
+    }
+    if (!budget_.complete()) return end(budget_.ending(), {});
+    if (layer.passages.empty()) {
+      return too_fast ? check_speed(move, too_fast->first, too_fast->second, limit)
+                      : fail_to_pass(move, static_cast<std::size_t>(first));
+    }
+    first = layer.passages.front().at;
+    layers.push_back(std::move(layer));
+  }
+  return true;
+}
+
+/// Checks the speed in the intervals between samples that contain passages, which belong to several
+/// moves: the largest of their limits. `next` is the move after the last passage.
+bool ProgramVerifier::check_passages(const JointRun& run, std::size_t next,
+                                     const std::vector<Passage>& passed) {
+  const auto speed_of = [&](std::size_t i) {
+    return program_.moves[i < run.passed.size() ? run.passed[i] : next].speed;
+  };
+  for (std::size_t i = 0; i < passed.size();) {
+    const std::size_t begin = passed[i].before(), end = passed[i].after(), first = i;
+    std::optional<double> limit = speed_of(i);
+    for (; i < passed.size() && passed[i].before() == begin && passed[i].after() == end; ++i) {
+      const std::optional<double> other = speed_of(i + 1);
+      limit = limit && other ? std::optional(std::max(*limit, *other)) : std::nullopt;
+    }
+    if (!check_speed(run.passed[first], begin, end, limit)) return false;
+  }
+  for (const Passage& passage : passed) now_.result.arrivals.push_back(passage.nearest());
+  return true;
+}
+
+/// The rests from sample `first` on at which the joint move of a part may end. Before a joint move
+/// to another pose, the last one before that pose comes first, as a joint move may change the
+/// configuration at a pose.
+std::vector<std::size_t> ProgramVerifier::joint_rests(std::size_t part, std::size_t first) const {
+  std::vector<std::size_t> rests = rests_.rests(program_.moves[parts_[part].first], first);
+  std::sort(rests.begin(), rests.end());
+  if (part + 1 == parts_.size() || !parts_[part + 1].joint || rests.empty()) return rests;
+  std::vector<std::size_t> next =
+      rests_.rests(program_.moves[parts_[part + 1].first], rests.front());
+  if (next.empty()) return rests;
+  const auto later =
+      std::lower_bound(rests.begin(), rests.end(), *std::min_element(next.begin(), next.end()));
+  std::reverse(rests.begin(), later);
+  return rests;
+}
+
+/// Checks joint moves up to a stop or to a line, and the path after them: a joint move to a pose
+/// may end there at several rests, in different configurations.
+bool ProgramVerifier::check_joint_moves() {
+  const JointRun run = joint_run();
+  std::vector<PassageLayer> layers;
+  if (!add_layers(run, layers)) return false;
+  return run.rest ? check_rests(run, layers) : check_line_begins(run, layers);
+}
+
+bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<PassageLayer>& layers) {
+  const std::size_t move = *run.rest;
+  const std::size_t first = layers.empty() ? now_.begin : layers.back().passages.front().after();
+  std::vector<std::size_t> rests = joint_rests(run.next - 1, first);
+  if (rests.empty()) {
+    const auto passed = rests_.passes(program_.moves[move], first);
+    if (!passed) return fail_to_reach(move);
+    rests.push_back(*passed);
+  }
+  return check_candidates(rests, [&](std::size_t end) {
+    std::size_t from = speed_from();
+    if (!layers.empty()) {
+      const auto last = last_until(layers.back(), static_cast<double>(end));
+      const std::vector<Passage> passed = chain_of(layers, *last);
+      if (!check_passages(run, move, passed)) return false;
+      from = passed.back().after();
+    }
+    now_.leaving.reset();
+    now_.result.arrivals.push_back(end);
+    if (!check_speed(move, from, end, program_.moves[move].speed) || !check_stop(move) ||
+        !check_dwell(move)) {
+      return false;
+    }
+    now_.part = run.next;
+    if (now_.part == parts_.size()) return check_rest(move);
+    return parts_[now_.part].joint || check_path();
+  });
+}
+
+/// The last sample of a passage at which the tool follows a line that begins at its waypoint.
+std::optional<std::size_t> ProgramVerifier::line_begin(const Line& line, std::size_t move,
+                                                       const Passage& passage) const {
+  const Deviation blend = blend_deviation(program_.moves[move]);
+  std::optional<std::size_t> last;
+  for (std::size_t k = passage.after(); k < trajectory_.size(); ++k) {
+    if (!passages_.is_near(line.from, blend, k)) break;
+    double fraction = 0;
+    if (is_on(line, k, fraction) && fraction <= blended_fraction) last = k;
+  }
+  return last;
+}
+
+bool ProgramVerifier::check_line_begins(const JointRun& run,
+                                        const std::vector<PassageLayer>& layers) {
+  const std::size_t move = run.passed.back();
+  const ProgramPart& path = parts_[run.next];
+  const Line line = std::get<Line>(path.route.path.segments.front());
+  std::vector<std::size_t> passages(layers.back().passages.size());
+  std::iota(passages.begin(), passages.end(), std::size_t{0});
+  return check_candidates(passages, [&](std::size_t last) {
+    const std::vector<Passage> passed = chain_of(layers, last);
+    if (!check_passages(run, path.first, passed)) return false;
+    const auto begin = line_begin(line, move, passed.back());
+    if (!begin) {
+      const std::size_t at = passed.back().nearest();
+      Reason reason = deviation_reason(ReasonCode::off_path,
+                                       deviation_from(line, tool_at(passed.back().after()), task_));
+      reason.set(ReasonField::segment_name, move_name(program_, path.first));
+      return fail(Fault::deviation, at, std::move(reason));
+    }
+    now_.leaving.reset();
+    now_.begin = *begin;
+    now_.speed_from = passed.back().after();
+    now_.entering = true;
+    now_.part = run.next;
+    return check_path();
+  });
+}
+
+}  // namespace beeline::internal

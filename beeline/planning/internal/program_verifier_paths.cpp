@@ -1,0 +1,190 @@
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/internal/program_verifier.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The segments of a part from one stop to the next.
+Route section_of(const ProgramPart& part, std::size_t first, std::size_t last) {
+  const auto slice = [&](const auto& all) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::decay_t<decltype(all)>(begin,
+                                       begin + static_cast<std::ptrdiff_t>(last - first) + 1);
+  };
+  const ToolPath& path = part.route.path;
+  return {{slice(path.segments), slice(path.spans), slice(path.names)}, slice(part.route.stops)};
+}
+
+/// Returns the sample before the samples from `from` to `at` that are within tolerance of the pose.
+std::size_t before_near(const WaypointRests& rests, const Pose& pose, std::size_t from,
+                        std::size_t at) {
+  while (at > from && rests.offset(pose, at - 1) <= 1) --at;
+  return at > from ? at - 1 : at;
+}
+
+/// Returns the sample after the samples from `at` to `to` that are within tolerance of the pose.
+std::size_t after_near(const WaypointRests& rests, const Pose& pose, std::size_t at,
+                       std::size_t to) {
+  while (at < to && rests.offset(pose, at + 1) <= 1) ++at;
+  return at < to ? at + 1 : at;
+}
+
+void replace_line(Route& route, std::size_t segment, const Line& line) {
+  route.path.segments[segment] = line;
+  route.path.spans[segment] = span_of(line);
+}
+
+}  // namespace
+
+bool ProgramVerifier::check_path() {
+  const ProgramPart& part = parts_[now_.part];
+  const bool last_part = now_.part + 1 == parts_.size();
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < part.route.stops.size(); ++i) {
+    if (!part.route.stops[i]) continue;
+    const bool last = last_part && i + 1 == part.route.stops.size();
+    if (!check_section(part, begin, i, last)) return false;
+    begin = i + 1;
+  }
+  ++now_.part;
+  return true;
+}
+
+/// The rests at which a path may end, or where the tool passes its end without one; those that
+/// leave no time for its motion last.
+std::vector<std::size_t> ProgramVerifier::path_rests(const Route& route) const {
+  const Pose goal = pose_at(route.path.segments.back(), 1);
+  const bool moves =
+      std::any_of(route.path.segments.begin(), route.path.segments.end(),
+                  [&](const Segment& segment) { return !stands_still(segment, task_); });
+  std::vector<std::size_t> rests = rests_.rests({.target = goal}, now_.begin);
+  if (moves && !rests.empty() && rests.front() == now_.begin) {
+    std::rotate(rests.begin(), rests.begin() + 1, rests.end());
+  }
+  if (!rests.empty()) return rests;
+  std::size_t first = now_.begin;
+  const bool closed = within(task_deviation(task_, goal, pose_at(route.path, 0)),
+                             {options_.tolerance, options_.orientation_tolerance});
+  while (closed && moves && first < trajectory_.size() && rests_.offset(goal, first) <= 1) {
+    ++first;
+  }
+  if (const auto passed = rests_.passes({.target = goal}, first)) rests.push_back(*passed);
+  return rests;
+}
+
+/// The samples up to which the tool may follow a line that ends in the blend of a move: the first
+/// one of each stay near its end.
+std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_t move) const {
+  const Deviation blend = blend_deviation(program_.moves[move]);
+  std::vector<std::size_t> ends;
+  bool stays = false;
+  for (std::size_t k = now_.begin; k < trajectory_.size() && ends.size() < max_candidates; ++k) {
+    double fraction = 0;
+    const bool ends_here = passages_.is_near(line.to, blend, k) && is_on(line, k, fraction) &&
+                           fraction >= 1 - blended_fraction;
+    if (ends_here && !stays) ends.push_back(k);
+    stays = ends_here;
+  }
+  return ends;
+}
+
+bool ProgramVerifier::check_section(const ProgramPart& part, std::size_t first, std::size_t last,
+                                    bool to_end) {
+  Route route = section_of(part, first, last);
+  // Lines that blends replace completely have no segment.
+  const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
+  const bool leaves = move == part.last && blends_with_joint_move(program_, move) &&
+                      is_followed(route.path.segments.back());
+  const std::size_t end_segment = route.path.segments.size() - 1;
+  const Segment whole = route.path.segments.back();
+  if (std::exchange(now_.entering, false)) {
+    const Line line = std::get<Line>(route.path.segments.front());
+    double fraction = 0;
+    is_on(line, now_.begin, fraction);
+    replace_line(route, 0, {pose_at(line, fraction), line.to});
+  }
+  const std::vector<std::size_t> ends =
+      leaves ? line_ends(std::get<Line>(whole), move) : path_rests(route);
+  if (ends.empty()) return leaves ? fail_to_pass(move, now_.begin) : fail_to_reach(move);
+  // At the end of the program the path is checked to the last sample from any of them.
+  return check_candidates(std::span(ends).first(to_end ? 1 : ends.size()), [&](std::size_t end) {
+    Route followed = route;
+    if (leaves) {
+      const Line line = std::get<Line>(route.path.segments[end_segment]);
+      double fraction = 0;
+      is_on(line, end, fraction);
+      replace_line(followed, end_segment, {line.from, pose_at(line, fraction)});
+    }
+    return check_section(part, followed, {first, move, end, to_end, leaves});
+  });
+}
+
+/// Checks the speed of move i from sample `from` to `reached`, at the end of a segment which the
+/// tool passes to the next move; returns the sample from which that move's own limit holds. Which
+/// sample is the first of that move is only known to the tolerance.
+std::optional<std::size_t> ProgramVerifier::check_passing(std::size_t i, const Segment& segment,
+                                                          std::size_t from, std::size_t reached,
+                                                          std::size_t end) {
+  const Pose passed = pose_at(segment, 1);
+  const std::size_t before = before_near(rests_, passed, from, reached);
+  const std::size_t after = after_near(rests_, passed, reached, end);
+  const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
+  const std::optional<double> larger =
+      limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
+  if (!check_speed(i, from, before, limit) || !check_speed(i, before, after, larger)) return {};
+  return after;
+}
+
+/// Checks a path from the sample at which it begins to a stop, or to a blend with a joint move.
+bool ProgramVerifier::check_section(const ProgramPart& part, const Route& route,
+                                    const SectionEnd& end) {
+  const std::size_t first = end.first, move = end.move, begin = now_.begin;
+  const bool enters = now_.speed_from.has_value();
+  VerifyOptions options = options_;
+  options.moving = {enters || (options_.moving.start && begin == 0),
+                    end.leaves || (options_.moving.end && end.is_last)};
+  const std::size_t until = end.is_last ? trajectory_.size() - 1 : end.sample;
+  const Verification found =
+      verify(arm_, samples_between(trajectory_, begin, until), route, options);
+  if (!add(found)) return false;
+  std::size_t from = speed_from();
+  std::vector<std::size_t>& arrivals = now_.result.arrivals;
+  for (std::size_t i = arrivals.size(); i <= move; ++i) {
+    const std::size_t segment = part.last_segment(i);  // before `first` if the line has none left
+    const std::size_t reached = begin + (segment < first ? 0 : found.arrivals[segment - first]);
+    if (i == move && end.leaves) break;
+    arrivals.push_back(reached);
+    if (i == move || segment < first) {
+      if (!check_speed(i, from, reached, program_.moves[i].speed)) return false;
+      continue;
+    }
+    const std::size_t last_sample = begin + found.arrivals.back();
+    const auto after =
+        check_passing(i, route.path.segments[segment - first], from, reached, last_sample);
+    if (!after) return false;
+    from = *after;
+  }
+  if (!end.leaves) return check_stop(move) && check_dwell(move);
+  now_.begin = end.sample;
+  now_.speed_from = from;
+  now_.leaving = move;
+  return true;
+}
+
+/// Adds what was found from the first sample of a path on; returns whether it passed.
+bool ProgramVerifier::add(const Verification& found) {
+  PathDeviation& whole = now_.result.deviation;
+  grow(whole.sampled, found.deviation.sampled);
+  grow(whole.measured, found.deviation.measured);
+  grow(whole.bound, found.deviation.bound);
+  const std::vector<Deviation>& bounds = found.deviation.interval_bounds;
+  std::copy(bounds.begin(), bounds.end(),
+            interval_bounds_.begin() + static_cast<std::ptrdiff_t>(now_.begin));
+  bounds_end_ = std::max(bounds_end_, now_.begin + bounds.size());
+  if (found) return true;
+  if (found.fault == Fault::none) return end(found.ending, found.reason);
+  return fail(found.fault, now_.begin + found.sample, found.reason);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/math/minimise.h>
+#include <beeline/planning/internal/program_parts.h>
+#include <beeline/planning/internal/waypoint_passages.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double far_away = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+double blend_distance(const Arm& arm, const Task& task, const Move& move, const Pose& waypoint,
+                      const Configuration& q, const Pose& tool) {
+  const Deviation most = blend_deviation(move), away = task_deviation(task, waypoint, tool);
+  double largest = std::max(away.position / most.position, away.orientation / most.orientation);
+  for (int i = 0; move.q && i < arm.dof(); ++i) {
+    const bool slides = kind(arm.joint_of(i)) == JointKind::prismatic;
+    largest = std::max(largest,
+                       std::abs(q[i] - (*move.q)[i]) / (slides ? most.position : most.orientation));
+  }
+  return largest;
+}
+
+std::size_t Passage::before() const { return static_cast<std::size_t>(std::floor(at)); }
+std::size_t Passage::after() const { return static_cast<std::size_t>(std::ceil(at)); }
+std::size_t Passage::nearest() const { return static_cast<std::size_t>(std::floor(at + 0.5)); }
+
+WaypointPassages::WaypointPassages(const Arm& arm, const Trajectory& trajectory, const Task& task,
+                                   const std::vector<Pose>& tool, BudgetMeter& budget)
+    : arm_(arm),
+      trajectory_(trajectory),
+      task_(task),
+      tool_(tool),
+      budget_(budget),
+      by_position_(task.positions() == 3) {}
+
+double WaypointPassages::distance(const Move& move, std::size_t k) const {
+  return blend_distance(arm_, task_, move, waypoint_of(arm_, move), trajectory_.positions[k],
+                        tool_[k]);
+}
+
+bool WaypointPassages::is_near(const Pose& waypoint, const Deviation& blend, std::size_t k) const {
+  if (by_position_ && (tool_[k].translation() - waypoint.translation()).norm() > blend.position) {
+    return false;
+  }
+  return within(task_deviation(task_, waypoint, tool_[k]), blend);
+}
+
+double WaypointPassages::distance_at(const Move& move, const Pose& waypoint, double at) const {
+  const auto k = std::min(static_cast<std::size_t>(at), trajectory_.size() - 2);
+  Configuration q(arm_.dof());
+  for (int i = 0; i < arm_.dof(); ++i) {
+    q[i] = interval_polynomial(trajectory_, k, i)(at - static_cast<double>(k));
+  }
+  return blend_distance(arm_, task_, move, waypoint, q, forward_kinematics(arm_, q));
+}
+
+/// Whether the motion may be within the blend between sample k and its neighbours. Between two
+/// samples the tool is hardly farther from the nearer one than they are from each other.
+bool WaypointPassages::may_pass(const Move& move, const Pose& waypoint, std::size_t k) const {
+  if (!by_position_) return true;
+  const Vector3 here = tool_[k].translation();
+  double step = 0;
+  if (k > 0) step = (tool_[k - 1].translation() - here).norm();
+  if (k + 1 < tool_.size()) step = std::max(step, (tool_[k + 1].translation() - here).norm());
+  return (here - waypoint.translation()).norm() <= move.blend + step;
+}
+
+/// The local minimum between the neighbours of sample k, not before `first`, and its distance.
+Passage WaypointPassages::refined(const Move& move, const Pose& waypoint, std::size_t k,
+                                  double first, double& distance) const {
+  constexpr int sections = 24;   // to 1e-5 of an interval
+  constexpr double gain = 1e-9;  // smaller ones are rounding: the minimum is the sample
+  const auto sample = static_cast<double>(k);
+  Passage best{std::max(sample, first)};
+  distance = distance_at(move, waypoint, best.at);
+  const auto try_between = [&](double begin, double end) {
+    if (!(begin < end)) return;
+    const Minimum found = golden_section(
+        begin, end, sections, [&](double at) { return distance_at(move, waypoint, at); });
+    if (!(found.value < distance * (1 - gain))) return;
+    distance = found.value;
+    best.at = found.x;
+  };
+  try_between(std::max(sample - 1, first), sample);
+  try_between(best.at > sample ? best.at : sample,
+              std::min(sample + 1, static_cast<double>(trajectory_.size() - 1)));
+  return best;
+}
+
+std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
+                                                std::size_t most) const {
+  std::vector<Passage> found;
+  const Pose waypoint = waypoint_of(arm_, move);
+  const auto distance_of = [&](std::size_t k) {
+    return may_pass(move, waypoint, k)
+               ? blend_distance(arm_, task_, move, waypoint, trajectory_.positions[k], tool_[k])
+               : far_away;
+  };
+  constexpr std::size_t batch = 64;  // samples
+  const auto begin = static_cast<std::size_t>(first);
+  double before = far_away, here = distance_of(begin);
+  for (std::size_t k = begin; k < trajectory_.size() && found.size() < most; ++k) {
+    if (k % batch == 0 && budget_.ended()) break;
+    const double next = k + 1 < trajectory_.size() ? distance_of(k + 1) : far_away;
+    if (here < before && here <= next) {
+      double least = here;
+      const Passage passage = trajectory_.size() > 1 ? refined(move, waypoint, k, first, least)
+                                                     : Passage{static_cast<double>(k)};
+      if (least <= 1 && (found.empty() || passage.at > found.back().at)) found.push_back(passage);
+    }
+    before = here;
+    here = next;
+  }
+  return found;
+}
+
+}  // namespace beeline::internal

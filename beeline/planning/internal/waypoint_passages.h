@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <beeline/internal/budget_meter.h>
+#include <beeline/kinematics/task.h>
+#include <beeline/planning/program.h>
+
+namespace beeline::internal {
+
+/// The distance of a configuration from the waypoint of a move, as a multiple of the deviation of
+/// its blend: the larger one of position and orientation of the tool and, if the waypoint is a
+/// configuration, of each joint.
+double blend_distance(const Arm& arm, const Task& task, const Move& move, const Pose& waypoint,
+                      const Configuration& q, const Pose& tool);
+
+/// A passage of the motion near a waypoint: a local minimum of its distance.
+struct Passage {
+  double at = 0;  ///< number of samples before it, with a fraction of the interval after them
+
+  /// The last sample before it and the first after it; both are the sample at which it is.
+  std::size_t before() const;
+  std::size_t after() const;
+  std::size_t nearest() const;  ///< the nearer of both in time
+};
+
+/// Finds the passages of a trajectory near the waypoints of blends with joint moves.
+class WaypointPassages {
+ public:
+  /// `tool` has the pose of the tool at each sample. All arguments must outlive the object.
+  WaypointPassages(const Arm& arm, const Trajectory& trajectory, const Task& task,
+                   const std::vector<Pose>& tool, BudgetMeter& budget);
+
+  /// Returns the first passages from `first` on, a number of samples with a fraction of an
+  /// interval, that are within the deviation of the blend of a move, in the order of time: at most
+  /// `most`. Fewer if the budget ends the search.
+  std::vector<Passage> passages(const Move& move, double first, std::size_t most) const;
+
+  /// The distance of sample k from the waypoint of a move, as a multiple of the deviation of its
+  /// blend.
+  double distance(const Move& move, std::size_t k) const;
+
+  /// Whether the tool at sample k is within the deviation of a blend from its waypoint.
+  bool is_near(const Pose& waypoint, const Deviation& blend, std::size_t k) const;
+
+ private:
+  double distance_at(const Move& move, const Pose& waypoint, double at) const;
+  bool may_pass(const Move& move, const Pose& waypoint, std::size_t k) const;
+  Passage refined(const Move& move, const Pose& waypoint, std::size_t k, double first,
+                  double& distance) const;
+
+  const Arm& arm_;
+  const Trajectory& trajectory_;
+  const Task& task_;
+  const std::vector<Pose>& tool_;
+  BudgetMeter& budget_;
+  bool by_position_ = false;  ///< whether the task constrains the whole position
+};
+
+}  // namespace beeline::internal

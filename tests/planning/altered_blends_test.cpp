@@ -1,0 +1,176 @@
+#include <tests/planning/joint_blend_promises.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+Configuration degrees(std::initializer_list<double> values) {
+  Configuration q(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), q.begin());
+  return q * deg;
+}
+
+/// A program of the panda with each kind of blend.
+Program mixed_program(double blend) {
+  Program program;
+  const auto joint = [&](Configuration q) {
+    program.moves.push_back({.kind = MoveKind::joint, .q = std::move(q), .blend = blend});
+  };
+  const auto line = [&](double x, double y, double z) {
+    Pose target = program.moves.back().q
+                      ? forward_kinematics(built_in("panda"), *program.moves.back().q)
+                      : program.moves.back().target;
+    target.translation() += Vector3(x, y, z);
+    program.moves.push_back({.target = target, .blend = blend});
+  };
+  joint(degrees({20, -30, 0, -120, 0, 90, 45}));
+  joint(degrees({0, -10, 10, -110, 0, 100, 45}));
+  line(0, 0.1, 0);
+  joint(degrees({-20, -40, 0, -130, 10, 80, 45}));
+  joint(degrees({0, -45, 0, -135, 0, 90, 45}));
+  program.moves.back().blend = 0;
+  return program;
+}
+
+TEST(JointBlends, AreRefusedWhenTheyAreAltered) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  const Program program = mixed_program(0.02);
+  for (const double rate : {0.0, 500.0}) {
+    const ProgramMotion motion = move_program(arm, home, program, {.rate = rate});
+    ASSERT_TRUE(motion) << motion;
+    EXPECT_EQ(blend_count(motion), 4);
+    const auto refusal = [&](const auto& change) {
+      Program other = program;
+      change(other.moves);
+      return verify(arm, motion.trajectory, other).fault;
+    };
+    using Moves = std::vector<Move>;
+    EXPECT_EQ(refusal([](Moves&) {}), Fault::none);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NE(refusal([&](Moves& moves) { moves[i].blend = 0; }), Fault::none) << i;
+      EXPECT_NE(refusal([&](Moves& moves) { moves[i].blend = 0.002; }), Fault::none) << i;
+    }
+    EXPECT_NE(refusal([](Moves& moves) { std::swap(moves[0], moves[1]); }), Fault::none);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double speed = motion.moves[i].tool_speed;
+      EXPECT_EQ(refusal([&](Moves& moves) { moves[i].speed = 0.8 * speed; }), Fault::tool_speed);
+      EXPECT_EQ(refusal([&](Moves& moves) { moves[i].speed = 1.01 * speed; }), Fault::none);
+    }
+    // A sample in the middle of the line, moved by a millimetre across it.
+    Trajectory moved = motion.trajectory;
+    const std::size_t middle = (motion.moves[2].begin + motion.moves[2].end) / 2;
+    moved.positions[middle][1] += 2e-3;
+    EXPECT_NE(verify(arm, moved, program).fault, Fault::none);
+    Trajectory faster = motion.trajectory;
+    for (double& t : faster.times) t *= 0.99;
+    EXPECT_NE(verify(arm, faster, program).fault, Fault::none);
+  }
+}
+
+TEST(JointBlends, KeepTheSpeedOfBothRows) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  for (std::size_t slow = 0; slow < 5; ++slow) {
+    Program program = mixed_program(0.02);
+    program.moves[slow].speed = 0.05;
+    const ProgramMotion motion = move_program(arm, home, program);
+    ASSERT_TRUE(motion) << motion;
+    EXPECT_GE(blend_count(motion), 2);
+    EXPECT_LE(motion.moves[slow].tool_speed, 0.05 * (1 + 1e-6));
+    EXPECT_TRUE(verify(arm, motion.trajectory, program));
+  }
+}
+
+TEST(JointBlends, MeetRepeatedPosesAtRest) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  for (std::size_t repeated = 0; repeated < 5; ++repeated) {
+    SCOPED_TRACE(repeated);
+    Program program = mixed_program(0.02);
+    Move again = program.moves[repeated];
+    if (repeated == 4) program.moves[4].blend = 0.02;
+    program.moves.insert(program.moves.begin() + static_cast<std::ptrdiff_t>(repeated) + 1, again);
+    if (again.kind == MoveKind::line) continue;  // lines with blends refuse repeated waypoints
+    const ProgramMotion motion = move_program(arm, home, program);
+    ASSERT_TRUE(motion) << motion;
+    EXPECT_GE(blend_count(motion), 2);
+    EXPECT_EQ(motion.moves[repeated].blend, BlendOutcome::stop);
+    expect_proved(arm, program, motion);
+  }
+  Program line = mixed_program(0.02);  // a line without length between joint moves
+  line.moves[2].target = forward_kinematics(arm, *line.moves[1].q);
+  const ProgramMotion motion = move_program(arm, home, line);
+  ASSERT_TRUE(motion) << motion;
+  EXPECT_EQ(motion.moves[1].blend, BlendOutcome::stop);
+  EXPECT_EQ(motion.moves[2].blend, BlendOutcome::stop);
+  expect_proved(arm, line, motion);
+}
+
+TEST(JointBlends, StopWhereTheMotionTurnsBack) {
+  const Arm arm = built_in("panda");
+  const Configuration a = degrees({0, -45, 0, -135, 0, 90, 45}),
+                      b = degrees({30, -20, 0, -110, 0, 90, 45});
+  Program program;
+  for (const Configuration& q : {b, a, b}) {
+    program.moves.push_back({.kind = MoveKind::joint, .q = q, .blend = 0.05});
+  }
+  program.moves.back().blend = 0;
+  const ProgramMotion motion = move_program(arm, a, program);
+  ASSERT_TRUE(motion) << motion;
+  EXPECT_EQ(motion.moves[0].blend, BlendOutcome::stop);
+  const ProgramMotion stops = move_program(arm, a, with_stops(program));
+  EXPECT_EQ(motion.trajectory.times, stops.trajectory.times);
+  EXPECT_EQ(motion.trajectory.positions, stops.trajectory.positions);
+  EXPECT_TRUE(verify(arm, motion.trajectory, program));
+}
+
+TEST(JointBlends, WorkWithEveryInterpolation) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  const Program program = mixed_program(0.02);
+  for (const Interpolation way : {Interpolation::linear, Interpolation::cubic}) {
+    for (const double rate : {0.0, 1000.0}) {
+      const ProgramMotion motion =
+          move_program(arm, home, program, {.interpolation = way, .rate = rate});
+      ASSERT_TRUE(motion) << motion;
+      // Linear joints need many samples, and stops may be quicker.
+      const bool linear = way == Interpolation::linear && rate == 0;
+      EXPECT_TRUE(linear || blend_count(motion) > 0);
+      expect_proved(arm, program, motion);
+    }
+  }
+}
+
+TEST(JointBlends, EndByTheBudget) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  const Program program = mixed_program(0.02);
+  for (const double work : {1e2, 1e3, 3e3, 1e4}) {
+    PathMotionOptions options;
+    options.budget.max_work = static_cast<std::int64_t>(work);
+    const ProgramMotion motion = move_program(arm, home, program, options);
+    EXPECT_TRUE(motion || motion.status == MotionStatus::work_limit) << motion;
+  }
+}
+
+TEST(JointBlends, ManyAreOneMotion) {
+  const Arm arm = built_in("panda");
+  Random random;
+  const Configuration start = near_middle(random, arm, 0.5);
+  Program program;
+  for (int i = 0; i < 80; ++i) {
+    program.moves.push_back(
+        {.kind = MoveKind::joint, .q = near_middle(random, arm, 0.5), .blend = 0.05});
+  }
+  program.moves.back().blend = 0;
+  const ProgramMotion motion = move_program(arm, start, program);
+  ASSERT_TRUE(motion) << motion;
+  EXPECT_GT(blend_count(motion), 70);
+  expect_blended(arm, forward_kinematics(arm, start), program, motion);
+  expect_proved(arm, program, motion);
+}
+
+}  // namespace
+}  // namespace beeline
