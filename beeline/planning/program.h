@@ -39,7 +39,9 @@ struct Move {
   std::optional<Configuration> q = std::nullopt;
   std::optional<Vector3> via = std::nullopt;  ///< a position on the arc in the world, m
   /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: the limit of the options. It
-  /// also holds on the blend with the next move.
+  /// also holds on the blend with the next move. On a blend with a joint move the limits of both
+  /// moves hold; verify() only knows where the tool passes the waypoint, and checks the one of this
+  /// move up to there and the next one after it.
   std::optional<double> speed = std::nullopt;
   /// Max deviation of the blend with the next move from the waypoint, m. The max deviation in
   /// orientation is 5 rad for each metre. 0: no blend. Each of both moves must be a line or a joint

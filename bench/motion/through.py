@@ -85,8 +85,8 @@ def of_beeline(arm, runs, **options):
 def of_program(arm, runs, blend):
     """A program of joint moves, whose blends are metres of the tool; its plan contains the proof."""
     def measured(waypoints):
-        moves = [beeline.Move("joint", q=q, blend=blend) for q in waypoints[1:]]
-        moves[-1].blend = 0
+        moves = [beeline.Move("joint", q=q, blend=blend) for q in waypoints[1:-1]]
+        moves.append(beeline.Move("joint", q=waypoints[-1]))
         motion, milliseconds = shortest_time(
             lambda: beeline.move_program(arm, waypoints[0], beeline.Program(moves)), runs)
         if not motion:

@@ -213,3 +213,38 @@ def test_check_refuses_another_program(picked, beeline, written):
         answer = beeline("check", "panda", "move.csv", "--through", "other.csv", "--degrees", "--json")
         assert (answer.code, answer.json["fault"]) == (1, fault), answer.err
         assert "pick" not in answer.err and "other.csv:" in answer.err
+
+
+PASSING = HEAD + ("joint,next,0,0,-0.15,0,0,0,,,0.02,\nline,,0.5,0.2,0.15,180,0,20,,,,0.3\n"
+                  "line,previous,0,0,-0.2,0,0,0,,,0.03,\njoint,,,,,,,,\"10,-20,0,-120,0,100,45\",,0.05,\n"
+                  "joint,,,,,,,,\"-30,-30,0,-130,0,100,45\",,,\n")
+
+
+@pytest.mark.parametrize("options", [(), ("--rate", "250"), ("--interpolation", "cubic")])
+def test_joint_moves_and_lines_blend(beeline, written, tmp_path, options):
+    written("p.csv", PASSING)
+    written("stops.csv", PASSING.replace(",0.02,", ",,").replace(",0.03,", ",,").replace(",0.05,", ",,"))
+    line = ("line", "panda", *HOME, "--through")
+    answer = beeline(*line, "p.csv", "--out", "m.csv", "--json", *options)
+    stops = beeline(*line, "stops.csv", "--out", "s.csv", "--json", *options)
+    assert answer.code == stops.code == 0, answer.err
+    assert answer.json["duration"] < stops.json["duration"]
+    moves = answer.json["moves"]
+    assert [move.get("blend") for move in moves] == ["full", None, "full", "full", None]
+    assert all(move["joint_blend_radius"] > 0 for move in moves if "blend" in move)
+    assert not any("blend" in move for move in stops.json["moves"])
+    check = ("check", "panda", "--degrees", "--through")
+    assert beeline(*check, "p.csv", "m.csv").code == 0 and beeline(*check, "p.csv", "s.csv").code == 0
+    assert beeline(*check, "stops.csv", "m.csv").code == 1
+    written("small.csv", PASSING.replace(",0.05,", ",0.005,"))
+    refused = beeline(*check, "small.csv", "m.csv")
+    assert refused.code == 1 and "the tool is off the waypoint of move 4 (joint, small.csv:5)" in refused.err
+
+
+def test_a_blend_that_becomes_a_stop_is_reported(beeline, written):
+    there, back = "\"0,-45,0,-135,0,90,45\"", "\"20,-30,0,-120,0,90,45\""
+    written("p.csv", HEAD + f"joint,,,,,,,,{back},,0.05,\njoint,,,,,,,,{there},,,\n")
+    answer = beeline("line", "panda", *HOME, "--through", "p.csv")
+    assert answer.code == 0 and "p.csv:2   stops in place of its blend\n" in answer.out
+    report = beeline("line", "panda", *HOME, "--through", "p.csv", "--json").json
+    assert report["moves"][0]["blend"] == "stop" and "blend" not in report["moves"][1]

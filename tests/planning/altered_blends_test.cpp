@@ -1,3 +1,6 @@
+#include <thread>
+
+#include <tests/planning/gantry.h>
 #include <tests/planning/joint_blend_promises.h>
 
 namespace beeline {
@@ -152,6 +155,54 @@ TEST(JointBlends, EndByTheBudget) {
     options.budget.max_work = static_cast<std::int64_t>(work);
     const ProgramMotion motion = move_program(arm, home, program, options);
     EXPECT_TRUE(motion || motion.status == MotionStatus::work_limit) << motion;
+  }
+}
+
+TEST(JointBlends, AreTheSameInEveryThread) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  const Program program = mixed_program(0.02);
+  const ProgramMotion alone = move_program(arm, home, program);
+  std::vector<Trajectory> others(4);
+  std::vector<std::thread> threads;
+  for (Trajectory& other : others) {
+    threads.emplace_back([&] { other = move_program(arm, home, program).trajectory; });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Trajectory& other : others) {
+    EXPECT_EQ(other.times, alone.trajectory.times);
+    EXPECT_EQ(other.positions, alone.trajectory.positions);
+  }
+}
+
+TEST(JointBlends, KeepTheClearance) {
+  Gantry gantry;
+  const Configuration start{{0.38, 0, 0.01}};
+  Program program;  // up beside the wall, and closely over it
+  program.moves = {joint_move(Configuration{{0.38, 0, 0.41}}),
+                   joint_move(Configuration{{1.2, 0, 0.41}})};
+  program.moves[0].blend = 0.1;
+  gantry.scene.obstacles.erase(gantry.scene.obstacles.begin());  // the part
+  const CollisionModel model = gantry.model();
+  for (const bool line : {false, true}) {
+    if (line) {
+      program.moves[0].kind = MoveKind::line;
+      program.moves[0].target = forward_kinematics(gantry.arm, *program.moves[0].q);
+      program.moves[0].q.reset();
+    }
+    const auto proof = [&](const ProgramMotion& motion) {
+      const Verification found = verify(gantry.arm, motion.trajectory, program);
+      EXPECT_TRUE(found) << found;
+      return bool(prove_clearance(model, motion.trajectory, program, found.arrivals));
+    };
+    const ProgramMotion free = move_program(gantry.arm, start, program);
+    ASSERT_TRUE(free) << free;
+    EXPECT_EQ(free.moves[0].blend, BlendOutcome::full);
+    EXPECT_FALSE(proof(free));
+    const ProgramMotion clear = move_program(gantry.arm, start, program, {}, &model);
+    ASSERT_TRUE(clear) << clear;
+    EXPECT_EQ(clear.moves[0].blend, BlendOutcome::smaller);
+    EXPECT_TRUE(proof(clear));
   }
 }
 

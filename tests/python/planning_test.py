@@ -177,6 +177,16 @@ def test_a_program_of_a_file(pick, root):
             assert np.abs(tool - move.target).max() < 1e-5
 
 
+def test_blends_of_joint_moves():
+    away = HOME + 0.2
+    moves = [beeline.Move("joint", q=away, blend=0.05), beeline.Move("joint", q=HOME + [0.5, 0, 0, 0, 0, 0, 0])]
+    motion = beeline.move_program(PANDA, HOME, beeline.Program(moves))
+    assert motion and motion.moves[0].blend == "full" and motion.moves[1].blend == "none"
+    assert motion.moves[0].joint_blend_radius > 0 and np.array_equal(motion.moves[0].waypoints, [away])
+    stops = beeline.move_program(PANDA, HOME, beeline.Program([beeline.Move("joint", q=away), moves[1]]))
+    assert motion.duration < stops.duration and beeline.verify(PANDA, motion.trajectory, beeline.Program(moves))
+
+
 def test_a_program_of_moves():
     program = beeline.Program([
         beeline.Move("joint", q=HOME),
