@@ -154,7 +154,8 @@ inline void expect_proved(const Arm& arm, const Program& program, const ProgramM
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     const bool stops = program.moves[i].blend == 0 || blends_with_joint_move(program, i);
     if (stops) {
-      EXPECT_EQ(proof.arrivals[i], motion.moves[i].end);
+      // Samples next to a rest may be as near to the waypoint.
+      EXPECT_NEAR(double(proof.arrivals[i]), double(motion.moves[i].end), 1);
     }
   }
 }

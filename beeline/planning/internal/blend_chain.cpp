@@ -38,7 +38,14 @@ BlendChain::BlendChain(const PlannedProgram& planned, const MoveRange& moves,
     if (!add_piece(piece)) return;
     piece.first = i + 1;
   }
-  for (std::size_t i = 0; i < blends_.size(); ++i) largest_.push_back(largest_radius(i));
+  for (std::size_t i = 0; i < blends_.size(); ++i) {
+    constexpr int work = 200;  // configurations at most
+    if (budget.ended(work)) {
+      largest_.clear();
+      return;
+    }
+    largest_.push_back(largest_radius(i));
+  }
 }
 
 bool BlendChain::add_piece(const MoveRange& moves) {

@@ -97,6 +97,7 @@ class Replaced {
     for (const std::size_t arrival : replacement.motion.arrivals) {
       ends_.push_back(samples[arrival]);
     }
+    ends_.back() = samples.back();  // verify() may find that the arm is there before
   }
 
   /// Sets the samples of all moves and what became of their blends.

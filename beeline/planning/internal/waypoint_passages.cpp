@@ -106,10 +106,12 @@ std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
   constexpr std::size_t batch = 64;  // samples
   const auto begin = static_cast<std::size_t>(first);
   double before = far_away, here = distance_of(begin);
+  constexpr int work = 50;  // configurations of a local minimum
   for (std::size_t k = begin; k < trajectory_.size() && found.size() < most; ++k) {
     if (k % batch == 0 && budget_.ended()) break;
     const double next = k + 1 < trajectory_.size() ? distance_of(k + 1) : far_away;
     if (here < before && here <= next) {
+      if (budget_.ended(work)) break;
       double least = here;
       const Passage passage = trajectory_.size() > 1 ? refined(move, waypoint, k, first, least)
                                                      : Passage{static_cast<double>(k)};
