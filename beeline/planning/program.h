@@ -134,7 +134,7 @@ struct PlannedMove {
   /// blend's end or the first after it, otherwise the sample nearest to the waypoint. A dwell
   /// follows.
   std::size_t end = 0;
-  Deviation bound = {};     ///< proved deviation from its path; 0 for a joint motion
+  Deviation bound = {};     ///< proved deviation from the path it follows; 0 for a joint motion
   double tool_speed = 0;    ///< bound on the speed of the tool's origin, m/s
   double blend_radius = 0;  ///< length of the part of both lines that the blend replaces, m
   /// Length of the part of both moves that a blend with a joint move replaces, in joint space:
@@ -227,8 +227,8 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves except joint motions from stop to stop. A joint motion only has to
 ///   be within the arm's limits.
-/// - The tool's speed is within the speed limit of each move, up to its passage in a blend with a
-///   joint move. In the interval between samples that has the passage, the larger limit holds.
+/// - The tool's speed is within the speed limit of each move; in a blend with a joint move up to
+///   the passage of the waypoint, and after it within the limit of the next move.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
 /// Throws Error as move_program() and verify() do, and AttachmentError for an attachment at a

@@ -150,10 +150,21 @@ std::optional<double> ProgramVerifier::excess_speed(std::size_t from, std::size_
 bool ProgramVerifier::check_speed(std::size_t move, std::size_t from, std::size_t to,
                                   const std::optional<double>& limit) {
   const std::optional<double> speed = excess_speed(from, to, limit);
-  if (!speed) return true;
+  return !speed || fail_too_fast(move, from, *speed, *limit);
+}
+
+/// The same for a part of the interval after sample k, under the limit of the move.
+bool ProgramVerifier::check_speed(std::size_t move, std::size_t k, const Trajectory& part) {
+  const std::optional<double> limit = program_.moves[move].speed;
+  if (!limit) return true;
+  const double speed = tool_speed_bound(arm_, part);
+  return speed <= *limit * speed_rounding || fail_too_fast(move, k, speed, *limit);
+}
+
+bool ProgramVerifier::fail_too_fast(std::size_t move, std::size_t k, double speed, double limit) {
   return fail(
-      Fault::tool_speed, from, move,
-      {ReasonCode::tool_too_fast, {{ReasonField::speed, *speed}, {ReasonField::limit, *limit}}});
+      Fault::tool_speed, k, move,
+      {ReasonCode::tool_too_fast, {{ReasonField::speed, speed}, {ReasonField::limit, limit}}});
 }
 
 void ProgramVerifier::return_to(Progress saved) {

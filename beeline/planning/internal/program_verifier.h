@@ -81,6 +81,8 @@ class ProgramVerifier {
                                      const std::optional<double>& limit) const;
   bool check_speed(std::size_t move, std::size_t from, std::size_t to,
                    const std::optional<double>& limit);
+  bool check_speed(std::size_t move, std::size_t k, const Trajectory& part);
+  bool fail_too_fast(std::size_t move, std::size_t k, double speed, double limit);
   std::size_t speed_from() const { return now_.speed_from.value_or(now_.begin); }
   void return_to(Progress saved);
 
@@ -95,8 +97,8 @@ class ProgramVerifier {
   bool fail_to_pass(std::size_t move, std::size_t first);
   std::vector<std::size_t> joint_rests(std::size_t part, std::size_t first) const;
   bool check_passages(const JointRun& run, std::size_t next, const std::vector<Passage>& passed);
-  std::optional<std::size_t> line_begin(const Line& line, std::size_t move,
-                                        const Passage& passage) const;
+  std::vector<std::size_t> line_begins(const Line& line, std::size_t move,
+                                       const Passage& passage) const;
 
   // In program_verifier_paths.cpp:
   bool check_path();

@@ -3,6 +3,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
 
 namespace beeline::internal {
@@ -25,6 +26,22 @@ std::optional<std::size_t> last_until(const PassageLayer& layer, double at) {
                        [](double time, const Passage& passage) { return time < passage.at; });
   if (after == layer.passages.begin()) return std::nullopt;
   return static_cast<std::size_t>(after - layer.passages.begin()) - 1;
+}
+
+/// The motion between samples k and k + 1 from one fraction of this interval to another.
+Trajectory part_of_interval(const Trajectory& trajectory, std::size_t k, double from, double to) {
+  Trajectory part = samples_between(trajectory, k, k + 1);
+  const double begin = part.times[0], duration = part.times[1] - begin;
+  const double fractions[] = {from, to};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (fractions[i] == static_cast<double>(i)) continue;
+    part.times[i] = begin + fractions[i] * duration;
+    const TrajectoryState state = sample(trajectory, part.times[i]);
+    part.positions[i] = state.position;
+    if (!part.velocities.empty()) part.velocities[i] = state.velocity;
+    if (!part.accelerations.empty()) part.accelerations[i] = state.acceleration;
+  }
+  return part;
 }
 
 }  // namespace
@@ -108,21 +125,26 @@ bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>&
   return true;
 }
 
-/// Checks the speed in the intervals between samples that contain passages, which belong to several
-/// moves: the largest of their limits. `next` is the move after the last passage.
+/// Checks the speed in the intervals between samples that contain passages: of each move up to its
+/// passage, and of the next one after it. `next` is the move after the last passage.
 bool ProgramVerifier::check_passages(const JointRun& run, std::size_t next,
                                      const std::vector<Passage>& passed) {
-  const auto speed_of = [&](std::size_t i) {
-    return program_.moves[i < run.passed.size() ? run.passed[i] : next].speed;
+  constexpr double resolution = 1e-6;  // of an interval: shorter parts belong to their neighbours
+  const auto check_part = [&](std::size_t i, std::size_t begin, double from, double to) {
+    const std::size_t move = i < run.passed.size() ? run.passed[i] : next;
+    return check_speed(move, begin, part_of_interval(trajectory_, begin, from, to));
   };
   for (std::size_t i = 0; i < passed.size();) {
-    const std::size_t begin = passed[i].before(), end = passed[i].after(), first = i;
-    std::optional<double> limit = speed_of(i);
-    for (; i < passed.size() && passed[i].before() == begin && passed[i].after() == end; ++i) {
-      const std::optional<double> other = speed_of(i + 1);
-      limit = limit && other ? std::optional(std::max(*limit, *other)) : std::nullopt;
+    const std::size_t begin = passed[i].before(), end = passed[i].after();
+    double from = 0;
+    for (; i < passed.size() && passed[i].before() == begin; ++i) {
+      const double at = passed[i].at - static_cast<double>(begin);
+      if (at - from < resolution) continue;
+      const double to = 1 - at < resolution ? 1 : at;
+      if (!check_part(i, begin, from, to)) return false;
+      from = to;
     }
-    if (!check_speed(run.passed[first], begin, end, limit)) return false;
+    if (begin < end && from < 1 && !check_part(i, begin, from, 1)) return false;
   }
   for (const Passage& passage : passed) now_.result.arrivals.push_back(passage.nearest());
   return true;
@@ -182,17 +204,25 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
   });
 }
 
-/// The last sample of a passage at which the tool follows a line that begins at its waypoint.
-std::optional<std::size_t> ProgramVerifier::line_begin(const Line& line, std::size_t move,
-                                                       const Passage& passage) const {
+/// The samples after a passage from which the tool may follow a line that begins at its waypoint:
+/// the first one, from which most of the line is followed, and the last one before the tool is
+/// farther along it.
+std::vector<std::size_t> ProgramVerifier::line_begins(const Line& line, std::size_t move,
+                                                      const Passage& passage) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
-  std::optional<std::size_t> last;
+  std::vector<std::size_t> begins;
   for (std::size_t k = passage.after(); k < trajectory_.size(); ++k) {
     if (!passages_.is_near(line.from, blend, k)) break;
     double fraction = 0;
-    if (is_on(line, k, fraction) && fraction <= blended_fraction) last = k;
+    if (!is_on(line, k, fraction)) continue;
+    if (fraction > blended_fraction) {
+      if (!begins.empty()) break;
+      continue;
+    }
+    if (begins.size() == 2) begins.pop_back();
+    begins.push_back(k);
   }
-  return last;
+  return begins;
 }
 
 bool ProgramVerifier::check_line_begins(const JointRun& run,
@@ -200,21 +230,27 @@ bool ProgramVerifier::check_line_begins(const JointRun& run,
   const std::size_t move = run.passed.back();
   const ProgramPart& path = parts_[run.next];
   const Line line = std::get<Line>(path.route.path.segments.front());
-  std::vector<std::size_t> passages(layers.back().passages.size());
-  std::iota(passages.begin(), passages.end(), std::size_t{0});
-  return check_candidates(passages, [&](std::size_t last) {
-    const std::vector<Passage> passed = chain_of(layers, last);
-    if (!check_passages(run, path.first, passed)) return false;
-    const auto begin = line_begin(line, move, passed.back());
-    if (!begin) {
-      const std::size_t at = passed.back().nearest();
-      Reason reason = deviation_reason(ReasonCode::off_path,
-                                       deviation_from(line, tool_at(passed.back().after()), task_));
-      reason.set(ReasonField::segment_name, move_name(program_, path.first));
-      return fail(Fault::deviation, at, std::move(reason));
+  const std::vector<Passage>& passages = layers.back().passages;
+  std::vector<std::size_t> begins, last;  // of each candidate, with its passage
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    for (const std::size_t begin : line_begins(line, move, passages[i])) {
+      begins.push_back(begin);
+      last.push_back(i);
     }
+  }
+  if (begins.empty()) {
+    Reason reason = deviation_reason(
+        ReasonCode::off_path, deviation_from(line, tool_at(passages.front().after()), task_));
+    reason.set(ReasonField::segment_name, move_name(program_, path.first));
+    return fail(Fault::deviation, passages.front().nearest(), std::move(reason));
+  }
+  std::vector<std::size_t> candidates(begins.size());
+  std::iota(candidates.begin(), candidates.end(), std::size_t{0});
+  return check_candidates(candidates, [&](std::size_t i) {
+    const std::vector<Passage> passed = chain_of(layers, last[i]);
+    if (!check_passages(run, path.first, passed)) return false;
     now_.leaving.reset();
-    now_.begin = *begin;
+    now_.begin = begins[i];
     now_.speed_from = passed.back().after();
     now_.entering = true;
     now_.part = run.next;

@@ -73,19 +73,28 @@ std::vector<std::size_t> ProgramVerifier::path_rests(const Route& route) const {
   return rests;
 }
 
-/// The samples up to which the tool may follow a line that ends in the blend of a move: the first
-/// one of each stay near its end.
+/// The samples up to which the tool may follow a line that ends in the blend of a move: of each
+/// stay near its end the last one, up to which most of the line is followed, and the first one.
 std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_t move) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
   std::vector<std::size_t> ends;
-  bool stays = false;
+  std::size_t stay = 0;  // number of samples of the stay so far
+  const auto end_stay = [&](std::size_t last) {
+    if (stay > 0) ends.push_back(last);
+    if (stay > 1) ends.push_back(last + 1 - stay);
+    stay = 0;
+  };
   for (std::size_t k = now_.begin; k < trajectory_.size() && ends.size() < max_candidates; ++k) {
     double fraction = 0;
     const bool ends_here = passages_.is_near(line.to, blend, k) && is_on(line, k, fraction) &&
                            fraction >= 1 - blended_fraction;
-    if (ends_here && !stays) ends.push_back(k);
-    stays = ends_here;
+    if (ends_here) {
+      ++stay;
+    } else {
+      end_stay(k - 1);
+    }
   }
+  end_stay(trajectory_.size() - 1);
   return ends;
 }
 

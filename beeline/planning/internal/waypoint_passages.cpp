@@ -113,8 +113,9 @@ std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
     if (here < before && here <= next) {
       if (budget_.ended(work)) break;
       double least = here;
-      const Passage passage = trajectory_.size() > 1 ? refined(move, waypoint, k, first, least)
-                                                     : Passage{static_cast<double>(k)};
+      Passage passage{static_cast<double>(k)};
+      // Between two samples only where the sample is not a passage itself: a line may begin at it.
+      if (passage.at < first || here > 1) passage = refined(move, waypoint, k, first, least);
       if (least <= 1 && (found.empty() || passage.at > found.back().at)) found.push_back(passage);
     }
     before = here;

@@ -69,7 +69,9 @@ PathPoint point_at(const JointPath& path, double s) {
   const bool straight =
       path.dq[k] == path.dq[k + 1] && path.ddq[k].isZero(0) && path.ddq[k + 1].isZero(0);
   if (straight) {  // without the rounding of the polynomial, which counts in short steps
-    return {path.q[k] + (s - path.s[k]) * path.dq[k], path.dq[k], path.ddq[k], path.ddq[k]};
+    const bool first_half = s - path.s[k] < path.s[k + 1] - s;
+    const std::size_t near = first_half ? k : k + 1;  // exact at both ends
+    return {path.q[near] + (s - path.s[near]) * path.dq[k], path.dq[k], path.ddq[k], path.ddq[k]};
   }
   return path_point(path, k, (s - path.s[k]) / (path.s[k + 1] - path.s[k]));
 }
