@@ -1,12 +1,16 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
-import { allPages } from "../src/lessons/lessons.js";
+import { allPages, lessons } from "../src/lessons/lessons.js";
 import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
+const texts = fileURLToPath(new URL("../src/lessons/text", import.meta.url));
 
 test("constant Jacobians", () => {
   for (const [text, constant] of [
@@ -32,6 +36,30 @@ test("a pose is reached within 0.1 m and 3 degrees", () => {
   expect(checkReach(pose, { ...goal, x: goal.x + 0.2 }).solved).toBe(false);
   expect(checkReach(pose, { ...goal, degrees: goal.degrees + 5 }).solved).toBe(false);
   arm.release();
+});
+
+test.each(lessons.map(({ title, ...one }) => [title, one] as const))(
+  "the contents say the equations and the exercises of lesson %s",
+  (title, { equations, exercises }) => {
+    const file = readdirSync(texts).find((name) => name.startsWith(`${parseInt(title)}_`)) ?? "";
+    const text = readFileSync(join(texts, file), "utf8");
+    const numbered = [...text.matchAll(/^\$\$\((1\.\d)\)/gm)].map(([, number]) => number);
+    expect(equations).toEqual(expect.arrayContaining(numbered));
+    for (const number of equations)
+      expect(text).toMatch(new RegExp(`^\\$\\$\\(${number}\\)|equation\\s${number}`, "m"));
+    expect(exercises.length).toBe(text.match(/^```check /gm)?.length ?? 0);
+  },
+);
+
+test("what a lesson is about is found by reading the contents", async () => {
+  const { page } = await open(there, "#section=lessons&lesson=rrr");
+  await page.locator(".contents summary").click();
+  const line = (words: string) => contents(page).getByRole("listitem").filter({ hasText: words });
+  await line("eq. 1.3").getByRole("link", { name: "6 Joint-space control" }).waitFor();
+  await line("eq. 1.5 and 1.6").getByRole("link", { name: "8 Cartesian control" }).waitFor();
+  await line("draw an arm").getByRole("link", { name: "3 Forward kinematics" }).waitFor();
+  await line("singular configuration").getByRole("link", { name: "7 The Jacobian" }).waitFor();
+  await page.context().close();
 });
 
 /** The links to the lessons. */
@@ -126,7 +154,7 @@ test("the pose that an exercise asks for is in the picture, and its verdict goes
 
 test("a lesson opens with its figure: control in both spaces follows the gain, as the command line computes it", async () => {
   const { page, complaints } = await open(there, "#arm=ur5&section=lessons");
-  await turnTo(page, "10 Both side by side");
+  await turnTo(page, "10 The two controllers compared");
   await expect.poll(() => shownArm(page)).toBe("rrr");
   const joint = page.getByText(/Joint space: within 2 % of the way after/);
   const says = page.getByText(/Cartesian space: within 2 % of the way after \d+ steps, reached/); // one criterion for both
@@ -174,7 +202,7 @@ test("a link inside a lesson leaves the waypoints and the units as they are", as
 
 test("a link to a lesson alone shows its figure", async () => {
   const { page } = await open(there, "#section=lessons&lesson=comparison");
-  await page.getByRole("heading", { name: "Both side by side" }).waitFor();
+  await page.getByRole("heading", { name: "The two controllers compared" }).waitFor();
   await expect.poll(() => shownArm(page)).toBe("rrr");
   expect(await page.getByText("There is no goal").count()).toBe(0);
 });
@@ -241,7 +269,7 @@ test("Figure 1.7 starts from rest, also where the gain changes while the motion 
 test("a lesson says minutes and what is before it; previous and next; ticks are kept in the browser", async () => {
   const { page } = await open(there, "#section=lessons&lesson=cartesian");
   await page
-    .getByText("Section 1.8 of the chapter · 8 minutes · after 6 Joint-space control and 7 The Jacobian")
+    .getByText("Section 1.8, eq. 1.5 and 1.6 · 8 minutes · after 6 Joint-space control and 7 The Jacobian")
     .waitFor();
   const around = page.getByRole("navigation", { name: "Previous and next lesson" });
   await around.getByRole("link", { name: "9 Worked example of control" }).click();

@@ -5,6 +5,10 @@ export interface Lesson {
   title: string;
   /** The section of the chapter, or null beyond it. */
   section: string | null;
+  /** The numbered equations of the chapter that it is about. */
+  equations: string[];
+  /** What its exercises ask for, in their order, a few words each. */
+  exercises: string[];
   /** What reading and exercises take, minutes. */
   minutes: number;
   /** The lessons that it builds on. */
@@ -20,120 +24,131 @@ const rest = at(0, 0, 0);
 const goal = at(99.2, -68.8, -30.4);
 const bent = "-0.5,0.9,-0.4";
 
-/** `scene`: what the address has behind "#arm=". */
+/** `covered`: section, equations and exercises; `scene`: what the address has behind "#arm=". */
 function lesson(
   [id, title]: [string, string],
-  section: string | null,
+  covered: Partial<Pick<Lesson, "section" | "equations" | "exercises">>,
   [minutes, ...needs]: [number, ...string[]],
   scene: string,
   load: Lesson["load"],
 ): Lesson {
-  return { id, title, section, minutes, needs, scene: `#arm=${scene}`, load };
+  const { section = null, equations = [], exercises = [] } = covered;
+  return { id, title, section, equations, exercises, minutes, needs, scene: `#arm=${scene}`, load };
 }
 
 export const lessons: Lesson[] = [
-  lesson(["definitions", "1 Links and joints"], "1.1", [6], "R:1&q=0.5", () => import("./text/1_definitions.md")),
+  lesson(
+    ["definitions", "1 Links and joints"],
+    { section: "1.1", exercises: ["write a joint string"] },
+    [6],
+    "R:1&q=0.5",
+    () => import("./text/1_definitions.md"),
+  ),
   lesson(
     ["rrr", "2 A planar arm"],
-    "1.2",
+    { section: "1.2", exercises: ["bring the tool to a pose"] },
     [5, "definitions"],
     `rrr&q=${at(0, 50, -80)}&frames=1`,
     () => import("./text/2_rrr.md"),
   ),
   lesson(
     ["forward", "3 Forward kinematics"],
-    "1.3",
+    { section: "1.3", equations: ["1.1"], exercises: ["draw an arm RP", "find its formula"] },
     [12, "rrr"],
     `RR:3.5,2.5&q=${at(50, -65)}&frames=1`,
     () => import("./text/3_forward_kinematics.md"),
   ),
   lesson(
     ["describing", "4 Describing an arm"],
-    "1.4",
+    { section: "1.4", exercises: ["write the joint string of an arm"] },
     [6, "forward"],
     `RR:3.5,2.5&q=${at(35, 40)}&frames=1`,
     () => import("./text/4_describing.md"),
   ),
   lesson(
     ["worked", "5 The three-link arm"],
-    "1.5",
+    { section: "1.5", equations: ["1.2"], exercises: ["multiply the matrices of RP", "find an entry for RRR"] },
     [12, "describing"],
     `rrr&q=${at(112, -52, -60)}`,
     () => import("./text/5_worked_example.md"),
   ),
   lesson(
     ["joint-control", "6 Joint-space control"],
-    "1.6",
+    { section: "1.6", equations: ["1.3"], exercises: ["find a gain"] },
     [10, "rrr"],
     `rrr&q=${rest}&goal=${goal}`,
     () => import("./text/6_joint_control.md"),
   ),
   lesson(
     ["jacobian", "7 The Jacobian"],
-    "1.7",
+    {
+      section: "1.7",
+      equations: ["1.4"],
+      exercises: ["name an arm with a constant Jacobian", "find a singular configuration and its lost direction"],
+    },
     [12, "worked"],
     `rrr&q=${at(0, 90, 0)}&columns=1`,
     () => import("./text/7_jacobian.md"),
   ),
   lesson(
     ["cartesian", "8 Cartesian control"],
-    "1.8",
+    { section: "1.8", equations: ["1.5", "1.6"], exercises: ["subtract two angles"] },
     [8, "joint-control", "jacobian"],
     `rrr&q=${bent}&goal=${goal}`,
     () => import("./text/8_cartesian_control.md"),
   ),
   lesson(
     ["waypoints", "9 Worked example of control"],
-    "1.9",
+    { section: "1.9", equations: ["1.7"], exercises: ["find the Jacobian of RP"] },
     [12, "cartesian"],
     `rrr&q=${at(0, 90, 0)}&gain=0.02`,
     () => import("./text/9_waypoints.md"),
   ),
   lesson(
-    ["comparison", "10 Both side by side"],
-    null,
+    ["comparison", "10 The two controllers compared"],
+    { equations: ["1.3", "1.6"], exercises: ["count the steps"] },
     [5, "cartesian"],
     `rrr&q=${bent}&goal=${goal}`,
     () => import("./text/10_comparison.md"),
   ),
   lesson(
     ["inverse", "11 Inverse kinematics in steps"],
-    null,
+    { exercises: ["find the angle of joint 2"] },
     [8, "worked"],
     `rrr&q=${at(112, -52, -60)}`,
     () => import("./text/11_inverse.md"),
   ),
   lesson(
     ["exponentials", "12 Product of exponentials"],
-    null,
+    { exercises: ["find a screw"] },
     [10, "worked"],
     `rrr&q=${rest}`,
     () => import("./text/12_exponentials.md"),
   ),
   lesson(
     ["jacobians", "13 Space and body Jacobians"],
-    null,
+    { exercises: ["find a column of the body Jacobian"] },
     [8, "jacobian"],
     `rrr&q=${at(0, 90, 0)}&columns=1`,
     () => import("./text/13_jacobians.md"),
   ),
   lesson(
     ["failures", "14 Why it fails"],
-    null,
+    { exercises: ["turn a wrist at its singularity"] },
     [8, "jacobian"],
     `rrr&q=${rest}`,
     () => import("./text/14_failures.md"),
   ),
   lesson(
     ["redundant", "15 A redundant arm"],
-    null,
+    { exercises: ["count the joints"] },
     [6, "jacobian"],
     "RRRR:3,2.5,2,1.5&q=0.9,-0.8,-0.7,-0.6",
     () => import("./text/15_redundant.md"),
   ),
   lesson(
     ["proof", "16 A proof between samples"],
-    null,
+    { exercises: ["count the intervals"] },
     [8, "comparison"],
     `rrr&q=${at(112, -52, -60)}`,
     () => import("./text/16_proof.md"),
@@ -142,10 +157,10 @@ export const lessons: Lesson[] = [
 
 /** Pages beside the lessons: for teachers. */
 export const appendices: Lesson[] = [
-  lesson(["teachers", "For teachers"], null, [0], `rrr&q=${at(112, -52, -60)}`, () => import("./text/teachers.md")),
+  lesson(["teachers", "For teachers"], {}, [0], `rrr&q=${at(112, -52, -60)}`, () => import("./text/teachers.md")),
   lesson(
     ["errata", "Errata of the chapter"],
-    null,
+    {},
     [0],
     `rrr&q=${at(112, -52, -60)}`,
     () => import("beeline-documents/errata.md"),
@@ -153,6 +168,12 @@ export const appendices: Lesson[] = [
 ];
 
 export const allPages: Lesson[] = [...lessons, ...appendices];
+
+/** The section and the equations of the chapter that a lesson covers, in words. */
+export function placeOf({ section, equations }: Lesson): string {
+  const place = section === null ? "Beyond the chapter" : `Section ${section}`;
+  return equations.length === 0 ? place : `${place}, eq. ${equations.join(" and ")}`;
+}
 
 /** The page of a name; of an unknown one the first lesson. */
 export function lessonOf(id: string): Lesson {

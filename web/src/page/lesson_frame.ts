@@ -1,5 +1,5 @@
 import { element } from "../elements/element.js";
-import { allPages, lessons, type Lesson } from "../lessons/lessons.js";
+import { allPages, lessons, placeOf, type Lesson } from "../lessons/lessons.js";
 import { doneLessons, setDone } from "../lessons/progress.js";
 
 type Open = (id: string) => void;
@@ -13,6 +13,13 @@ function link(id: string, text: string, open: Open): HTMLAnchorElement {
   return made;
 }
 
+/** What a lesson covers and asks for, below its link. */
+function coveredBy(lesson: Lesson | undefined): HTMLElement[] {
+  if (!lesson || !lessons.includes(lesson)) return [];
+  const words = [placeOf(lesson), ...lesson.exercises].join(" · ");
+  return [element("span", { class: "covered quiet" }, words)];
+}
+
 /** The list of lessons with their ticks, which opens and closes. */
 export class Contents {
   readonly root: HTMLDetailsElement;
@@ -21,7 +28,7 @@ export class Contents {
 
   constructor(open: Open) {
     this.links = allPages.map(({ id, title }) => link(id, title, open));
-    const items = this.links.map((one) => element("li", {}, one));
+    const items = this.links.map((one, i) => element("li", {}, one, ...coveredBy(allPages[i])));
     const lists = [items.slice(0, lessons.length), items.slice(lessons.length)].map((some) =>
       element("ul", {}, ...some),
     );
@@ -51,9 +58,9 @@ export class Contents {
 }
 
 /** What a lesson takes and builds on, below its title. */
-export function headOf({ section, minutes, needs }: Lesson, open: Open): HTMLElement {
-  const place = section === null ? "Beyond the chapter" : `Section ${section} of the chapter`;
-  const root = element("p", { class: "quiet lesson-head" }, `${place} · ${minutes} minutes`);
+export function headOf(lesson: Lesson, open: Open): HTMLElement {
+  const { minutes, needs } = lesson;
+  const root = element("p", { class: "quiet lesson-head" }, `${placeOf(lesson)} · ${minutes} minutes`);
   const before = needs.flatMap((id) => lessons.filter((one) => one.id === id));
   before.forEach(({ id, title }, i) => root.append(i === 0 ? " · after " : " and ", link(id, title, open)));
   return root;

@@ -1,9 +1,13 @@
 import { element } from "../elements/element.js";
 import { icon, type IconName } from "../elements/icons.js";
+import { lessons } from "../lessons/lessons.js";
 import type { Section } from "../state/page_state.js";
 
+const inChapter = lessons.filter(({ section }) => section !== null).length;
+const learn = `${lessons.length} lessons: ${inChapter} on the chapter, ${lessons.length - inChapter} beyond it`;
+
 const ways: { section: Section; icon: IconName; title: string; text: string }[] = [
-  { section: "lessons", icon: "lessons", title: "Learn", text: "The chapter in nine lessons" },
+  { section: "lessons", icon: "lessons", title: "Learn", text: learn },
   { section: "control", icon: "control", title: "Play", text: "Two controllers and their gains" },
   { section: "line", icon: "line", title: "Plan a line", text: "Straight, in minimum time, proved" },
 ];
