@@ -1,5 +1,6 @@
 import { answer } from "../core/command.js";
 import { poseError, sevenOf, toolPose } from "../core/pose.js";
+import { singularity } from "../core/singularity.js";
 import { Cancelled } from "../core/types.js";
 import { element } from "../elements/element.js";
 import { JacobianPanel } from "../panels/jacobian.js";
@@ -115,11 +116,12 @@ export class ArmPanel {
   private showParts(q: number[]): void {
     if (!this.shown) return;
     const { arm, description } = this.shown;
-    const { frame } = this.services.store.get();
+    const { frame, degrees } = this.services.store.get();
     const names = description.joints.map((joint) => joint.name);
     const jacobian = (): void => {
-      if (this.jacobianPart.open)
-        this.jacobian.show(arm.jacobian(q, frame), names, frame, arm.manipulability(q), arm.planar);
+      if (!this.jacobianPart.open) return;
+      const measures = { ...arm.manipulability(q), singularity: singularity(arm, q) };
+      this.jacobian.show(arm.jacobian(q, frame), names, frame, measures, { planar: arm.planar, degrees });
     };
     const isLong = arm.dof > longTable;
     if (!isLong) jacobian();

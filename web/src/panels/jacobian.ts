@@ -1,3 +1,4 @@
+import type { LostDirection, Singularity } from "../core/singularity.js";
 import type { Manipulability } from "../core/types.js";
 import type { PageState } from "../state/page_state.js";
 import { jointColour } from "../scene/colours.js";
@@ -41,8 +42,8 @@ export class JacobianPanel {
     jacobian: Float64Array,
     names: string[],
     frame: PageState["frame"],
-    near: Manipulability,
-    planar: boolean,
+    measures: Manipulability & { singularity: Singularity },
+    { planar, degrees }: { planar: boolean; degrees: boolean },
   ): void {
     this.choice.value = frame;
     const shownRows = planar ? [0, 1, 5] : [0, 1, 2, 3, 4, 5];
@@ -55,10 +56,38 @@ export class JacobianPanel {
       title.style.setProperty("--joint", jointColour(k));
     });
     this.numbers.replaceChildren(made);
-    const smallest = near.singularValues.at(-1) ?? 0;
-    const inverseCondition = near.condition > 0 && Number.isFinite(near.condition) ? 1 / near.condition : 0;
+    const smallest = measures.singularValues.at(-1) ?? 0;
     this.measure.textContent =
-      `Manipulability ${shown(near.manipulability)}; smallest singular value ${shown(smallest)}` +
-      (inverseCondition < 0.02 ? ". Near a singularity: some tool velocities need very fast joints." : ".");
+      `Manipulability ${shown(measures.manipulability)}; smallest singular value ${shown(smallest)}.` +
+      singularInWords(measures.singularity, planar, degrees);
   }
+}
+
+/** Says that a configuration is singular, or near one, and which motion of the tool is lost. */
+export function singularInWords({ is, rank, full, lost }: Singularity, planar: boolean, degrees: boolean): string {
+  if (is === "far") return "";
+  const [move, turn] = lost ? motions(lost, planar, degrees) : [];
+  const both = [move, turn].filter((one) => one !== undefined);
+  if (is === "near") {
+    const what = both.length === 0 ? "some tool velocities need" : "the tool needs";
+    const to = both.length === 0 ? "" : ` to ${both.join(", and to ")}`;
+    return ` Near a singularity: ${what} very fast joints${to}.`;
+  }
+  if (both.length > 0) return ` At a singularity: the tool cannot ${both.join(", and cannot ")}.`;
+  const dimensions = rank === 1 ? "1 dimension" : `${rank} dimensions`;
+  return ` At a singularity: the velocities of the tool have ${dimensions}, and ${full} away from singularities.`;
+}
+
+/** The linear and the angular part of a lost direction. The one is lost while the other rests. */
+function motions({ linear, angular }: LostDirection, planar: boolean, degrees: boolean): (string | undefined)[] {
+  const vector = (axis: number[]): string => `(${axis.map((value) => shown(value, 3)).join(", ")})`;
+  const direction = (axis: number[]): string => {
+    if (!planar) return `${vector(axis)} (linear velocity, base axes)`;
+    const angle = Math.atan2(axis[1] ?? 0, axis[0] ?? 0);
+    return degrees ? `${shown((angle * 180) / Math.PI, 1)}°` : `${shown(angle, 3)} rad`;
+  };
+  const move = linear && `move along ${direction(linear)}${angular ? " without turning" : ""}`;
+  const axis = angular && (planar ? "" : ` about ${vector(angular)} (angular velocity, base axes)`);
+  const turn = angular && `turn${axis ?? ""}${linear ? " in place" : ""}`;
+  return [move ?? undefined, turn ?? undefined];
 }
