@@ -66,9 +66,16 @@ test("gains too small, good, too large, and unstable are seen in the step respon
   await page.getByLabel("Kd, derivative gain", { exact: true }).fill("0.2");
   await page.getByLabel("Kd, derivative gain", { exact: true }).press("Enter");
   await expect.poll(() => words.textContent()).toContain("overshoots by 20.5 %");
-  await page.getByText(/Joint space: .* reached after 54 steps, overshoot 20\.5 %/).waitFor();
+  await page.getByText(/Joint space, eq. 1.3: .* reached after 54 steps, overshoot 20\.5 %/).waitFor();
   await expect.poll(() => page.url()).toContain("gain=0.5&ki=0.1&kd=0.2");
   await page.context().close();
+});
+
+test("the controllers are named with their equations, and the chart says which of them it shows", async () => {
+  const page = await opened(section);
+  await page.getByText("Step response in joint space (eq. 1.3): errors of the joints").waitFor();
+  await page.getByText(/^Joint space, eq. 1.3: .* reached/).waitFor();
+  await page.getByText(/^Cartesian space, eq. 1.6: .* reached/).waitFor();
 });
 
 /** The path of a trail, its last point's pixels. */
@@ -94,7 +101,7 @@ test("trails, chart and words follow the gain while it moves; they come back wit
 
 test("the dots are the steps of the command", async () => {
   const page = await opened(section);
-  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* reached/).waitFor();
   const arm = (await loadCore()).arm("rrr");
   const goal = json<{ pose: { planar: Record<string, number> } }>(["fk", "rrr", `--q=${to.join(",")}`]).pose.planar;
   const files = { "goal.csv": `x,y,theta\n${goal["x"]},${goal["y"]},${goal["theta"]}\n` };
@@ -129,8 +136,8 @@ test.each([
   await words.getByText(`beyond 10 times the first after ${steps} steps.`).waitFor();
   const why = `Each step multiplies the error by 1 − Kp = ${one.factor}; it shrinks only for 0 < Kp < 2.`;
   expect(await words.textContent()).toContain(why);
-  await page.getByText(`Joint space: beyond 10 times the first error after ${steps} steps.`).waitFor();
-  await page.getByText(/Cartesian space: \d+ steps are drawn; it swings about the goal/).waitFor();
+  await page.getByText(`Joint space, eq. 1.3: beyond 10 times the first error after ${steps} steps.`).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: \d+ steps are drawn; it swings about the goal/).waitFor();
   await expect.poll(async () => (await trail(page, "joint")).split("M").length - 1).toBe(steps + 1);
   expect(await page.locator(".runs").textContent()).not.toMatch(/line 1 of 1|\d{4}/);
   await page.evaluate(`
@@ -158,7 +165,7 @@ test("why a controller diverges is seen without scrolling", async () => {
 
 test("where joints have limits a controller that diverges leaves them, and the arm stays within", async () => {
   const page = await opened("#arm=panda&section=control&gain=2.4");
-  await page.getByText(/Joint space: joint\d leaves its limits after \d+ steps?; beyond 10 times/).waitFor();
+  await page.getByText(/Joint space, eq. 1.3: joint\d leaves its limits after \d+ steps?; beyond 10 times/).waitFor();
 });
 
 test("with integral and derivative gains the factor is of all of them", async () => {
@@ -184,7 +191,7 @@ test("the default goal moves each joint by another amount: three curves are seen
 
 test("a second Go glides back to the start, and nothing below moves", async () => {
   const page = await opened(section);
-  await page.getByText(/Joint space: .* reached/).waitFor();
+  await page.getByText(/Joint space, eq. 1.3: .* reached/).waitFor();
   const go = page.getByRole("button", { name: "Go in joint space" });
   const gains = page.locator(".gains").first();
   const place = async (): Promise<number> => (await gains.boundingBox())?.y ?? NaN;
@@ -212,7 +219,7 @@ test("a second Go glides back to the start, and nothing below moves", async () =
 test("the arm goes to the goal and stays there; the goal is dragged; back to the start", async () => {
   const page = await opened(section);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* reached/).waitFor();
   await page.getByRole("button", { name: "Go in joint space" }).click();
   const degrees = to.map((value) => (value * 180) / Math.PI);
   await expect.poll(async () => Math.abs(((await jointValues(page))[0] ?? 0) - (degrees[0] ?? 0))).toBeLessThan(0.5);

@@ -3,6 +3,9 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { cartesianRows } from "../src/core/cartesian.js";
+import type { JointDescription } from "../src/core/description.js";
+import { poseError, toolPose } from "../src/core/pose.js";
 import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
 import { allPages, lessons } from "../src/lessons/lessons.js";
 import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
@@ -59,6 +62,22 @@ test("what a lesson is about is found by reading the contents", async () => {
   await line("eq. 1.5 and 1.6").getByRole("link", { name: "8 Cartesian control" }).waitFor();
   await line("draw an arm").getByRole("link", { name: "3 Forward kinematics" }).waitFor();
   await line("singular configuration").getByRole("link", { name: "7 The Jacobian" }).waitFor();
+  await page.context().close();
+});
+
+test("in lesson 10 the Cartesian controller ends at the goal's pose with the elbow on the other side", async () => {
+  const arm = core.arm("rrr");
+  const goal = [99.2, -68.8, -30.4].map((value) => (value * Math.PI) / 180);
+  const pose = Array.from(toolPose(arm, goal));
+  const joints = goal.map(() => ({ limits: { lower: null, upper: null } }));
+  const options = { gain: 0.1, tolerance: 1e-6, maxSteps: 2000 };
+  const rows = [...cartesianRows(arm, joints as JointDescription[], [-0.5, 0.9, -0.4], [pose], options)];
+  const end = rows.at(-1) ?? [];
+  expect(Math.hypot(...poseError(toolPose(arm, end), pose))).toBeLessThan(1e-5);
+  expect(end[1]).toBeCloseTo(-(goal[1] ?? NaN), 4);
+  arm.release();
+  const { page } = await open(there, "#section=lessons&lesson=comparison");
+  await page.getByText("which the tool may reach in another configuration").waitFor();
   await page.context().close();
 });
 
@@ -156,14 +175,14 @@ test("a lesson opens with its figure: control in both spaces follows the gain, a
   const { page, complaints } = await open(there, "#arm=ur5&section=lessons");
   await turnTo(page, "10 The two controllers compared");
   await expect.poll(() => shownArm(page)).toBe("rrr");
-  const joint = page.getByText(/Joint space: within 2 % of the way after/);
-  const says = page.getByText(/Cartesian space: within 2 % of the way after \d+ steps, reached/); // one criterion for both
-  await page.getByText(/Joint space: within 2 % of the way after 38 steps, reached/).waitFor();
+  const joint = page.getByText(/Joint space, eq. 1.3: within 2 % of the way after/);
+  const says = page.getByText(/Cartesian space, eq. 1.6: within 2 % of the way after \d+ steps, reached/); // one criterion for both
+  await page.getByText(/Joint space, eq. 1.3: within 2 % of the way after 38 steps, reached/).waitFor();
   await says.waitFor();
   const slider = page.getByLabel("Gain Kp");
   await slider.focus();
   for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
-  await page.getByText(/Joint space: within 2 % of the way after 18 steps, reached/).waitFor();
+  await page.getByText(/Joint space, eq. 1.3: within 2 % of the way after 18 steps, reached/).waitFor();
   expect(await joint.count()).toBe(1);
   const goal = [99.2, -68.8, -30.4].map((value) => (value * Math.PI) / 180);
   const { pose } = json<{ pose: { matrix: number[][] } }>(["fk", "rrr", `--q=${goal.join(",")}`]);

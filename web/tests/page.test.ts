@@ -126,8 +126,8 @@ test("a truncated URDF and a wrong name give a reason, and the page lives on", a
 
 test("joint-space and Cartesian control both reach the goal", async () => {
   const page = await opened("#arm=rrr&q=0.4,0.9,0.6&section=control&goal=1.4,-0.6,0.9&gain=0.1");
-  await page.getByText(/Cartesian space: .* reached after \d+ steps/).waitFor();
-  const text = await page.getByText(/Joint space: .* reached/).textContent();
+  await page.getByText(/Cartesian space, eq. 1.6: .* reached after \d+ steps/).waitFor();
+  const text = await page.getByText(/Joint space, eq. 1.3: .* reached/).textContent();
   const native = json<{ steps: number }>(["move", "rrr", "--from=0.4,0.9,0.6", "--to=1.4,-0.6,0.9", "--gain=0.1"]);
   expect(text).toContain(`${native.steps} steps`);
 });
@@ -285,7 +285,7 @@ test("the saved page opens from a disk, without a network, and computes", async 
 test.each([
   ["#arm=ur5", { width: 1200, height: 900 }, /8 solutions/],
   ["#arm=panda", { width: 360, height: 740 }, /Infinitely many solutions/],
-  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space: .* reached/],
+  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space, eq. 1.6: .* reached/],
   ["#arm=ur5&section=line", { width: 1200, height: 900 }, "Drag the tool to a pose"],
 ])("%s is accessible and no wider than the screen", async (hash, size, complete) => {
   const page = await opened(hash, size);

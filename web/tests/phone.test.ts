@@ -57,7 +57,7 @@ async function panel(page: Page): Promise<{ top: number; bottom: number }> {
 test("on a phone a gain and why it diverges are on the screen at once; the slider stays under the finger", async () => {
   const page = await phone("#arm=rrr&section=control&gain=0.1");
   const slider = page.getByLabel("Kp, proportional gain, slider");
-  await page.getByText(/Cartesian space: .* reached/).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* reached/).waitFor();
   const before = await slider.boundingBox();
   const [x, y] = [before?.x ?? NaN, (before?.y ?? NaN) + (before?.height ?? NaN) / 2];
   expect(y).toBeLessThan((await panel(page)).bottom);
@@ -68,7 +68,7 @@ test("on a phone a gain and why it diverges are on the screen at once; the slide
   await page.getByText("it shrinks only for 0 < Kp < 2").waitFor();
   const words = await page.locator(".response").boundingBox();
   expect((words?.y ?? NaN) + (words?.height ?? NaN)).toBeLessThanOrEqual((await panel(page)).bottom);
-  await page.getByText(/Cartesian space: .* does not arrive/).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* does not arrive/).waitFor();
   expect((await slider.boundingBox())?.y).toBe(before?.y);
   const texts = await page.locator(".labels text").all();
   expect(texts.length).toBeGreaterThan(4);

@@ -63,7 +63,9 @@ test("arms and sections changed while a command runs leave nothing of the arm be
   await list.first().waitFor();
   expect((await list.first().textContent())?.split(", ").length).toBe(3);
   await page.getByRole("link", { name: "Control" }).click();
-  await expect.poll(() => page.locator(".runs").textContent()).toMatch(/^Joint space: .*Cartesian space: /);
+  await expect
+    .poll(() => page.locator(".runs").textContent())
+    .toMatch(/^Joint space, eq. 1.3: .*Cartesian space, eq. 1.6: /);
   expect(await page.locator(".runs li").count()).toBe(2);
   await page.getByRole("link", { name: "Line" }).click();
   expect(await page.locator("button:visible", { hasText: "Cancel" }).count()).toBe(0);

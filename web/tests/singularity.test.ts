@@ -64,7 +64,9 @@ test("planar arms name the angle of the lost direction; where two are lost none 
   expect(said("rrr", [65.9, 0, 40])).toBe(
     " At a singularity: the tool cannot move along 65.9° without turning, and cannot turn in place.",
   );
-  expect(said("rrr", [65.9, 0.01, 0])).toBe(" Near a singularity: the tool needs very fast joints to move along 65.9°.");
+  expect(said("rrr", [65.9, 0.01, 0])).toBe(
+    " Near a singularity: the tool needs very fast joints to move along 65.9°.",
+  );
   expect(said("rrr", [65.9, 60, 0])).toBe("");
   expect(said("RRR:0,0,1", [10, 20, 30])).toBe(
     " At a singularity: the velocities of the tool have 1 dimension, and 3 away from singularities.",

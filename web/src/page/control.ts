@@ -53,8 +53,9 @@ export class Control implements PageSection {
       element("p", { class: "pair" }, go("joint", "Go in joint space"), go("cartesian", "Go in Cartesian space")),
       this.runs.root,
       quiet(
-        "One measures the error in the joints, and the tool's path is curved; the other measures it at the tool, and " +
-          "the path is straight.",
+        "In joint space (eq. 1.3) the error is measured in the joints, and the tool's path is curved; in Cartesian " +
+          "space (eq. 1.6) it is measured at the tool, and the path is straight. The tool may arrive there in another " +
+          "configuration than the goal's.",
       ),
       element("p", { class: "pair" }, goal, this.back),
       this.chart.root,

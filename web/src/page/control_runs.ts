@@ -12,7 +12,7 @@ import type { Services, Shown } from "./section.js";
 
 /** What is controlled: the joints, eq. 1.3, or the tool, eq. 1.6. */
 export type ControlKind = "joint" | "cartesian";
-const titles: Record<ControlKind, string> = { joint: "Joint space", cartesian: "Cartesian space" };
+const titles: Record<ControlKind, string> = { joint: "Joint space, eq. 1.3", cartesian: "Cartesian space, eq. 1.6" };
 
 /** What `beeline move` and `beeline line --method inverse-jacobian` print. */
 interface Outcome extends Reason {

@@ -338,7 +338,7 @@ const controllers: Record<string, (services: Services, player: LessonPlayer) => 
   "cartesian-control": (services, player) =>
     new ControlFigure(services, player, ["cartesian"], "Cartesian control to the same goal", again(bent)),
   "both-controls": (services, player) =>
-    new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers", again(bent)),
+    new ControlFigure(services, player, ["joint", "cartesian"], "Both controllers, eq. 1.3 and 1.6", again(bent)),
   "1.9": (services, player) =>
     new WaypointsFigure(services, player, "Figure 1.9: straight paths through three waypoints", again(left)),
   proof: (services, player) => new ProofFigure(services, player, [a, b]),

@@ -22,7 +22,7 @@ export class StepChart {
   private drawing = 0;
 
   constructor() {
-    this.root.append(element("figcaption", {}, "Step response: errors of the joints"));
+    this.root.append(element("figcaption", {}, "Step response in joint space (eq. 1.3): errors of the joints"));
     this.root.append(this.holder, this.legend);
     new ResizeObserver(() => {
       if (this.root.clientWidth > 0) this.plot?.setSize({ width: this.root.clientWidth, height });
