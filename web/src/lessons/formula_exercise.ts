@@ -3,7 +3,7 @@ import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
 import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { mathOf, valueOf, type Expression } from "./expression.js";
-import { readFormula, type Names } from "./formula.js";
+import { readFormula } from "./formula.js";
 import { planarPose } from "./formula_checks.js";
 import type { FormulaTask } from "./judges.js";
 
@@ -17,9 +17,10 @@ interface Field {
 
 let made = 0;
 
-function field(name: string, names: Names, changed: () => void): Field {
+function field(name: string, { names, example }: FormulaTask, changed: () => void): Field {
   const id = `formula-${++made}`;
-  const input = element("input", { id, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
+  const placeholder = `e.g. ${example}`;
+  const input = element("input", { id, spellcheck: "false", autocomplete: "off", autocapitalize: "off", placeholder });
   const typeset = element("output", { class: "typeset", for: id, "aria-live": "off" });
   const root = element("p", { class: "formula" }, element("label", { for: id }, `${name} =`), input, typeset);
   const one: Field = { root, input, formula: null };
@@ -37,11 +38,8 @@ function field(name: string, names: Names, changed: () => void): Field {
 
 /** An exercise that asks for formulas. Where they are the pose of the tool, the picture of that arm has the pose that
  * they describe, also while it moves. */
-export function formulaExercise(
-  context: ExerciseContext,
-  exerciseName: string,
-  { arm, names, asked, start }: FormulaTask,
-): Exercise {
+export function formulaExercise(context: ExerciseContext, exerciseName: string, task: FormulaTask): Exercise {
+  const { arm, asked, start } = task;
   const { services } = context;
   const answer = verdict();
   let at: number[] | undefined;
@@ -71,7 +69,7 @@ export function formulaExercise(
     setPlace.hidden = true;
     draw();
   };
-  const fields: Field[] = asked.map(({ name }) => field(name, names, changed));
+  const fields: Field[] = asked.map(({ name }) => field(name, task, changed));
   const typed = (): string => fields.map(({ input }) => input.value.replaceAll(";", " ")).join("; ");
   const check = (): void => {
     const found = judged(context, exerciseName, typed());

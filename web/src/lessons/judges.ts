@@ -36,6 +36,8 @@ export interface FormulaTask {
   arm: string;
   names: Names;
   asked: Asked[];
+  /** A formula that shows how one types; no answer. */
+  example: string;
   /** The configuration in which the page shows it first; without it one that shows the arm well. */
   start?: number[];
 }
@@ -45,6 +47,7 @@ export const rrrNames: Names = { joints: ["revolute", "revolute", "revolute"], l
 const rp = {
   arm: "rp",
   names: { joints: ["revolute", "prismatic"], lengths: [1] },
+  example: "d2^2 - 3*cos(theta1)",
   start: [35 * degree, 1], // at d2 = 0 two frames coincide
 } satisfies Partial<FormulaTask>;
 
@@ -52,7 +55,7 @@ export const formulaTasks: Record<string, FormulaTask> = {
   rp: { ...rp, asked: planarPose },
   "formula-rp": { ...rp, asked: planarPose },
   "rp-jacobian": { ...rp, asked: rpJacobian },
-  "rrr-entry": { arm: "rrr", names: rrrNames, asked: planarPose.slice(1, 2) },
+  "rrr-entry": { arm: "rrr", names: rrrNames, asked: planarPose.slice(1, 2), example: "2*cos(theta1) - L3" },
 };
 
 /** The target of the exercise `reach`, and the steps that `gain` allows. */
