@@ -7,8 +7,10 @@ import { cartesianRows } from "../src/core/cartesian.js";
 import type { JointDescription } from "../src/core/description.js";
 import { poseError, toolPose } from "../src/core/pose.js";
 import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
+import { readFormula } from "../src/lessons/formula.js";
+import { formulaTasks, judges } from "../src/lessons/judges.js";
 import { allPages, lessons } from "../src/lessons/lessons.js";
-import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
+import { axe, chooseArm, frames, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
@@ -79,6 +81,15 @@ test("in lesson 10 the Cartesian controller ends at the goal's pose with the elb
   const { page } = await open(there, "#section=lessons&lesson=comparison");
   await page.getByText("which the tool may reach in another configuration").waitFor();
   await page.context().close();
+});
+
+test("the examples in the fields of formulas can be typed, and are no answers", () => {
+  const bench = { arm: (text: string) => core.arm(text), random: next };
+  for (const [name, { names, asked, example }] of Object.entries(formulaTasks)) {
+    expect(() => readFormula(example, names), name).not.toThrow();
+    const verdict = judges[name]?.(asked.map(() => example).join("; "), bench);
+    expect([name, verdict?.solved, verdict?.says.startsWith("Not yet")]).toEqual([name, false, true]);
+  }
 });
 
 /** The links to the lessons. */
@@ -349,7 +360,9 @@ test("the arm RP is drawn with the mouse, and the verdict shows where the drawin
   const place = (x: number, y: number): Promise<void> =>
     page.mouse.click(box.x + (x + 0.75) * metre, box.y + (2.5 - y) * metre);
   const form = page.getByRole("form", { name: "Exercise" }).filter({ has: board });
+  await form.getByText("Next part: Joint R.").waitFor();
   await place(0, 0);
+  await form.getByText("R at (0, 0). Next part: Joint P.").waitFor();
   await place(1, 0);
   await place(2.1, 0.6); // snaps to (2, 0.5)
   await form.getByText("R at (0, 0), P at (1, 0), tool at (2, 0.5)").waitFor();
@@ -364,6 +377,60 @@ test("the arm RP is drawn with the mouse, and the verdict shows where the drawin
   await form.getByText("R at (0, 0), P at (1, 0), tool at (2, 0)").waitFor();
   await form.getByRole("button", { name: "Check" }).click();
   await form.getByText("Right: the tool is where it is to be at three configurations.").waitFor();
+  await expect.poll(() => shownArm(page)).toBe("rp"); // as it is drawn
+  await expect.poll(() => jointValues(page)).toEqual([0, 1]);
+  await page.getByText("Another arm is in the picture.").waitFor({ state: "hidden" });
+  await page.context().close();
+});
+
+test("a button in an exercise that shows its arm leaves the lesson where it is read", async () => {
+  const { page } = await open(there, "#section=lessons&lesson=forward");
+  await page.getByText("Figure 1.4").waitFor();
+  const field = page.getByLabel("x =");
+  expect(await field.getAttribute("placeholder")).toMatch(/^e\.g\. /);
+  await field.scrollIntoViewIfNeeded();
+  const top = async (): Promise<number> => (await field.boundingBox())?.y ?? NaN;
+  const before = await top();
+  await page.getByRole("button", { name: "Show this arm" }).click();
+  await expect.poll(() => shownArm(page)).toBe("rp");
+  await page.getByRole("button", { name: "Show this arm" }).waitFor({ state: "hidden" });
+  await frames(page);
+  expect(Math.abs((await top()) - before)).toBeLessThan(60);
+  await page.context().close();
+});
+
+test("a lesson says that its arm has replaced another, and a button brings that one back", async () => {
+  const { page } = await open(there, "#arm=panda&section=pose");
+  await page.getByRole("link", { name: "Lessons" }).click();
+  await expect.poll(() => shownArm(page)).toBe("R:1");
+  await page.getByText("The lesson’s arm has replaced the one before.").waitFor();
+  const before = page.getByRole("button", { name: "Show the arm before" });
+  await before.click();
+  await expect.poll(() => shownArm(page)).toBe("panda");
+  await before.waitFor({ state: "hidden" });
+  expect(page.url()).toContain("section=lessons");
+  await page.locator("#joint-0").fill("20");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Show the lesson’s arm" }).click();
+  await expect.poll(() => shownArm(page)).toBe("R:1");
+  await before.click();
+  await expect.poll(() => shownArm(page)).toBe("panda");
+  expect((await jointValues(page))[0]).toBe(20);
+  await page.context().close();
+});
+
+test("the link q = 0 of lesson 7 sets all joints to 0 exactly, where the arm is singular", async () => {
+  const { page, complaints } = await open(there, "#section=lessons&lesson=jacobian");
+  await page.getByText("Figure 1.8").waitFor();
+  for (const name of ["q = 0", "velocity ellipse"]) {
+    await page.locator("#joint-1").fill("30");
+    await page.keyboard.press("Enter");
+    await page.getByRole("link", { name }).click();
+    await expect.poll(() => jointValues(page)).toEqual([0, 0, 0]);
+    await expect.poll(() => page.url()).toContain("q=0,0,0");
+  }
+  await page.locator(".ellipse, .ellipsoid").first().waitFor({ state: "attached" });
+  expect(complaints).toEqual({ errors: [], requests: [] });
   await page.context().close();
 });
 

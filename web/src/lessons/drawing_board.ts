@@ -9,6 +9,7 @@ const [left, right, low, high] = [-0.75, 3.25, -0.75, 2.5]; // m
 const snap = 0.5; // m
 const most = 8; // parts
 const kinds = { R: "Joint R", P: "Joint P", tool: "Tool" };
+const drawnArm = "rp";
 type Kind = Part["kind"];
 
 const at = (x: number, y: number): [number, number] => [(x - left) * scale, (high - y) * scale];
@@ -150,16 +151,22 @@ export function drawingExercise(context: ExerciseContext): Exercise {
   const choose = (next: Kind): void => {
     kind = next;
     for (const { value, button } of choices) button.setAttribute("aria-pressed", String(value === kind));
+    say();
+  };
+  const isComplete = (): boolean => parts.at(-1)?.kind === "tool" || parts.length >= most; // nothing is beyond the tool
+  const say = (): void => {
+    const placed = parts.map(({ kind, x, y }) => `${kind} at (${x}, ${y})`).join(", ");
+    const next = isComplete() ? "" : `Next part: ${kinds[kind]}.`;
+    list.textContent = placed === "" ? next : `${placed}. ${next}`.trim();
   };
   const take = (next: Part[]): void => {
     parts = next;
     board.show(parts);
-    list.textContent = parts.map(({ kind, x, y }) => `${kind} at (${x}, ${y})`).join(", ");
+    say();
     answer.show({ solved: false, says: "" });
   };
   const add = (x: number, y: number): void => {
-    const last = parts.at(-1);
-    if (last?.kind === "tool" || parts.length >= most) return; // nothing is beyond the tool
+    if (isComplete()) return;
     take([...parts, { kind, x, y }]);
     choose(kind === "R" ? "P" : "tool");
   };
@@ -171,10 +178,14 @@ export function drawingExercise(context: ExerciseContext): Exercise {
     const [turn, slide] = found.at ?? [];
     board.compare(parts, turn === undefined || slide === undefined ? null : [turn, slide]);
     answer.show(found);
+    if (found.solved)
+      context.services.store.set({ arm: { text: drawnArm }, q: [drawnAt.turn, drawnAt.slide], goal: null });
   };
   board.show(parts);
+  say();
   const tools = element("p", { class: "pair" }, ...choices.map(({ button }) => button), back);
   const holder = element("div");
   holder.append(board.root, cross);
-  return { root: exercise(check, tools, holder, list, checkButton(), answer.root), answer: () => partsText(parts) };
+  const root = exercise(check, tools, holder, list, checkButton(), answer.root);
+  return { root, solvedArm: drawnArm, answer: () => partsText(parts) };
 }

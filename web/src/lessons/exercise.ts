@@ -19,6 +19,8 @@ export interface Exercise {
   /** The arm that it shows, where that is not the lesson's, and its first configuration. */
   arm?: string;
   start?: number[] | undefined;
+  /** The arm that it shows once it is solved. */
+  solvedArm?: string;
   /** The arm has moved, or the lesson was opened. */
   update?(): void;
 }

@@ -41,6 +41,8 @@ export class LessonsSection implements PageSection {
   private readonly contents = new Contents(this.open);
   /** Said where another arm is in the picture than the lesson's. */
   private readonly other = element("p", { class: "other-arm", hidden: true });
+  /** Said where the lesson's arm has replaced the one that was shown before. */
+  private readonly replacing = element("p", { class: "other-arm", hidden: true });
   private shown: Shown | null = null;
   private opened: Opened | null = null;
   /** The opened lesson could not be loaded: choosing it again tries again. */
@@ -64,7 +66,18 @@ export class LessonsSection implements PageSection {
     const back = element("button", { type: "button" }, "Show the lesson’s arm");
     back.addEventListener("click", () => this.open(this.opened?.lesson ?? ""));
     this.other.append("Another arm is in the picture. ", back);
-    this.root.append(this.contents.root, this.other, this.text, this.foot, this.handIn.root, this.whole);
+    const restore = element("button", { type: "button" }, "Show the arm before");
+    restore.addEventListener("click", () => this.replaced && services.store.set(this.replaced.state));
+    this.replacing.append("The lesson’s arm has replaced the one before. ", restore);
+    this.root.append(
+      this.contents.root,
+      this.replacing,
+      this.other,
+      this.text,
+      this.foot,
+      this.handIn.root,
+      this.whole,
+    );
   }
 
   take(shown: Shown): void {
@@ -82,6 +95,7 @@ export class LessonsSection implements PageSection {
     for (const figure of this.figures) figure.update(this.shown, q);
     for (const exercise of this.exercises) exercise.update?.();
     this.other.hidden = this.arms.length === 0 || this.arms.some((one) => sameArm(one, arm));
+    this.replacing.hidden = !this.replaced || !this.other.hidden || sameArm(this.replaced.state.arm, arm);
     const wanted = { lesson: lessonOf(lesson).id, only, help };
     if (!this.opened || !isSame(wanted, this.opened)) void this.load(wanted);
   }
@@ -211,7 +225,10 @@ export class LessonsSection implements PageSection {
     const before = store.get();
     const now = sameArm(scene.arm, before.arm) ? before.arm : scene.arm;
     if (before.section !== "lessons") this.replaced = { state: armOf(before), by: now };
-    else if (this.replaced) this.replaced.by = now;
+    else if (this.replaced) {
+      const isBack = sameArm(this.replaced.state.arm, before.arm); // brought back, and perhaps moved
+      this.replaced = { state: isBack ? armOf(before) : this.replaced.state, by: now };
+    }
     const again = this.hasFailed;
     if (again) this.opened = null;
     this.takesFocus = takesFocus && id !== this.opened?.lesson;
@@ -236,7 +253,7 @@ export class LessonsSection implements PageSection {
     if (number > 1) exercise.root.setAttribute("aria-label", `Exercise ${number}`);
     const heading = exercise.root.querySelector("h2");
     if (number > 1 && heading) heading.textContent = `Exercise ${number}`;
-    if (exercise.arm !== undefined) this.arms.push({ text: exercise.arm });
+    for (const arm of [exercise.arm, exercise.solvedArm]) if (arm !== undefined) this.arms.push({ text: arm });
     exercise.root.querySelector("h2")?.after(...place.querySelectorAll(".task"));
     exercise.root.append(...place.childNodes); // hints and the solution
     place.replaceChildren(exercise.root);

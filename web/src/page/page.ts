@@ -282,7 +282,8 @@ export class Page {
     const make = arm.planar ? null : await spatialPicture();
     if (taking !== this.taking) return arm.release();
     this.services.cancel(); // what is computed for the arm before
-    if (this.shown) this.document.getElementById("side")?.scrollTo({ top: 0 });
+    const isRead = this.store.get().section === "lessons"; // a lesson stays where it is read
+    if (this.shown && !isRead) this.document.getElementById("side")?.scrollTo({ top: 0 });
     this.shown?.picture.dispose();
     this.shown?.arm.release();
     const description = describe(arm);
