@@ -1,21 +1,12 @@
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { cartesianRows } from "../src/core/cartesian.js";
-import type { JointDescription } from "../src/core/description.js";
-import { poseError, toolPose } from "../src/core/pose.js";
 import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
-import { readFormula } from "../src/lessons/formula.js";
-import { formulaTasks, judges } from "../src/lessons/judges.js";
-import { allPages, lessons } from "../src/lessons/lessons.js";
-import { axe, chooseArm, frames, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
+import { allPages } from "../src/lessons/lessons.js";
+import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
 import { json, loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
-const texts = fileURLToPath(new URL("../src/lessons/text", import.meta.url));
 
 test("constant Jacobians", () => {
   for (const [text, constant] of [
@@ -41,55 +32,6 @@ test("a pose is reached within 0.1 m and 3 degrees", () => {
   expect(checkReach(pose, { ...goal, x: goal.x + 0.2 }).solved).toBe(false);
   expect(checkReach(pose, { ...goal, degrees: goal.degrees + 5 }).solved).toBe(false);
   arm.release();
-});
-
-test.each(lessons.map(({ title, ...one }) => [title, one] as const))(
-  "the contents say the equations and the exercises of lesson %s",
-  (title, { equations, exercises }) => {
-    const file = readdirSync(texts).find((name) => name.startsWith(`${parseInt(title)}_`)) ?? "";
-    const text = readFileSync(join(texts, file), "utf8");
-    const numbered = [...text.matchAll(/^\$\$\((1\.\d)\)/gm)].map(([, number]) => number);
-    expect(equations).toEqual(expect.arrayContaining(numbered));
-    for (const number of equations)
-      expect(text).toMatch(new RegExp(`^\\$\\$\\(${number}\\)|equation\\s${number}`, "m"));
-    expect(exercises.length).toBe(text.match(/^```check /gm)?.length ?? 0);
-  },
-);
-
-test("what a lesson is about is found by reading the contents", async () => {
-  const { page } = await open(there, "#section=lessons&lesson=rrr");
-  await page.locator(".contents summary").click();
-  const line = (words: string) => contents(page).getByRole("listitem").filter({ hasText: words });
-  await line("eq. 1.3").getByRole("link", { name: "6 Joint-space control" }).waitFor();
-  await line("eq. 1.5 and 1.6").getByRole("link", { name: "8 Cartesian control" }).waitFor();
-  await line("draw an arm").getByRole("link", { name: "3 Forward kinematics" }).waitFor();
-  await line("singular configuration").getByRole("link", { name: "7 The Jacobian" }).waitFor();
-  await page.context().close();
-});
-
-test("in lesson 10 the Cartesian controller ends at the goal's pose with the elbow on the other side", async () => {
-  const arm = core.arm("rrr");
-  const goal = [99.2, -68.8, -30.4].map((value) => (value * Math.PI) / 180);
-  const pose = Array.from(toolPose(arm, goal));
-  const joints = goal.map(() => ({ limits: { lower: null, upper: null } }));
-  const options = { gain: 0.1, tolerance: 1e-6, maxSteps: 2000 };
-  const rows = [...cartesianRows(arm, joints as JointDescription[], [-0.5, 0.9, -0.4], [pose], options)];
-  const end = rows.at(-1) ?? [];
-  expect(Math.hypot(...poseError(toolPose(arm, end), pose))).toBeLessThan(1e-5);
-  expect(end[1]).toBeCloseTo(-(goal[1] ?? NaN), 4);
-  arm.release();
-  const { page } = await open(there, "#section=lessons&lesson=comparison");
-  await page.getByText("which the tool may reach in another configuration").waitFor();
-  await page.context().close();
-});
-
-test("the examples in the fields of formulas can be typed, and are no answers", () => {
-  const bench = { arm: (text: string) => core.arm(text), random: next };
-  for (const [name, { names, asked, example }] of Object.entries(formulaTasks)) {
-    expect(() => readFormula(example, names), name).not.toThrow();
-    const verdict = judges[name]?.(asked.map(() => example).join("; "), bench);
-    expect([name, verdict?.solved, verdict?.says.startsWith("Not yet")]).toEqual([name, false, true]);
-  }
 });
 
 /** The links to the lessons. */
@@ -380,57 +322,6 @@ test("the arm RP is drawn with the mouse, and the verdict shows where the drawin
   await expect.poll(() => shownArm(page)).toBe("rp"); // as it is drawn
   await expect.poll(() => jointValues(page)).toEqual([0, 1]);
   await page.getByText("Another arm is in the picture.").waitFor({ state: "hidden" });
-  await page.context().close();
-});
-
-test("a button in an exercise that shows its arm leaves the lesson where it is read", async () => {
-  const { page } = await open(there, "#section=lessons&lesson=forward");
-  await page.getByText("Figure 1.4").waitFor();
-  const field = page.getByLabel("x =");
-  expect(await field.getAttribute("placeholder")).toMatch(/^e\.g\. /);
-  await field.scrollIntoViewIfNeeded();
-  const top = async (): Promise<number> => (await field.boundingBox())?.y ?? NaN;
-  const before = await top();
-  await page.getByRole("button", { name: "Show this arm" }).click();
-  await expect.poll(() => shownArm(page)).toBe("rp");
-  await page.getByRole("button", { name: "Show this arm" }).waitFor({ state: "hidden" });
-  await frames(page);
-  expect(Math.abs((await top()) - before)).toBeLessThan(60);
-  await page.context().close();
-});
-
-test("a lesson says that its arm has replaced another, and a button brings that one back", async () => {
-  const { page } = await open(there, "#arm=panda&section=pose");
-  await page.getByRole("link", { name: "Lessons" }).click();
-  await expect.poll(() => shownArm(page)).toBe("R:1");
-  await page.getByText("The lesson’s arm has replaced the one before.").waitFor();
-  const before = page.getByRole("button", { name: "Show the arm before" });
-  await before.click();
-  await expect.poll(() => shownArm(page)).toBe("panda");
-  await before.waitFor({ state: "hidden" });
-  expect(page.url()).toContain("section=lessons");
-  await page.locator("#joint-0").fill("20");
-  await page.keyboard.press("Enter");
-  await page.getByRole("button", { name: "Show the lesson’s arm" }).click();
-  await expect.poll(() => shownArm(page)).toBe("R:1");
-  await before.click();
-  await expect.poll(() => shownArm(page)).toBe("panda");
-  expect((await jointValues(page))[0]).toBe(20);
-  await page.context().close();
-});
-
-test("the link q = 0 of lesson 7 sets all joints to 0 exactly, where the arm is singular", async () => {
-  const { page, complaints } = await open(there, "#section=lessons&lesson=jacobian");
-  await page.getByText("Figure 1.8").waitFor();
-  for (const name of ["q = 0", "velocity ellipse"]) {
-    await page.locator("#joint-1").fill("30");
-    await page.keyboard.press("Enter");
-    await page.getByRole("link", { name }).click();
-    await expect.poll(() => jointValues(page)).toEqual([0, 0, 0]);
-    await expect.poll(() => page.url()).toContain("q=0,0,0");
-  }
-  await page.locator(".ellipse, .ellipsoid").first().waitFor({ state: "attached" });
-  expect(complaints).toEqual({ errors: [], requests: [] });
   await page.context().close();
 });
 
