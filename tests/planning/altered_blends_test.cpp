@@ -72,6 +72,81 @@ TEST(JointBlends, AreRefusedWhenTheyAreAltered) {
   }
 }
 
+TEST(JointBlends, KeepTheSpeedOfTheirRowInAnIntervalWithoutSamples) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  Program program;
+  program.moves = {{.kind = MoveKind::joint,
+                    .q = degrees({20, -30, 0, -120, 0, 90, 45}),
+                    .speed = 0.01,
+                    .blend = 0.02},
+                   {.kind = MoveKind::joint, .q = degrees({40, -15, 0, -105, 0, 90, 45})}};
+  const Configuration rest = Configuration::Zero(7);
+  const auto fault = [&](double duration) {
+    const Trajectory sparse{
+        arm.joint_names(), {0, duration}, {home, *program.moves[1].q}, {rest, rest}, {rest, rest}};
+    return verify(arm, sparse, program).fault;
+  };
+  EXPECT_EQ(fault(1.5), Fault::tool_speed);
+  EXPECT_EQ(fault(500), Fault::none);
+  program.moves[0].speed.reset();
+  EXPECT_EQ(fault(1.5), Fault::none);
+  program.moves[1].speed = 0.01;  // after the passage
+  EXPECT_EQ(fault(1.5), Fault::tool_speed);
+}
+
+/// Down in a line, a pause, up, and to two configurations.
+Program retreat(double down, double up, double blend) {
+  const Arm arm = built_in("panda");
+  const Pose at = make_pose({0.5, 0.2, 0.15}, rotation(RollPitchYaw{180 * deg, 0, 20 * deg}));
+  const auto above = [&](double z) {
+    Pose pose = at;
+    pose.translation() += Vector3(0, 0, z);
+    return pose;
+  };
+  Program program;
+  program.moves = {
+      {.kind = MoveKind::joint, .target = above(down), .blend = blend},
+      {.target = at, .dwell = 0.3},
+      {.target = above(up), .blend = blend},
+      {.kind = MoveKind::joint, .q = degrees({10, -20, 0, -120, 0, 100, 45}), .blend = blend},
+      {.kind = MoveKind::joint, .q = degrees({-30, -30, 0, -130, 0, 100, 45})}};
+  return program;
+}
+
+TEST(JointBlends, MayBeLongerThanTheirLinesOrShorterThanTheWayBetweenSamples) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  for (const double blend : {1e-9, 1e-4, 1e-3, 0.149, 0.151, 1e9}) {
+    for (const double rate : {0.0, 20.0, 50.0}) {
+      SCOPED_TRACE(std::to_string(blend) + " at rate " + std::to_string(rate));
+      const Program program = retreat(0.15, 0.15, blend);
+      const ProgramMotion motion = move_program(arm, home, program, {.rate = rate});
+      ASSERT_TRUE(motion) << motion;
+      EXPECT_TRUE(verify(arm, motion.trajectory, program));
+    }
+  }
+}
+
+TEST(JointBlends, ProveAllOfALineAtWhoseEndTheArmStops) {
+  const Arm arm = built_in("panda");
+  const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});
+  Program program;
+  Pose below = forward_kinematics(arm, home);
+  below.translation().z() -= 0.2;
+  program.moves = {{.kind = MoveKind::joint, .q = home},
+                   {.target = below, .blend = 0.09},
+                   {.kind = MoveKind::joint, .q = home}};
+  const ProgramMotion motion = move_program(arm, home, program);
+  ASSERT_TRUE(motion) << motion;
+  ASSERT_EQ(motion.moves[1].blend, BlendOutcome::stop);
+  for (std::size_t k = motion.moves[1].begin + 2; k + 2 < motion.moves[1].end; ++k) {
+    Trajectory moved = motion.trajectory;
+    moved.positions[k][0] += 2e-3;
+    EXPECT_NE(verify(arm, moved, program).fault, Fault::none) << k;
+  }
+}
+
 TEST(JointBlends, KeepTheSpeedOfBothRows) {
   const Arm arm = built_in("panda");
   const Configuration home = degrees({0, -45, 0, -135, 0, 90, 45});

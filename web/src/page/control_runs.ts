@@ -96,7 +96,7 @@ export class ControlRuns {
 
   /** What is known before the command has answered: one criterion for both. */
   private early(kind: ControlKind, rows: number[][], shown: Shown, task: ControlTask): string {
-    const { diverged = null, settled = null } = this.response ?? {};
+    const { diverged = null } = this.response ?? {};
     const left = kind === "joint" ? leaving(this.response, shown) : null;
     const grows =
       diverged !== null && kind === "joint"
@@ -104,21 +104,27 @@ export class ControlRuns {
         : null;
     if (left !== null || grows !== null)
       return `${titles[kind]}: ${[left, grows].filter((one) => one !== null).join("; ")}`;
-    const after = kind === "joint" ? settled : settledTool(rows, shown, task);
+    const after = this.settled(kind, rows, shown, task);
     if (after !== null) return `${titles[kind]}: within 2 % of the way after ${after} steps`;
     return diverged === null || task.gains.kp < 2
       ? `${titles[kind]}:`
       : `${titles[kind]}: ${rows.length - 1} steps are drawn`;
   }
 
+  /** The steps after which what is controlled stays within 2 % of the way; null: it does not. */
+  private settled(kind: ControlKind, rows: number[][], shown: Shown, task: ControlTask): number | null {
+    return kind === "joint" ? (this.response?.settled ?? null) : settledTool(rows, shown, task);
+  }
+
   private async confirm(turn: number, shown: Shown, task: ControlTask): Promise<void> {
     for (const kind of this.kinds) {
       if (turn !== this.turn) return;
       const early = this.early(kind, this.rowsOf(kind), shown, task);
+      const settled = this.settled(kind, this.rowsOf(kind), shown, task);
       try {
         const outcome = await this.outcome(kind, shown, task);
         if (turn === this.turn)
-          this.say(kind, inWords(kind, early, outcome, this.response, this.wordingOf(kind, shown)));
+          this.say(kind, inWords(kind, early, settled, outcome, this.response, this.wordingOf(kind, shown)));
       } catch (error) {
         if (turn === this.turn && !(error instanceof Cancelled))
           this.say(kind, `${titles[kind]}: ${(error as Error).message}`);
@@ -148,13 +154,20 @@ export class ControlRuns {
 function inWords(
   kind: ControlKind,
   early: string,
+  settled: number | null,
   outcome: Outcome,
   response: StepResponse | null,
   wording: Wording,
 ): string {
   const { status, steps = 0, overshoot = 0 } = outcome;
   const over = overshoot > 1e-3 ? `, overshoot ${text(100 * overshoot, 1)} %` : "";
-  if (status === "reached") return `${early}, ${status} after ${steps} steps${over}.`;
+  if (status === "reached") {
+    if (steps === 0) return `${titles[kind]}: the arm is at the goal.`;
+    const reached = `${status} after ${steps} steps${over}.`;
+    // From near the goal, the command's tolerance is met before 2 % of the way.
+    const alone = settled === null ? early.endsWith(":") : settled > steps;
+    return alone ? `${titles[kind]}: ${reached}` : `${early}, ${reached}`;
+  }
   if (response?.diverged != null && kind === "joint") return `${early}.`; // the chart says why
   return `${early}${early.endsWith(":") ? " " : "; "}${clauseOf(outcome, wording) || `${status} after ${steps} steps`}.`;
 }
