@@ -71,6 +71,13 @@ test("gains too small, good, too large, and unstable are seen in the step respon
   await page.context().close();
 });
 
+test("of an arm near its goal the words name no later step than the last", async () => {
+  const page = await opened("#arm=rrr&q=0,0.3,0.5&goal=0,0.3,0.50001&section=control");
+  await page.getByText(/^Joint space, eq. 1.3: reached after \d+ steps\.$/).waitFor();
+  await page.getByText(/^Cartesian space, eq. 1.6: reached after \d+ steps\.$/).waitFor();
+  await page.context().close();
+});
+
 test("the controllers are named with their equations, and the chart says which of them it shows", async () => {
   const page = await opened(section);
   await page.getByText("Step response in joint space (eq. 1.3): errors of the joints").waitFor();
