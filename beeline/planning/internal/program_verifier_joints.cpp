@@ -56,6 +56,10 @@ bool ProgramVerifier::is_on(const Line& line, std::size_t k, double& fraction) c
                 {options_.tolerance, options_.orientation_tolerance});
 }
 
+bool ProgramVerifier::is_at(const Pose& waypoint, std::size_t k) const {
+  return passages_.is_near(waypoint, {options_.tolerance, options_.orientation_tolerance}, k);
+}
+
 /// Whether the joint move of a part passes its waypoint in a blend. The tool rests before a line
 /// without length, which could not be followed.
 bool ProgramVerifier::passes_after(std::size_t part) const {
@@ -205,8 +209,8 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
 }
 
 /// The samples after a passage from which the tool may follow a line that begins at its waypoint:
-/// the first one, from which most of the line is followed, and the last one before the tool is
-/// farther along it.
+/// the first one and the last one before the tool is farther along it. The first one is tried first
+/// if it is at the waypoint, where the arm stops; from others the tool may still approach the line.
 std::vector<std::size_t> ProgramVerifier::line_begins(const Line& line, std::size_t move,
                                                       const Passage& passage) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
@@ -221,6 +225,9 @@ std::vector<std::size_t> ProgramVerifier::line_begins(const Line& line, std::siz
     }
     if (begins.size() == 2) begins.pop_back();
     begins.push_back(k);
+  }
+  if (!begins.empty() && !is_at(line.from, begins.front())) {
+    std::reverse(begins.begin(), begins.end());
   }
   return begins;
 }
