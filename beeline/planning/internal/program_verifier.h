@@ -110,6 +110,9 @@ class ProgramVerifier {
                                            std::size_t reached, std::size_t end);
   bool add(const Verification& found);
 
+  /// Whether sample k is at a waypoint, within the tolerance.
+  bool is_at(const Pose& waypoint, std::size_t k) const;
+
   /// Whether sample k is on a line, within the tolerance, at its fraction `fraction`.
   bool is_on(const Line& line, std::size_t k, double& fraction) const;
 

@@ -74,14 +74,18 @@ std::vector<std::size_t> ProgramVerifier::path_rests(const Route& route) const {
 }
 
 /// The samples up to which the tool may follow a line that ends in the blend of a move: of each
-/// stay near its end the last one, up to which most of the line is followed, and the first one.
+/// stay near its end the first one and the last one. The last one is tried first if it is at the
+/// waypoint, where the arm stops; up to others the tool may already leave the line.
 std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_t move) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
   std::vector<std::size_t> ends;
   std::size_t stay = 0;  // number of samples of the stay so far
   const auto end_stay = [&](std::size_t last) {
-    if (stay > 0) ends.push_back(last);
-    if (stay > 1) ends.push_back(last + 1 - stay);
+    if (stay == 0) return;
+    const std::size_t first = last + 1 - stay;
+    const bool stops = is_at(line.to, last);
+    ends.push_back(stops ? last : first);
+    if (stay > 1) ends.push_back(stops ? first : last);
     stay = 0;
   };
   for (std::size_t k = now_.begin; k < trajectory_.size() && ends.size() < max_candidates; ++k) {
