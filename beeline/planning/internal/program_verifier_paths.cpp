@@ -74,31 +74,27 @@ std::vector<std::size_t> ProgramVerifier::path_rests(const Route& route) const {
 }
 
 /// The samples up to which the tool may follow a line that ends in the blend of a move: of each
-/// stay near its end the first one and the last one. The last one is tried first if it is at the
-/// waypoint, where the arm stops; up to others the tool may already leave the line.
+/// stay near its end first the sample at the waypoint, if the arm stops there, then the first one
+/// and the last one, up to which the tool may already leave the line.
 std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_t move) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
   std::vector<std::size_t> ends;
-  std::size_t stay = 0;  // number of samples of the stay so far
-  const auto end_stay = [&](std::size_t last) {
-    if (stay == 0) return;
-    const std::size_t first = last + 1 - stay;
-    const bool stops = is_at(line.to, last);
-    ends.push_back(stops ? last : first);
-    if (stay > 1) ends.push_back(stops ? first : last);
-    stay = 0;
-  };
-  for (std::size_t k = now_.begin; k < trajectory_.size() && ends.size() < max_candidates; ++k) {
+  std::optional<std::size_t> first, stop;  // of the stay so far
+  for (std::size_t k = now_.begin; k <= trajectory_.size() && ends.size() < max_candidates; ++k) {
     double fraction = 0;
-    const bool ends_here = passages_.is_near(line.to, blend, k) && is_on(line, k, fraction) &&
-                           fraction >= 1 - blended_fraction;
+    const bool ends_here = k < trajectory_.size() && passages_.is_near(line.to, blend, k) &&
+                           is_on(line, k, fraction) && fraction >= 1 - blended_fraction;
     if (ends_here) {
-      ++stay;
-    } else {
-      end_stay(k - 1);
+      if (!first) first = k;
+      if (!stop && is_at(line.to, k) && rests_.rests_at(k)) stop = k;
+    } else if (first) {
+      if (stop) ends.push_back(*stop);
+      ends.push_back(*first);
+      ends.push_back(k - 1);
+      first.reset();
+      stop.reset();
     }
   }
-  end_stay(trajectory_.size() - 1);
   return ends;
 }
 
