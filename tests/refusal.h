@@ -20,8 +20,8 @@ std::string refusal(Call&& call) {
 
 }  // namespace beeline::testing
 
-/// Expects that the call throws beeline::Error with one line that contains `culprit`. It is no lambda: Clang before 16 lets
-/// none capture a structured binding.
+/// Expects that the call throws beeline::Error with one line that contains `culprit`. It is no
+/// lambda: Clang before 16 lets none capture a structured binding.
 #define EXPECT_REFUSED(call, culprit)                                            \
   do {                                                                           \
     std::string refused_message = "accepted";                                    \
