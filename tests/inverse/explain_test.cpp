@@ -271,7 +271,8 @@ TEST(Explain, NoStatusByTheSearchesNearASolution) {
       ++none;
       quick += result.unexplained ? 1 : 0;
     }
-    EXPECT_GE(2 * quick + 2, none);  // of few cases, two may be slow
+    const int few = testing::slow_build ? 2 : 0;  // of few cases, one or two may be slow
+    EXPECT_GE(2 * quick + few, none);
   }
 }
 

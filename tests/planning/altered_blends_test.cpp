@@ -8,11 +8,7 @@ namespace {
 
 using namespace testing;
 
-Configuration degrees(std::initializer_list<double> values) {
-  Configuration q(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), q.begin());
-  return q * deg;
-}
+Configuration degrees(const ConfigurationRef& values) { return values * deg; }
 
 /// A program of the panda with each kind of blend.
 Program mixed_program(double blend) {

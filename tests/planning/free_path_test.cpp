@@ -11,11 +11,7 @@ namespace {
 
 using namespace testing;
 
-Configuration vector(std::initializer_list<double> values) {
-  Configuration q(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), q.begin());
-  return q;
-}
+Configuration vector(const ConfigurationRef& values) { return values; }
 
 /// Two slides in a plane with a disc at their end; obstacles are walls of boxes.
 struct Maze {

@@ -51,9 +51,9 @@ class ProgramVerifier {
     std::size_t begin = 0;  ///< the sample at which it begins
     /// The line whose end is being passed in a blend with the next joint move.
     std::optional<std::size_t> leaving = std::nullopt;
-    bool entering = false;  ///< whether the next part is a path that begins in a blend
     /// The sample from which the speed of the next move counts, if not from `begin`: the line that
-    /// is being left has no sample at its end, and a blend ends before its line is followed.
+    /// is being left has no sample at its end, and a blend ends before its line is followed. A path
+    /// that has one begins in a blend.
     std::optional<std::size_t> speed_from = std::nullopt;
     /// End of the last dwell, s.
     double dwelled_until = -std::numeric_limits<double>::infinity();

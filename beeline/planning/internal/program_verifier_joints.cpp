@@ -259,7 +259,6 @@ bool ProgramVerifier::check_line_begins(const JointRun& run,
     now_.leaving.reset();
     now_.begin = begins[i];
     now_.speed_from = passed.back().after();
-    now_.entering = true;
     now_.part = run.next;
     return check_path();
   });

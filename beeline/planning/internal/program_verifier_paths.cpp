@@ -88,9 +88,9 @@ std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_
       if (!first) first = k;
       if (!stop && is_at(line.to, k) && rests_.rests_at(k)) stop = k;
     } else if (first) {
-      if (stop) ends.push_back(*stop);
-      ends.push_back(*first);
-      ends.push_back(k - 1);
+      for (const std::size_t end : {stop.value_or(*first), *first, k - 1}) {
+        if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
+      }
       first.reset();
       stop.reset();
     }
@@ -107,7 +107,7 @@ bool ProgramVerifier::check_section(const ProgramPart& part, std::size_t first, 
                       is_followed(route.path.segments.back());
   const std::size_t end_segment = route.path.segments.size() - 1;
   const Segment whole = route.path.segments.back();
-  if (std::exchange(now_.entering, false)) {
+  if (now_.speed_from) {
     const Line line = std::get<Line>(route.path.segments.front());
     double fraction = 0;
     is_on(line, now_.begin, fraction);
