@@ -20,6 +20,9 @@ export interface StepResponse {
   factor: number;
 }
 
+/** Whether a controller is eq. 1.3 of the chapter. */
+export const isProportional = ({ ki = 0, kd = 0 }: Gains): boolean => ki === 0 && kd === 0;
+
 const band = 0.02;
 export const divergence = 10;
 const lastSteps = 60; // in which the factor of a step is found
@@ -33,8 +36,7 @@ export function stepResponse(arm: Arm, gains: Gains, q: number[], goal: number[]
     .map((values) => values.map((value) => value / (values[0] as number)));
   const largest = rows.map((_, t) => Math.max(...errors.map((values) => Math.abs(values[t] as number))));
   const diverged = largest.findIndex((error) => error > divergence * (largest[0] ?? 0));
-  const isProportional = (gains.ki ?? 0) === 0 && (gains.kd ?? 0) === 0;
-  const factor = isProportional ? 1 - gains.kp : ratioOf(largest);
+  const factor = isProportional(gains) ? 1 - gains.kp : ratioOf(largest);
   return { rows, errors, ...settling(relative, steps), diverged: diverged < 0 ? null : diverged, factor };
 }
 

@@ -14,6 +14,7 @@ const duration = 2000; // milliseconds of a run, at most
 const glide = 500; // milliseconds from where the arm is to where it starts
 const frame = 30; // milliseconds of a step, at least
 const longest = 0.2; // of a motion, from picture to picture
+const hardly = 0.01; // rad or m: such a motion is not seen
 
 /** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
  * gains while they move. */
@@ -26,6 +27,9 @@ export class Control implements PageSection {
   private readonly chart = new StepChart();
   private readonly runs: ControlRuns;
   private readonly back: HTMLButtonElement;
+  private readonly go: HTMLButtonElement[];
+  /** Said where the start is so near the goal that Go seems to do nothing. */
+  private readonly near = element("p", { class: "quiet", role: "status" });
   private shown: Shown | null = null;
   /** Where the arm has started; null: it starts where it is. */
   private start: number[] | null = null;
@@ -42,15 +46,17 @@ export class Control implements PageSection {
       store.set({ goal: store.get().q });
     });
     this.back = element("button", { type: "button", onclick: () => this.goBack() }, "Back to the start");
-    const go = (kind: ControlKind, word: string): HTMLElement =>
+    const go = (kind: ControlKind, word: string): HTMLButtonElement =>
       iconButton("play", word, "The arm moves step by step", () => void this.play(kind));
+    this.go = [go("joint", "Go in joint space"), go("cartesian", "Go in Cartesian space")];
     const quiet = (text: string): HTMLElement => element("p", { class: "quiet" }, text);
     this.root.append(
       element("h2", {}, "Control"),
       quiet("Two controllers go to the goal, each step in proportion to the error. A dot is a step."),
       this.gains.root, // nothing above it changes its height: sliders stay under the finger
       this.chart.words,
-      element("p", { class: "pair" }, go("joint", "Go in joint space"), go("cartesian", "Go in Cartesian space")),
+      element("p", { class: "pair" }, ...this.go),
+      this.near,
       this.runs.root,
       quiet(
         "In joint space (eq. 1.3) the error is measured in the joints, and the tool's path is curved; in Cartesian " +
@@ -120,10 +126,16 @@ export class Control implements PageSection {
     const start: Ghost[] = this.start ? [{ q: task.from, tone: "start" }] : [];
     const ghosts: Ghost[] = [...start, { q: task.goal, tone: "goal" }];
     const waypoints = [{ pose: Array.from(toolPose(arm, task.goal)), label: "goal", held: true }];
-    if (task.goal.every((value, k) => value === task.from[k])) {
-      this.runs.stop();
+    const distance = Math.max(...task.goal.map((value, k) => Math.abs(value - (task.from[k] ?? NaN))));
+    for (const button of this.go) button.disabled = distance === 0;
+    this.near.textContent =
+      distance > 0 && distance < hardly
+        ? "The arm is so near the goal that hardly anything moves: drag the arm or the goal elsewhere."
+        : "";
+    if (distance === 0) {
+      this.runs.clear();
       this.services.draw({ trails: [], ghosts: [], waypoints });
-      return this.chart.refuse("The arm is at the goal: move it elsewhere.");
+      return this.chart.refuse("The arm is at the goal: drag the arm or the goal elsewhere.");
     }
     try {
       this.services.draw({ trails: this.runs.update(this.shown, task), ghosts, waypoints });

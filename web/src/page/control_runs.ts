@@ -2,7 +2,7 @@ import { cartesianRows, outside } from "../core/cartesian.js";
 import { answer } from "../core/command.js";
 import { clamped } from "../core/nearest.js";
 import { poseError, posesFile, sevenOf, toolPose, toolPosition } from "../core/pose.js";
-import { divergence, settledAfter, stepResponse, type StepResponse } from "../core/step_response.js";
+import { divergence, isProportional, settledAfter, stepResponse, type StepResponse } from "../core/step_response.js";
 import { Cancelled, type Gains } from "../core/types.js";
 import { element, shown as text } from "../elements/element.js";
 import { clauseOf, type Reason, type Wording } from "../panels/reasons/reasons.js";
@@ -12,7 +12,12 @@ import type { Services, Shown } from "./section.js";
 
 /** What is controlled: the joints, eq. 1.3, or the tool, eq. 1.6. */
 export type ControlKind = "joint" | "cartesian";
-const titles: Record<ControlKind, string> = { joint: "Joint space, eq. 1.3", cartesian: "Cartesian space, eq. 1.6" };
+
+/** What a controller is called: joint-space control with further gains is no longer eq. 1.3. */
+function titleOf(kind: ControlKind, gains: Gains): string {
+  if (kind === "cartesian") return "Cartesian space, eq. 1.6";
+  return isProportional(gains) ? "Joint space, eq. 1.3" : "Joint space, PID";
+}
 
 /** What `beeline move` and `beeline line --method inverse-jacobian` print. */
 interface Outcome extends Reason {
@@ -30,8 +35,8 @@ export interface ControlTask {
 
 const responseSteps = 400;
 const maxSteps = 2000; // of a controller that crawls
-const arrived = 1e-3; // of the first error: what is drawn ends here
-const tolerance = 1e-6; // of the command's simulations, m and rad
+const arrived = 1e-3; // of the first errors: what is drawn ends here, of both controllers
+const noError = 1e-6; // m and rad, the tolerance of the command's simulations: there is nothing to go
 
 /** Both controllers on the way to a goal: their trails and step response at once, in the core; the outcome in the words
  * of the command, once the gains rest. */
@@ -49,7 +54,7 @@ export class ControlRuns {
     private readonly services: Services,
     private readonly kinds: ControlKind[],
   ) {
-    this.lines = new Map(kinds.map((kind) => [kind, element("span", {}, titles[kind])]));
+    this.lines = new Map(kinds.map((kind) => [kind, element("span", {})]));
     for (const [kind, line] of this.lines)
       this.root.append(element("li", {}, element("span", { class: `swatch ${kind}`, "aria-hidden": "true" }), line));
   }
@@ -65,10 +70,19 @@ export class ControlRuns {
     this.rest.cancel();
   }
 
+  /** There is no motion: nothing is said of one. */
+  clear(): void {
+    this.stop();
+    this.confirmed = "";
+    for (const line of this.lines.values()) line.textContent = "";
+    this.root.hidden = true;
+  }
+
   /** Computes both ways and returns their trails. Throws where the core refuses the gains. */
   update(shown: Shown, task: ControlTask): Trail[] {
     this.stop();
     const { turn } = this;
+    this.root.hidden = false;
     this.rows.clear();
     this.response = stepResponse(shown.arm, task.gains, task.from, task.goal, responseSteps);
     for (const kind of this.kinds) {
@@ -97,18 +111,16 @@ export class ControlRuns {
   /** What is known before the command has answered: one criterion for both. */
   private early(kind: ControlKind, rows: number[][], shown: Shown, task: ControlTask): string {
     const { diverged = null } = this.response ?? {};
+    const title = titleOf(kind, task.gains);
     const left = kind === "joint" ? leaving(this.response, shown) : null;
     const grows =
       diverged !== null && kind === "joint"
         ? `beyond ${divergence} times the first error after ${diverged} steps`
         : null;
-    if (left !== null || grows !== null)
-      return `${titles[kind]}: ${[left, grows].filter((one) => one !== null).join("; ")}`;
+    if (left !== null || grows !== null) return `${title}: ${[left, grows].filter((one) => one !== null).join("; ")}`;
     const after = this.settled(kind, rows, shown, task);
-    if (after !== null) return `${titles[kind]}: within 2 % of the way after ${after} steps`;
-    return diverged === null || task.gains.kp < 2
-      ? `${titles[kind]}:`
-      : `${titles[kind]}: ${rows.length - 1} steps are drawn`;
+    if (after !== null) return `${title}: within 2 % of the way after ${after} steps`;
+    return diverged === null || task.gains.kp < 2 ? `${title}:` : `${title}: ${rows.length - 1} steps are drawn`;
   }
 
   /** The steps after which what is controlled stays within 2 % of the way; null: it does not. */
@@ -119,15 +131,16 @@ export class ControlRuns {
   private async confirm(turn: number, shown: Shown, task: ControlTask): Promise<void> {
     for (const kind of this.kinds) {
       if (turn !== this.turn) return;
+      const title = titleOf(kind, task.gains);
       const early = this.early(kind, this.rowsOf(kind), shown, task);
-      const settled = this.settled(kind, this.rowsOf(kind), shown, task);
       try {
         const outcome = await this.outcome(kind, shown, task);
-        if (turn === this.turn)
-          this.say(kind, inWords(kind, early, settled, outcome, this.response, this.wordingOf(kind, shown)));
+        if (turn !== this.turn) return;
+        const response = kind === "joint" ? this.response : null;
+        this.say(kind, inWords(title, early, outcome, response, this.wordingOf(kind, shown)));
       } catch (error) {
         if (turn === this.turn && !(error instanceof Cancelled))
-          this.say(kind, `${titles[kind]}: ${(error as Error).message}`);
+          this.say(kind, `${title}: ${(error as Error).message}`);
       }
     }
   }
@@ -151,10 +164,10 @@ export class ControlRuns {
   }
 }
 
+/** The outcome of the command behind what was known before. `response`: of the joints, where these are controlled. */
 function inWords(
-  kind: ControlKind,
+  title: string,
   early: string,
-  settled: number | null,
   outcome: Outcome,
   response: StepResponse | null,
   wording: Wording,
@@ -162,13 +175,10 @@ function inWords(
   const { status, steps = 0, overshoot = 0 } = outcome;
   const over = overshoot > 1e-3 ? `, overshoot ${text(100 * overshoot, 1)} %` : "";
   if (status === "reached") {
-    if (steps === 0) return `${titles[kind]}: the arm is at the goal.`;
-    const reached = `${status} after ${steps} steps${over}.`;
-    // From near the goal, the command's tolerance is met before 2 % of the way.
-    const alone = settled === null ? early.endsWith(":") : settled > steps;
-    return alone ? `${titles[kind]}: ${reached}` : `${early}, ${reached}`;
+    if (steps === 0) return `${title}: the arm is at the goal.`;
+    return early.endsWith(":") ? `${early} ${status} after ${steps} steps${over}.` : `${early}, and arrives${over}.`;
   }
-  if (response?.diverged != null && kind === "joint") return `${early}.`; // the chart says why
+  if (response?.diverged != null) return `${early}.`; // the chart says why
   return `${early}${early.endsWith(":") ? " " : "; "}${clauseOf(outcome, wording) || `${status} after ${steps} steps`}.`;
 }
 
@@ -189,27 +199,36 @@ function jointRows({ rows, errors, diverged }: StepResponse, { description }: Sh
   return rows.slice(0, diverged === null ? end : diverged + 1).map((row) => clamped(row, description.joints));
 }
 
+/** The errors of the tool's position and of its orientation in each row, relative to those in the first one; without what
+ * is right from the start. */
+function toolErrors(rows: number[][], { arm }: Shown, { goal }: ControlTask): number[][] {
+  const pose = toolPose(arm, goal);
+  const errors = rows.map((q) => poseError(toolPose(arm, q), pose));
+  const sizes = [0, 3].map((from) => errors.map((row) => Math.hypot(...row.slice(from, from + 3))));
+  return sizes.flatMap((all) => {
+    const [first = 0] = all;
+    return first > noError ? [all.map((size) => size / first)] : [];
+  });
+}
+
 /** The rows of Cartesian control until the tool has arrived; where the gain is too large, as many steps as of the joints
  * from where it first moves away from the goal. */
-function toolRows({ diverged }: StepResponse, { arm, description }: Shown, task: ControlTask): number[][] {
+function toolRows({ diverged }: StepResponse, shown: Shown, task: ControlTask): number[][] {
+  const { arm, description } = shown;
   const { from, goal, gains } = task;
   const pose = Array.from(toolPose(arm, goal));
-  const options = { gain: gains.kp, tolerance: Math.max(tolerance, 1e-4), maxSteps: responseSteps };
+  const options = { gain: gains.kp, tolerance: arrived * noError, maxSteps: responseSteps };
   const rows = [from, ...cartesianRows(arm, description.joints, from, [pose], options)];
-  if (gains.kp < 2 || diverged === null) return rows;
-  const errors = rows.map((q) => Math.hypot(...poseError(toolPose(arm, q), pose)));
-  const turn = errors.findIndex((error, t) => (errors[t + 1] ?? 0) > error);
-  return turn < 0 ? rows : rows.slice(0, turn + diverged + 1);
+  if (gains.kp >= 2 && diverged !== null) {
+    const errors = rows.map((q) => Math.hypot(...poseError(toolPose(arm, q), pose)));
+    const turn = errors.findIndex((error, t) => (errors[t + 1] ?? 0) > error);
+    return turn < 0 ? rows : rows.slice(0, turn + diverged + 1);
+  }
+  const relative = toolErrors(rows, shown, task);
+  return rows.slice(0, rows.findLastIndex((_, t) => relative.some((values) => (values[t] ?? 0) > arrived)) + 2);
 }
 
 /** The steps after which position and orientation of the tool stay within 2 % of what they were off at the start. */
-function settledTool(rows: number[][], { arm }: Shown, { goal }: ControlTask): number | null {
-  const pose = toolPose(arm, goal);
-  const errors = rows.map((q) => poseError(toolPose(arm, q), pose));
-  const size = (from: number, row: number[]): number => Math.hypot(...row.slice(from, from + 3));
-  const relative = [0, 3].flatMap((from) => {
-    const first = size(from, errors[0] ?? []);
-    return first > 1e-9 ? [errors.map((row) => size(from, row) / first)] : [];
-  });
-  return settledAfter(relative, rows.length - 1);
+function settledTool(rows: number[][], shown: Shown, task: ControlTask): number | null {
+  return settledAfter(toolErrors(rows, shown, task), rows.length - 1);
 }

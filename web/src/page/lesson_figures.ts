@@ -158,6 +158,7 @@ abstract class GainFigure implements LessonFigure {
 }
 
 const stepsPerSecond = 12;
+const equations: Record<ControlKind, string> = { joint: "eq. 1.3", cartesian: "eq. 1.6" };
 
 /** The paths of the tool under control in joint space and in Cartesian space: Figure 1.7. They follow the gain, and the
  * arm while a hand moves it. */
@@ -185,10 +186,9 @@ class ControlFigure extends GainFigure {
     }
     const trails = this.runs.update(shown, { from: q, goal, gains: { kp: gain, ki: 0, kd: 0 } });
     this.services.draw({ trails, ghosts: [{ q: goal, tone: "goal" }] });
-    this.player.take(
-      this.kinds.flatMap((kind) => this.runs.rowsOf(kind)),
-      stepsPerSecond,
-    );
+    const all = this.kinds.map((kind) => this.runs.rowsOf(kind));
+    const parts = all.map((rows, i) => ({ name: equations[this.kinds[i] ?? "joint"], rows: rows.length }));
+    this.player.take(all.flat(), stepsPerSecond, parts.length > 1 ? parts : []);
   }
 
   override leave(): void {

@@ -6,6 +6,12 @@ import { slide, slider } from "../panels/slider.js";
 const speeds = [0.25, 0.5, 1, 2, 4];
 const names = ["¼×", "½×", "1×", "2×", "4×"];
 
+/** One of several motions that are played one after the other: its name, and how many rows it has. */
+export interface PlayedPart {
+  name: string;
+  rows: number;
+}
+
 /** Plays the motion of a lesson's figure, row by row, under the picture: play, one step, speed, and a bar of steps. */
 export class LessonPlayer {
   readonly root = element("div", {
@@ -23,6 +29,7 @@ export class LessonPlayer {
   private readonly count = element("output", { "aria-live": "off" });
   private rows: number[][] = [];
   private perSecond = 30;
+  private parts: PlayedPart[] = [];
   private frame: number | null = null;
 
   constructor(private readonly place: (q: number[]) => void) {
@@ -45,10 +52,11 @@ export class LessonPlayer {
     return Number(this.bar.value);
   }
 
-  /** Takes the joint values of a motion, a row a step; fewer than two: there is none. */
-  take(rows: number[][], perSecond = 30): void {
+  /** Takes the joint values of a motion, a row a step; fewer than two: there is none. Steps are counted in each part. */
+  take(rows: number[][], perSecond = 30, parts: PlayedPart[] = []): void {
     this.pause();
     this.rows = rows;
+    this.parts = parts;
     this.perSecond = perSecond;
     this.root.hidden = rows.length < 2;
     this.bar.max = String(Math.max(1, rows.length - 1));
@@ -95,6 +103,12 @@ export class LessonPlayer {
   }
 
   private say(): void {
+    let at = this.at;
+    for (const { name, rows } of this.parts) {
+      this.count.textContent = `${name}: ${at} / ${rows - 1}`;
+      if (at < rows) return;
+      at -= rows;
+    }
     this.count.textContent = `${this.at} / ${this.rows.length - 1}`;
   }
 }

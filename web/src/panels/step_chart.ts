@@ -1,6 +1,6 @@
 import type uPlot from "uplot";
 import type { JointDescription } from "../core/description.js";
-import { divergence, type StepResponse } from "../core/step_response.js";
+import { divergence, isProportional, type StepResponse } from "../core/step_response.js";
 import type { Gains } from "../core/types.js";
 import { element, shown } from "../elements/element.js";
 import { unitOf } from "../elements/units.js";
@@ -15,6 +15,7 @@ export class StepChart {
   readonly root = element("figure", { class: "curves" });
   /** What the response means, or why it diverges: stands apart, where it is seen without scrolling. */
   readonly words = element("p", { class: "response" });
+  private readonly caption = element("figcaption");
   private readonly holder = element("div", { role: "img" });
   private readonly legend = element("ul", { class: "legend", "aria-label": "Curves" });
   private plot: uPlot | null = null;
@@ -22,8 +23,7 @@ export class StepChart {
   private drawing = 0;
 
   constructor() {
-    this.root.append(element("figcaption", {}, "Step response in joint space (eq. 1.3): errors of the joints"));
-    this.root.append(this.holder, this.legend);
+    this.root.append(this.caption, this.holder, this.legend);
     new ResizeObserver(() => {
       if (this.root.clientWidth > 0) this.plot?.setSize({ width: this.root.clientWidth, height });
     }).observe(this.root);
@@ -33,6 +33,7 @@ export class StepChart {
   /** Says why there is no response. */
   refuse(reason: string): void {
     this.latest = null;
+    this.caption.textContent = "";
     this.plot?.destroy();
     this.plot = null;
     this.legend.replaceChildren();
@@ -47,6 +48,8 @@ export class StepChart {
       errors.slice(0, count + 1).map((error) => error * (units[k]?.factor ?? 1)),
     );
     const words = inWords(response, gains);
+    const control = isProportional(gains) ? "joint space (eq. 1.3)" : "joint space, PID control";
+    this.caption.textContent = `Step response in ${control}: errors of the joints`;
     this.words.textContent = words;
     this.holder.setAttribute("aria-label", `Errors in ${names} over ${count} steps. ${words}`);
     this.legend.replaceChildren(
@@ -123,8 +126,9 @@ function inWords({ errors, overshoot, settled, left, diverged, factor }: StepRes
 }
 
 /** Why the errors grow. */
-export function becauseOf(factor: number, { kp, ki = 0, kd = 0 }: Gains): string {
-  if (ki === 0 && kd === 0)
+export function becauseOf(factor: number, gains: Gains): string {
+  const { kp } = gains;
+  if (isProportional(gains))
     return `Each step multiplies the error by 1 − Kp = ${shown(1 - kp, 2).replace(/\.?0+$/, "")}; it shrinks only for 0 < Kp < 2.`;
   return `In the end each step multiplies the error by about ${shown(factor, 2)}: the gains are too large together.`;
 }
