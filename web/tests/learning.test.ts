@@ -8,7 +8,7 @@ import { poseError, toolPose } from "../src/core/pose.js";
 import { readFormula } from "../src/lessons/formula.js";
 import { formulaTasks, judges } from "../src/lessons/judges.js";
 import { lessons } from "../src/lessons/lessons.js";
-import { frames, jointValues, pages, shownArm } from "./browser.js";
+import { chooseArm, frames, jointValues, pages, shownArm } from "./browser.js";
 import { loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
@@ -114,4 +114,80 @@ test("the link q = 0 of lesson 7 sets all joints to 0 exactly, where the arm is 
     await expect.poll(() => page.url()).toContain("q=0,0,0");
   }
   await page.locator(".ellipse, .ellipsoid").first().waitFor({ state: "attached" });
+});
+
+test("the matrices of Figure 1.4 follow the arm RP too, and of an arm in space the page says why there are none", async () => {
+  const page = await opened("#section=lessons&lesson=forward");
+  const matrices = page.locator("article .matrices math");
+  await expect.poll(() => matrices.count()).toBe(3);
+  await page.getByRole("link", { name: "RP", exact: true }).click();
+  await expect.poll(() => shownArm(page)).toBe("rp");
+  const numbers = async (i: number): Promise<string> =>
+    (await matrices.nth(i).locator("mn").allTextContents()).join(" ");
+  await expect.poll(() => numbers(1)).toBe("2 1 1.00 0.00 1.00 0.00 1.00 0.00 0.00 0.00 1.00"); // a slide turns nothing
+  const [c, s] = [Math.cos(0.6), Math.sin(0.6)].map((value) => (2 * value).toFixed(2));
+  await expect.poll(() => numbers(2)).toContain(`0.83 −0.56 ${c} 0.56 0.83 ${s} 0.00 0.00 1.00`);
+  await page.getByRole("group", { name: "Motion" }).getByRole("button", { name: "Play" }).waitFor();
+  await chooseArm(page, "panda");
+  await page.getByText("The numbers here are of planar arms alone.").waitFor();
+  await expect.poll(() => matrices.count()).toBe(0);
+});
+
+test("a verdict on the arm or the gain goes when these change", async () => {
+  const page = await opened("#arm=rrr&q=0.5,0,0.3&section=lessons&lesson=jacobian");
+  const direction = page.getByLabel("Direction");
+  await direction.fill("θ1");
+  await page.keyboard.press("Enter");
+  const right = page.getByText("Right: along the line of the first two links, θ1.");
+  await right.waitFor();
+  await page.locator("#joint-1").fill("40");
+  await page.keyboard.press("Enter");
+  await right.waitFor({ state: "detached" });
+  expect(await direction.inputValue()).toBe("θ1");
+  await page.goto(page.url().replace(/#.*/, "#section=lessons&lesson=joint-control"));
+  await page.getByLabel("Gain Kp").fill("0.5");
+  await page.getByRole("button", { name: "Check" }).click();
+  const found = page.getByText("Right: 6 steps, and no overshoot.");
+  await found.waitFor();
+  await page.getByLabel("Gain Kp").fill("0.1");
+  await found.waitFor({ state: "detached" });
+});
+
+test("the section Pose leads from the arm RP to where it is drawn and its formula is found", async () => {
+  const page = await opened("#arm=rp&q=0.5,1");
+  await page.getByRole("link", { name: "Draw an arm RP and find its formula" }).click();
+  await page.locator(".board").waitFor();
+  await page.getByRole("button", { name: "Show the arm before" }).click();
+  await expect.poll(() => shownArm(page)).toBe("rp");
+  expect((await jointValues(page))[1]).toBe(1);
+  await page.getByRole("link", { name: "Pose", exact: true }).click();
+  await chooseArm(page, "panda");
+  await expect.poll(() => page.getByRole("link", { name: /formula/ }).count()).toBe(0);
+});
+
+test("a link from a lesson to another opens it with its arm", async () => {
+  const page = await opened("#section=lessons&lesson=worked");
+  await page.getByText("which you have drawn in").getByRole("link", { name: "lesson 3" }).click();
+  await page.locator(".board").waitFor();
+  await expect.poll(() => shownArm(page)).toBe("RR:3.5,2.5");
+});
+
+test("drawings follow the theme: dark on white, or light on dark", async () => {
+  const page = await opened("#section=lessons&lesson=describing");
+  await page.getByText("As a drawing, like the chapter’s").click();
+  const image = page.getByRole("img", { name: "Figure 1.5" });
+  await image.waitFor();
+  const filter = (): Promise<string> => image.evaluate((one) => getComputedStyle(one).filter);
+  for (const [colorScheme, theme, expected] of [
+    ["light", "", "none"],
+    ["dark", "", "invert(0.91) hue-rotate(180deg)"],
+    ["dark", "light", "none"],
+    ["light", "dark", "invert(0.91) hue-rotate(180deg)"],
+  ] as const) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate((name) => (document.documentElement.dataset["theme"] = name), theme);
+    expect([colorScheme, theme, await filter()]).toEqual([colorScheme, theme, expected]);
+  }
+  await page.emulateMedia({ media: "print" });
+  expect(await filter()).toBe("none");
 });

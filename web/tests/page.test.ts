@@ -283,7 +283,7 @@ test("the saved page opens from a disk, without a network, and computes", async 
 test.each([
   ["#arm=ur5", { width: 1200, height: 900 }, /8 solutions/],
   ["#arm=panda", { width: 360, height: 740 }, /Infinitely many solutions/],
-  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space, eq. 1.6: .* reached/],
+  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space, eq. 1.6: .* and arrives/],
   ["#arm=ur5&section=line", { width: 1200, height: 900 }, "Drag the tool to a pose"],
 ])("%s is accessible and no wider than the screen", async (hash, size, complete) => {
   const page = await opened(hash, size);

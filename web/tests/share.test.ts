@@ -27,6 +27,20 @@ test("undo and redo go back and forth, one gesture at a time, by buttons and by 
   expect(await redo?.isDisabled()).toBe(true);
 });
 
+test("a number that was typed can be undone at once, without a moment's rest", async () => {
+  const page = await opened("#arm=rrr&q=0.4,0.9,0.6");
+  const undo = page.getByRole("button", { name: "Undo" });
+  const isEnabled = await page.locator("#joint-0").evaluate((field: HTMLInputElement) => {
+    field.value = "20";
+    field.dispatchEvent(new Event("change", { bubbles: true }));
+    return [...document.querySelectorAll("button")].some((one) => one.textContent === "Undo" && !one.disabled);
+  });
+  expect(isEnabled).toBe(true);
+  await undo.click();
+  expect((await jointValues(page))[0]).toBeCloseTo((0.4 * 180) / Math.PI, 1);
+  expect(await undo.isDisabled()).toBe(true);
+});
+
 test("the browser's Back returns to the section and the arm before", async () => {
   const page = await opened("#arm=rrr&q=0.4,0.9,0.6");
   await page.getByRole("link", { name: "Control", exact: true }).click();
@@ -107,7 +121,7 @@ test("units and appearance are in the settings; the page says that it is in Engl
 
 test.each([
   ["#arm=rrr", "light", /2 solutions/],
-  ["#arm=rrr&section=control", "dark", /Cartesian space, eq. 1.6: .* reached/],
+  ["#arm=rrr&section=control", "dark", /Cartesian space, eq. 1.6: .* and arrives/],
   ["#arm=ur5&frames=1", "dark", /8 solutions/],
   ["#arm=rrr&section=line&waypoints=4,3,0,1,0,0,0;3,4,0,1,0,0,0", "dark", "From the first waypoint"],
 ] as const)("%s in %s is accessible", async (hash, colorScheme, complete) => {

@@ -43,6 +43,25 @@ test("an exercise alone brings its arm, and with help=0 it has neither hints nor
   expect(await jointValues(page)).toEqual([35, 1]); // its frames are apart
 });
 
+test("the exercise about the wrist brings the Puma whose wrist is singular, and its sliders show the answer", async () => {
+  const page = await opened("#section=lessons&lesson=failures&only=wrist", { width: 900, height: 900 });
+  await expect.poll(() => shownArm(page)).toBe("puma560");
+  expect((await jointValues(page)).slice(3)).toEqual([0, 0, 0]);
+  const pose = page.getByLabel("Pose of the tool").locator("input");
+  const numbers = (): Promise<string[]> =>
+    pose.evaluateAll((all) => all.map((one) => Number((one as HTMLInputElement).value).toFixed(2)));
+  const before = await numbers();
+  for (const [id, value] of [
+    ["#joint-3", "30"],
+    ["#joint-5", "-30"],
+  ] as const) {
+    expect(id === "#joint-3" || (await numbers()).join() !== before.join()).toBe(true);
+    await page.locator(id).fill(value);
+    await page.keyboard.press("Enter");
+  }
+  await expect.poll(numbers).toEqual(before);
+});
+
 test("a part without help leads to pages without hints and solutions", async () => {
   const page = await opened("#section=lessons&lesson=cartesian&only=lesson&help=0");
   const follow = async (name: string): Promise<Page> => {
@@ -200,7 +219,9 @@ test("a lesson itself prints as text", async () => {
   await page.emulateMedia({ media: "print" });
   const words = await visible(page);
   expect(words).toContain("Multiply the three matrices out");
-  for (const outside of ["Workspace", "Contents", "Play", "joint1"]) expect(words).not.toContain(outside);
+  for (const outside of ["Workspace", "Contents", "Play", "joint1", "Hint 1"]) expect(words).not.toContain(outside);
+  expect(words).toContain("Write both matrices, multiply them"); // the exercise's wording for paper
+  expect(words).not.toContain("Now without looking up");
 });
 
 test("a code that a student hands in is decoded, and its answers are checked again", async () => {
@@ -226,9 +247,9 @@ test("a code that a student hands in is decoded, and its answers are checked aga
   await input.fill(`Ada: ${code}\n${forged}\n${code.slice(0, -2)}\n\u200b"${code}", Grace\nAlan ${wrapped}`);
   await page.getByRole("button", { name: "Read the codes" }).click();
   const ada = page.getByRole("table", { name: "Ada: 1 solved" });
-  await ada.getByRole("row", { name: /string p p p 20\d\d-\d\d-\d\d \d\d:\d\d right/ }).waitFor();
+  await ada.getByRole("row", { name: /string, lesson 1 p p p 20\d\d-\d\d-\d\d \d\d:\d\d right/ }).waitFor();
   const other = page.getByRole("table", { name: "Code 2: 5 solved" });
-  await other.getByRole("row", { name: "elbow 45° 1970-01-01 00:00 not right" }).waitFor();
+  await other.getByRole("row", { name: "elbow, lesson 11 45° 1970-01-01 00:00 not right" }).waitFor();
   await other.getByRole("row", { name: "none 1 1970-01-01 00:00 unknown exercise" }).waitFor();
   for (const name of ["__proto__", "valueOf", "hasOwnProperty"])
     await other.getByRole("row", { name: `${name} 1 1970-01-01 00:00 unknown exercise` }).waitFor();

@@ -2,6 +2,7 @@ import { poseOfRpy } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
 import { drawingExercise } from "./drawing_board.js";
+import type { Verdict } from "./checks.js";
 import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { formulaExercise } from "./formula_exercise.js";
 import { anglesText, formulaTasks, reachGoal } from "./judges.js";
@@ -24,15 +25,17 @@ function reach(context: ExerciseContext): Exercise {
       services.draw({ waypoints: fits ? [{ pose: target, label: "target", held: false }] : [], extent });
       const found = fits ? judged(context, "reach", typed()) : { solved: false, says: "" };
       away.textContent = found.solved ? "" : found.says;
-      if (found.solved !== isThere) answer.show(found.solved ? found : { solved: false, says: "" });
+      if (found.solved !== isThere) answer.show(found.solved ? found : none);
       isThere = found.solved;
     },
   };
 }
 
 let fields = 0;
+const none: Verdict = { solved: false, says: "" };
 
-/** A question that is answered in one line. `before`: what stands in front of the typed text in the answer. */
+/** A question that is answered in one line. `before`: what stands in front of the typed text in the answer; where it changes,
+ * the verdict disappears. */
 function question(
   context: ExerciseContext,
   name: string,
@@ -43,11 +46,18 @@ function question(
   const says = verdict();
   const id = `answer-${++fields}`;
   const input = element("input", { id, spellcheck: "false", autocomplete: "off", autocapitalize: "off", placeholder });
-  input.addEventListener("input", () => says.show({ solved: false, says: "" }));
+  input.addEventListener("input", () => says.show(none));
   const row = element("p", { class: "formula" }, element("label", { for: id }, label), input);
   const answer = (): string => before() + input.value;
-  const check = (): void => says.show(judged(context, name, answer()));
-  return { root: exercise(check, row, checkButton(), says.root), answer };
+  let judgedBehind = "";
+  const check = (): void => {
+    judgedBehind = before();
+    says.show(judged(context, name, answer()));
+  };
+  const update = (): void => {
+    if (before() !== judgedBehind) says.show(none);
+  };
+  return { root: exercise(check, row, checkButton(), says.root), answer, update };
 }
 
 /** The arm is brought into a singular configuration, which is measured while it moves; then the direction is asked for. */
@@ -62,6 +72,7 @@ function singular(context: ExerciseContext): Exercise {
   return {
     ...made,
     update() {
+      made.update?.();
       const { arm } = context.shown;
       const { q } = context.services.store.get();
       if (!q || q.length !== arm.dof) return;
@@ -75,9 +86,19 @@ function singular(context: ExerciseContext): Exercise {
 function gain(context: ExerciseContext): Exercise {
   const says = verdict();
   const answer = (): string => String(context.services.store.get().gain);
-  const check = (): void => says.show(judged(context, "gain", answer()));
-  return { root: exercise(check, checkButton(), says.root), answer };
+  let judgedGain = "";
+  const check = (): void => {
+    judgedGain = answer();
+    says.show(judged(context, "gain", judgedGain));
+  };
+  const update = (): void => {
+    if (answer() !== judgedGain) says.show(none);
+  };
+  return { root: exercise(check, checkButton(), says.root), answer, update };
 }
+
+/** The Puma with its wrist singular: joint 5 is at 0. */
+const wristStart = [0.3, 0.5, 0.3, 0, 0, 0];
 
 const one =
   (name: string, label: string, placeholder = "") =>
@@ -107,7 +128,7 @@ export const exercises: Record<string, (context: ExerciseContext) => Exercise> =
   elbow: one("elbow", "θ₂"),
   screw: one("screw", "v_y"),
   "body-column": one("body-column", "Column"),
-  wrist: one("wrist", "Angle"),
+  wrist: (context) => ({ ...question(context, "wrist", "Angle"), arm: "puma560", start: wristStart }),
   spare: one("spare", "Joints"),
   intervals: one("intervals", "Intervals"),
 };

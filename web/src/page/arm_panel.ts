@@ -9,6 +9,7 @@ import { PosePanel } from "../panels/pose.js";
 import { slider } from "../panels/slider.js";
 import { SolutionsPanel, type InverseAnswer } from "../panels/solutions.js";
 import type { PageState, Section } from "../state/page_state.js";
+import { ArmLesson } from "./arm_lesson.js";
 import type { Holding } from "./holding.js";
 import type { Overlays } from "./overlays.js";
 import { Rest } from "./rest.js";
@@ -25,6 +26,9 @@ export class ArmPanel {
   private readonly pose: PosePanel;
   private readonly solutions: SolutionsPanel;
   private readonly jacobian: JacobianPanel;
+  private readonly lesson: ArmLesson;
+  /** In the section Pose alone: a lesson has its own links. */
+  private readonly lessonPart = element("div");
   private readonly redundancy = slider({ min: -1, max: 1, step: "any", value: 0, id: "self" });
   private readonly selfMotionRow: HTMLElement;
   private readonly solutionsPart: HTMLDetailsElement;
@@ -42,8 +46,11 @@ export class ArmPanel {
     private readonly services: Services,
     private readonly holding: Holding,
     overlays: Overlays,
+    openLesson: (lesson: string) => void,
   ) {
     const { store } = services;
+    this.lesson = new ArmLesson(openLesson);
+    this.lessonPart.append(this.lesson.root);
     this.joints = new JointsPanel((q, isDragged) => {
       if (isDragged) return holding.slid(q);
       holding.forget();
@@ -81,7 +88,7 @@ export class ArmPanel {
         const { q } = store.get();
         if (q && details.open && this.fits(q)) this.showParts(q);
       });
-    this.root.append(this.joints.root, this.pose.root, this.solutionsPart, this.jacobianPart);
+    this.root.append(this.joints.root, this.pose.root, this.lessonPart, this.solutionsPart, this.jacobianPart);
   }
 
   take(shown: Shown): void {
@@ -92,11 +99,13 @@ export class ArmPanel {
     this.solutions.clear();
     this.selfMotionRow.hidden = shown.arm.dof <= (shown.arm.planar ? 3 : 6);
     this.pose.describe(shown.arm.planar);
+    this.lesson.take(shown);
     this.joints.describe(shown.description.joints, this.services.store.get().degrees);
   }
 
   /** Solutions and Jacobian are open in the section Pose, and wait in others. */
   arrange(section: Section): void {
+    this.lessonPart.hidden = section !== "pose";
     this.solutionsPart.open = this.jacobianPart.open = section === "pose";
   }
 

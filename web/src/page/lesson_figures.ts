@@ -31,6 +31,8 @@ interface Scenes {
   isStill?: boolean;
   /** The arm that motion and numbers are about; without it any. */
   arm?: string;
+  /** The numbers can be computed of any planar arm. */
+  ofPlanarArms?: boolean;
   /** The configurations that the motion passes; without it each joint moves to and fro. */
   through?: number[][];
   /** The rows of the motion from q, in place of these. */
@@ -88,14 +90,18 @@ class SceneFigure implements LessonFigure {
   }
 
   update(shown: Shown, q: number[]): void {
-    const { arm, rows, numbers } = this.what;
+    const { arm, rows, numbers, ofPlanarArms = false } = this.what;
     const isAbout = arm === undefined || arm === shown.description.name;
+    const fits = isAbout || (ofPlanarArms && shown.arm.planar);
     if (shown.arm !== this.arm && !this.what.isStill) {
       this.arm = shown.arm;
-      this.player.take(isAbout ? (rows?.(shown, q) ?? through(this.what.through ?? sweep(shown))) : []);
+      if (isAbout) this.player.take(rows?.(shown, q) ?? through(this.what.through ?? sweep(shown)));
+      else this.player.take(fits ? through(sweep(shown)) : []);
     }
-    if (numbers && isAbout) this.numbers.replaceChildren(numbers(shown, q));
-    else this.numbers.replaceChildren();
+    if (!numbers) return;
+    const kind = ofPlanarArms ? "planar arms" : `the arm ${arm ?? ""}`;
+    const instead = (): HTMLElement => element("p", { class: "quiet" }, `The numbers here are of ${kind} alone.`);
+    this.numbers.replaceChildren(fits ? numbers(shown, q) : instead());
   }
 
   leave(): void {
@@ -278,6 +284,7 @@ const scenes: Record<string, Scenes> = {
     scenes: [["as in the figure", address(twoLinks, rrr(50, -65), "&frames=1")]],
     through: [rrr(0, 0), rrr(50, 0), rrr(50, -65)],
     numbers: transforms,
+    ofPlanarArms: true,
   },
   "1.5": {
     arm: twoLinks,
@@ -294,6 +301,7 @@ const scenes: Record<string, Scenes> = {
     ],
     through: [a, b],
     numbers: transforms,
+    ofPlanarArms: true,
   },
   "1.8": {
     arm: "rrr",
@@ -304,6 +312,7 @@ const scenes: Record<string, Scenes> = {
     ],
     through: [left, right],
     numbers: columns,
+    ofPlanarArms: true,
   },
   exponentials: {
     arm: "rrr",
@@ -318,6 +327,7 @@ const scenes: Record<string, Scenes> = {
     scenes: [],
     through: [left, right],
     numbers: jacobians,
+    ofPlanarArms: true,
   },
   "self-motion": { caption: "The tool rests while the joints move", scenes: [], rows: restingTool },
   inverse: {

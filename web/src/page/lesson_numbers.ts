@@ -1,4 +1,3 @@
-import { linkLengths } from "../core/line_bound.js";
 import { headingOf } from "../core/pose.js";
 import { element, shown as text } from "../elements/element.js";
 import { jointColour } from "../scene/colours.js";
@@ -41,13 +40,19 @@ function planar(angle: number, x: number, y: number): Rows {
 
 const rowsOf = (pose: ArrayLike<number>): Rows => planar(headingOf(pose), pose[12] ?? 0, pose[13] ?? 0);
 
+/** The pose of a link's frame in the frame of the link before, both planar. */
+function between(before: ArrayLike<number>, after: ArrayLike<number>): Rows {
+  const angle = headingOf(before);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const [dx, dy] = [12, 13].map((i) => (after[i] ?? 0) - (before[i] ?? 0)) as [number, number];
+  return planar(headingOf(after) - angle, c * dx + s * dy, c * dy - s * dx);
+}
+
 /** The link transforms of a planar arm and their product, eq. 1.1: Figure 1.4. */
 export function transforms({ arm }: Shown, q: number[]): HTMLElement {
-  const lengths = linkLengths(arm);
-  const links = q.map((value, k): [string, Rows] => {
-    const length = lengths[k] ?? 0;
-    const rows = planar(value, length * Math.cos(value), length * Math.sin(value));
-    return [indexed("T", String(k + 1), String(k)), rows];
+  const frames = arm.forward(q);
+  const links = q.map((_, k): [string, Rows] => {
+    return [indexed("T", String(k + 1), String(k)), between(frames[k] ?? [], frames[k + 1] ?? [])];
   });
   const names = links.map(([name]) => name).join("");
   const tool = links.map(([, rows]) => rows).reduce(product, planar(0, 0, 0));

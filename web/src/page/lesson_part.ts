@@ -11,11 +11,14 @@ const blocks = (text: HTMLElement): HTMLElement[] => [
 ];
 const nameOf = ({ dataset }: HTMLElement): string => dataset["check"] ?? dataset["figure"] ?? "";
 
+/** The first words of a task, as many as a title has room for. */
+const beginning = (words: string): string => /^.{0,48}(?=\s)/s.exec(`${words} `)?.[0] ?? "";
+
 /** The exercises and figures of a lesson that is shown. */
 export function partsOf(text: HTMLElement): LessonPart[] {
   return blocks(text).map((block) => {
     const words = block.querySelector("figcaption, legend, .task")?.textContent ?? "";
-    const title = block.dataset["check"] === undefined ? words : `Exercise: ${words.slice(0, 48)} …`;
+    const title = block.dataset["check"] === undefined ? words : `Exercise: ${beginning(words)} …`;
     return { name: nameOf(block), title };
   });
 }

@@ -37,7 +37,8 @@ export class LessonsSection implements PageSection {
   private readonly handIn = handIn();
   /** From a part that is shown alone to the whole page. */
   private readonly whole = element("a", { class: "whole", target: "_blank" });
-  private readonly open = (id: string): void => void this.turnTo(id, true);
+  /** Opens a lesson with its arm. */
+  readonly open = (id: string): void => void this.turnTo(id, true);
   private readonly contents = new Contents(this.open);
   /** Said where another arm is in the picture than the lesson's. */
   private readonly other = element("p", { class: "other-arm", hidden: true });
@@ -279,6 +280,7 @@ export class LessonsSection implements PageSection {
     event.preventDefault();
     this.player.pause();
     const part = await partOf(address);
+    if (part.section === "lessons" && part.lesson !== undefined && !part.arm) return this.turnTo(part.lesson, true);
     const { arm } = this.services.store.get();
     if (part.arm && sameArm(part.arm, arm)) part.arm = arm;
     if (part.arm) this.arms.push(part.arm);

@@ -139,7 +139,7 @@ export class Page {
     const guard = new Guard(store, this.scene, this.overlays);
     this.holding = new Holding(this.services, guard, () => this.sections.get(store.get().section));
     this.undo = new Undo(store, this.holding);
-    this.armPanel = new ArmPanel(this.services, this.holding, this.overlays);
+    this.armPanel = new ArmPanel(this.services, this.holding, this.overlays, (id) => this.lessons.open(id));
     this.toolbar = new Toolbar(store);
     this.line = new LineSection(this.services);
     this.lessons = new LessonsSection(this.services, (text) => core.arm(text));

@@ -30,8 +30,9 @@ export class Undo {
     this.show();
   }
 
-  /** Notes a state to go back to, once the hand rests. */
+  /** Notes a state to go back to, once the hand rests. What has changed can be undone at once. */
   note(): void {
+    this.show();
     this.rest.then(() => {
       if (this.holding.holds) this.note();
       else this.record();
@@ -62,7 +63,7 @@ export class Undo {
   }
 
   private show(): void {
-    this.undo.disabled = !this.history.canUndo;
+    this.undo.disabled = !this.history.canUndo && !this.history.differs(this.store.get());
     this.redo.disabled = !this.history.canRedo;
   }
 }

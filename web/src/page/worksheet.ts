@@ -5,7 +5,7 @@ import { drawingOf } from "./figure_drawing.js";
 import type { Services } from "./section.js";
 
 /** An exercise of a lesson, as the lesson's text has it. */
-interface Task {
+export interface Task {
   lesson: string;
   name: string;
   block: HTMLElement;
@@ -14,7 +14,7 @@ interface Task {
 const linesToWrite = 4;
 
 /** All exercises in the order of the lessons, from the texts of the lessons. */
-async function allTasks(): Promise<Task[]> {
+export async function allTasks(): Promise<Task[]> {
   const texts = await Promise.all(lessons.map((lesson) => lesson.load()));
   return texts.flatMap(({ default: html }, i) => {
     const holder = element("template");
@@ -40,9 +40,12 @@ function part({ block }: Task, selector: string): HTMLElement | null {
   return block.querySelector<HTMLElement>(selector)?.cloneNode(true) as HTMLElement | null;
 }
 
-/** The first sentence of a task, to choose it by. */
-function firstSentence({ block }: Task): Node[] {
-  const nodes = [...(block.querySelector(".task")?.cloneNode(true).childNodes ?? [])];
+/** The first sentence of a task, to choose it by, without its links. */
+function firstSentence(task: Task): Node[] {
+  const words = part(task, ".task");
+  for (const link of words?.querySelectorAll("a") ?? []) link.replaceWith(...link.childNodes);
+  words?.normalize();
+  const nodes = [...(words?.childNodes ?? [])];
   const last = nodes.findIndex((node) => node instanceof Text && /[.?]\s/.test(node.data));
   const text = nodes[last];
   if (!(text instanceof Text)) return nodes;

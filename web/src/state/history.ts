@@ -18,12 +18,17 @@ export class History<T extends object> {
   /** Notes a state as the present one. Where the work differs, it is another one, and what was undone cannot be redone any
    * more. */
   record(state: T): void {
-    if (!this.work.every((key) => state[key] === this.now[key] || equalLists(state[key], this.now[key]))) {
+    if (this.differs(state)) {
       this.past.push(this.now);
       if (this.past.length > maxSteps) this.past.shift();
       this.future = [];
     }
     this.now = state;
+  }
+
+  /** Whether work has been done since the state that was noted last. */
+  differs(state: T): boolean {
+    return !this.work.every((key) => state[key] === this.now[key] || equalLists(state[key], this.now[key]));
   }
 
   /** The state before; null where there is none. */
