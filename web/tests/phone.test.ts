@@ -1,6 +1,7 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
 import { compressed } from "../src/address/compression.js";
+import { lessons } from "../src/lessons/lessons.js";
 import { axe, jointValues, pages, toolAt, touch } from "./browser.js";
 
 const { there } = pages();
@@ -45,6 +46,32 @@ test.each(["rrr", "panda"])("on a phone all buttons of the picture of %s are see
   await expect.poll(() => small(page)).toEqual([]);
   const [a, b] = [page.locator(".gallery li").nth(0), page.locator(".gallery li").nth(1)];
   expect((await a.boundingBox())?.y).toBe((await b.boundingBox())?.y); // two columns
+  await page.context().close();
+});
+
+test("on a phone a long name of an arm is cut off, and all buttons beside it are on the screen", async () => {
+  const page = await phone("#section=lessons&lesson=redundant");
+  await page.getByRole("heading", { name: "A redundant arm" }).waitFor();
+  for (const name of ["Undo", "Redo", "Share", "Settings", "Help"]) {
+    const box = await page.locator("#bar").getByRole("button", { name }).boundingBox();
+    expect([name, (box?.x ?? NaN) + (box?.width ?? NaN) <= 390]).toEqual([name, true]);
+  }
+  await page.context().close();
+});
+
+test("on a phone equations have the room of the text: a number goes below, and only one of all is scrolled", async () => {
+  const wide: string[] = [];
+  const page = await phone("#section=lessons&lesson=definitions");
+  for (const { id } of lessons) {
+    await page.goto(page.url().replace(/#.*/, `#section=lessons&lesson=${id}`));
+    await page.locator(`.contents a[aria-current="page"][href$="lesson=${id}"]`).waitFor({ state: "attached" });
+    await page.locator("article h1").waitFor();
+    const over = await page
+      .locator('article math[display="block"], article .matrices, article li')
+      .evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth + 1).length);
+    if (over > 0) wide.push(`${id}: ${over}`);
+  }
+  expect(wide).toEqual(["waypoints: 1"]); // eq. 1.7
   await page.context().close();
 });
 

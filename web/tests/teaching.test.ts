@@ -89,6 +89,13 @@ test("the exercise about a pose is judged for its arm only", async () => {
   expect(await visible(other)).not.toContain("Right: the tool is there.");
 });
 
+test("a figure alone brings its arm, where that is not the lesson's", async () => {
+  const page = await opened("#section=lessons&lesson=definitions&only=1.2", { width: 800, height: 560 });
+  await expect.poll(() => shownArm(page)).toBe("S");
+  await page.getByRole("link", { name: "Helical (H)" }).click();
+  await expect.poll(() => shownArm(page)).toBe("H");
+});
+
 test("a figure alone is played, and its links set the arm in place", async () => {
   const page = await opened("#section=lessons&lesson=jacobian&only=1.8", { width: 800, height: 560 });
   await page.getByRole("link", { name: "right: θ" }).click();

@@ -1,7 +1,7 @@
 const widest = 24; // pixels
 
 /** Fades the edges of an element behind which its content goes on; a class `fading` draws that. */
-export function fading<E extends HTMLElement>(box: E): E {
+export function fading<E extends HTMLElement | MathMLElement>(box: E): E {
   const show = (): void => {
     const wide = (hidden: number): string => `${Math.min(widest, Math.max(0, hidden))}px`;
     box.style.setProperty("--left", wide(box.scrollLeft));

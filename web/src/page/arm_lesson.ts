@@ -22,7 +22,7 @@ export class ArmLesson {
     const found = arm.planar ? lessonsOfArms[letters] : undefined;
     this.root.hidden = found === undefined;
     if (!found) return;
-    const link = element("a", { href: `#section=lessons&lesson=${found.lesson}` }, found.words);
+    const link = element("a", { href: `#section=lessons&lesson=${found.lesson}`, class: "to-lesson" }, found.words);
     link.addEventListener("click", (event) => {
       event.preventDefault();
       this.open(found.lesson);

@@ -1,5 +1,6 @@
 import { partOf, stateOf } from "../address/address.js";
 import { element } from "../elements/element.js";
+import { fading } from "../elements/fading.js";
 import type { Exercise, ExerciseContext } from "../lessons/exercise.js";
 import { exercises } from "../lessons/exercises.js";
 import { lessonOf, lessons, type Lesson } from "../lessons/lessons.js";
@@ -155,9 +156,11 @@ export class LessonsSection implements PageSection {
     this.handIn.root.hidden = this.exercises.length === 0;
     this.showFigures();
     this.showTools();
-    this.bringArm(opened);
-    for (const math of this.text.querySelectorAll('math[display="block"]'))
+    void this.bringArm(opened);
+    for (const math of this.text.querySelectorAll<MathMLElement>('math[display="block"]')) {
+      fading(math);
       if (math.scrollWidth > math.clientWidth) math.setAttribute("tabindex", "0"); // keys scroll it
+    }
     this.contents.show(lesson.id);
     this.showTop();
     const { q, section } = this.services.store.get();
@@ -194,9 +197,17 @@ export class LessonsSection implements PageSection {
     }
   }
 
-  /** An exercise that is shown alone brings its arm, where that is not the lesson's. */
-  private bringArm({ only }: Opened): void {
-    if (only === "" || only === "lesson") return;
+  /** An exercise or a figure that is shown alone brings its arm, where that is not the lesson's. */
+  private async bringArm(opened: Opened): Promise<void> {
+    if (opened.only === "" || opened.only === "lesson") return;
+    const links = [...this.text.querySelectorAll<HTMLAnchorElement>("a.scene")];
+    const [first, ...others] = await Promise.all(links.map((link) => partOf(link.getAttribute("href") ?? "")));
+    if (this.opened !== opened) return;
+    const isShown = [first, ...others].some((one) => one?.arm && sameArm(one.arm, this.services.store.get().arm));
+    if (first?.arm && !isShown) {
+      this.arms.push(first.arm);
+      return this.services.store.set({ q: null, goal: null, ...first });
+    }
     const { arm, start } = this.exercises.find((one) => one.arm !== undefined) ?? {};
     if (arm === undefined || sameArm(this.services.store.get().arm, { text: arm })) return;
     this.services.store.set({ arm: { text: arm }, q: start ?? null, goal: null });
