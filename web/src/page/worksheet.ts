@@ -28,11 +28,16 @@ export async function allTasks(): Promise<Task[]> {
   });
 }
 
+const drawnBy = ({ block }: Task): string | undefined =>
+  block.querySelector<HTMLElement>("[data-draw]")?.dataset["draw"];
+/** Whether an exercise is answered by a drawing on its board. */
+const drawnOn = (task: Task): boolean => drawnBy(task) === "board";
+
 /** What the worksheet draws for an exercise: a board to draw on, or what a command draws. */
-async function drawnFor({ block }: Task, services: Services): Promise<Element[]> {
-  const wanted = block.querySelector<HTMLElement>("[data-draw]")?.dataset["draw"];
+async function drawnFor(task: Task, services: Services): Promise<Element[]> {
+  const wanted = drawnBy(task);
   if (wanted === undefined) return [];
-  return [wanted === "board" ? emptyBoard() : await drawingOf(services, wanted.split(" "), "")];
+  return [drawnOn(task) ? emptyBoard() : await drawingOf(services, wanted.split(" "), "")];
 }
 
 /** A copy of a part of the exercise's block; null: it has none. */
@@ -55,7 +60,8 @@ function firstSentence(task: Task): Node[] {
 
 async function question(task: Task, number: number, services: Services): Promise<HTMLElement> {
   const text = part(task, ".paper") ?? part(task, ".task") ?? element("p");
-  const lines = Array.from({ length: linesToWrite }, () => element("div", { class: "line" }));
+  const count = drawnOn(task) ? 0 : linesToWrite;
+  const lines = Array.from({ length: count }, () => element("div", { class: "line" }));
   const title = element("h2", {}, `${number}. `, element("span", {}, `Lesson ${task.lesson}`));
   return element("section", {}, title, text, ...(await drawnFor(task, services)), ...lines);
 }

@@ -121,7 +121,7 @@ function inWords({ errors, overshoot, settled, left, diverged, factor }: StepRes
   if (left > 1) return `Unstable: the errors grow from step to step. ${why}`;
   if (settled === null)
     return `${over}After ${steps} steps ${shown(100 * left, 1)} % of the error is left.${left > 0.999 ? ` ${why}` : ""}`;
-  const slow = settled > usual ? "It crawls: " : "";
+  const slow = settled > usual && over === "" ? "It crawls: " : ""; // not one that swings
   return `${over}${slow}${slow === "" ? "T" : "t"}he errors stay below 2 % from step ${settled} on.`;
 }
 
