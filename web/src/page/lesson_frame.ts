@@ -23,7 +23,7 @@ function coveredBy(lesson: Lesson | undefined): HTMLElement[] {
 /** The list of lessons with their ticks, which opens and closes. */
 export class Contents {
   readonly root: HTMLDetailsElement;
-  private readonly summary = element("summary");
+  private readonly summary = element("summary", {}, "Contents");
   private readonly links: HTMLAnchorElement[];
 
   constructor(open: Open) {

@@ -266,7 +266,7 @@ export class LessonsSection implements PageSection {
     const heading = exercise.root.querySelector("h2");
     if (number > 1 && heading) heading.textContent = `Exercise ${number}`;
     for (const arm of [exercise.arm, exercise.solvedArm]) if (arm !== undefined) this.arms.push({ text: arm });
-    exercise.root.querySelector("h2")?.after(...place.querySelectorAll(".task"));
+    exercise.root.querySelector("h2")?.after(...place.querySelectorAll(".task, .paper"));
     exercise.root.append(...place.childNodes); // hints and the solution
     place.replaceChildren(exercise.root);
     place.addEventListener("solved", () => {
