@@ -1,17 +1,22 @@
 # beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
-# it included; "." stands for the files beside the folders. Its public headers are installed with it
+# it included; "." stands for the files beside the folders. MOTION: further folders of it, compiled by a target of their
+# own, beeline_motion, as a sanitizer may optimise them less. Its public headers are installed with it
 # and must each compile alone. Not public: headers in a folder internal/, in math/,
 # reason/, inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
 # each instruction set.
 function(beeline_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" FOLDERS)
-  foreach(folder IN LISTS arg_FOLDERS)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;MOTION")
+  foreach(folder IN LISTS arg_FOLDERS arg_MOTION)
     set(mode GLOB_RECURSE)
     if(folder STREQUAL ".")
       set(mode GLOB)
     endif()
     file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.cpp)
-    list(APPEND sources ${found})
+    if(folder IN_LIST arg_MOTION)
+      list(APPEND motion ${found})
+    else()
+      list(APPEND sources ${found})
+    endif()
     file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.h)
     list(APPEND headers ${found})
   endforeach()
@@ -25,6 +30,12 @@ function(beeline_library name)
   target_sources(beeline_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   beeline_quick(beeline_${name})
+  if(motion)
+    add_library(beeline_motion OBJECT ${motion})
+    target_include_directories(beeline_motion PRIVATE ${PROJECT_SOURCE_DIR})
+    beeline_quick(beeline_motion)
+    target_sources(beeline_${name} PRIVATE $<TARGET_OBJECTS:beeline_motion>)
+  endif()
 endfunction()
 
 # beeline_load_when_needed(target hdf5): the library that pkg-config found under that name is not linked: the target loads

@@ -65,9 +65,11 @@ endfunction()
 # beeline_quick(target): groups the sources as beeline_group() does and uses a precompiled header. The core is compiled with
 # -O3: with -O2 its loops over links and samples take 5 to 35 % longer, as Eigen's small products are
 # calls, and it is compiled no quicker.
+option(BEELINE_MOTION_AS_CORE
+  "Optimise the core's motions as the core; OFF: as the other libraries, for a sanitizer whose tests seldom move" ON)
 function(beeline_quick target)
   beeline_group(${target})
-  if(target STREQUAL beeline_core)
+  if(target STREQUAL beeline_core OR (target STREQUAL beeline_motion AND BEELINE_MOTION_AS_CORE))
     target_precompile_headers(${target} REUSE_FROM beeline_precompiled_core)
   else()
     beeline_optimise(${target} -O2)

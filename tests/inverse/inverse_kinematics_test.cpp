@@ -208,7 +208,7 @@ TEST(InverseKinematics, SingularSeedsAndPosesAreReached) {
 TEST(InverseKinematics, LargeAndSmallArmsAreSolvedAlike) {
   testing::Random random;
   for (const double size : {1e-4, 1e-2, 1e2, 1e4, 1e5}) {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < testing::cases(60); ++i) {
       const Arm arm = revolute_arm(6, size, random);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
       expect_solved(arm, pose, Task::spatial(), inverse_kinematics(arm, pose),

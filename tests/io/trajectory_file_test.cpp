@@ -55,7 +55,7 @@ TEST(TrajectoryFile, WithoutAnEndingTheTextDecides) {
 /// More than the 64 MiB that are read as a whole, and than the 8 million values of a JSON document.
 TEST(TrajectoryFile, AnyLengthIsRead) {
   const testing::TemporaryFolder folder;
-  const int samples = testing::example_size(1'400'000);
+  const int samples = testing::slow_build ? 14'000 : 1'400'000;
   std::string csv = "t,a\n", json = "{\"joint_names\": [\"a\"], \"points\": [";
   const std::string blanks(40, ' ');
   for (int k = 0; k < samples; ++k) {
@@ -112,7 +112,7 @@ TEST(TrajectoryFile, NothingHalfMadeIsLeft) {
 
 TEST(TrajectoryFile, BrokenTextsAreReadOrRefused) {
   testing::Random random;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < testing::cases(120); ++i) {
     const Trajectory trajectory = testing::random_trajectory(random);
     for (const bool csv : {true, false}) {
       const std::string whole =

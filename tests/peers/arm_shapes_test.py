@@ -21,7 +21,7 @@ from triangles import pieces_in_no_body, subdivided  # noqa: E402
 
 MOST = 0.015
 SPACING = 0.006
-MOST_PLACES = int(20_000 * float(os.environ.get("BEELINE_CASES", "1")))  # of a link, at which the excess is measured
+MOST_PLACES = int(7_000 * float(os.environ.get("BEELINE_CASES", "1")))  # of a link, at which the excess is measured
 HALF_TURN = np.diag([-1.0, -1, 1, 1])  # from the base of the maker's controller to the description's, as in catalog_test.py
 URDF = {  # path below example-robot-data/robots, base
     "panda": ("panda_description/urdf/panda.urdf", np.eye(4)),

@@ -46,9 +46,12 @@ void expect_equal(const ReachMap& a, const ReachMap& b) {
 
 /// Maps of more than one slab.
 struct Example {
+  double resolution = 0.2;
   Arm arm = built_in("ur5");
-  ReachGrid grid{arm, {.resolution = 0.2, .directions = 45 * deg, .rolls = 40 * deg}};
+  ReachGrid grid{arm, {.resolution = resolution, .directions = 45 * deg, .rolls = 40 * deg}};
 };
+/// What each solution is asked takes a sanitizer long.
+Example example_in_scene() { return {.resolution = testing::slow_build ? 0.3 : 0.2}; }
 const ReachGridOptions by_azimuths{
     .resolution = 0.08, .azimuths = 60 * deg, .directions = 20 * deg, .rolls = 60 * deg};
 
@@ -248,7 +251,7 @@ ReachOptions in_scene(double highest) {
 }
 
 TEST_F(ReachMapFile, OfASceneHasPartsOfThisSceneAlone) {
-  const Example example;
+  const Example example = example_in_scene();
   const Arm& arm = example.arm;
   const ReachGrid& grid = example.grid;
   const ReachOptions cell = in_scene(-1), other = in_scene(-0.5);
@@ -273,7 +276,7 @@ TEST_F(ReachMapFile, OfASceneHasPartsOfThisSceneAlone) {
 }
 
 TEST_F(ReachMapFile, OfASceneContinuesWhereItEnded) {
-  const Example example;
+  const Example example = example_in_scene();
   ReachMapOptions options{.reach = in_scene(-1)};
   options.reach.budget.max_work = example.grid.cells() / 2;
   ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"), options),

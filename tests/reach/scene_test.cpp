@@ -81,8 +81,9 @@ Scene box_at(const Vector3& place, double size) {
                                      .pose = Pose(Eigen::Translation3d(place))}}}}};
 }
 
-ReachGrid grid_of(const Arm& arm) {
-  const double radius = arm.reach().radius;
+/// `coarser`: times the size of a cell.
+ReachGrid grid_of(const Arm& arm, double coarser = 1) {
+  const double radius = coarser * arm.reach().radius;
   if (arm.planar()) return ReachGrid(arm, {.resolution = radius / 4, .directions = 60 * deg});
   return ReachGrid(arm, {.resolution = radius / 2, .directions = 90 * deg, .rolls = 90 * deg});
 }
@@ -130,7 +131,7 @@ TEST(ReachInScene, FarAwayChangesNothing) {
 TEST(ReachInScene, OfAllSpaceReachesNothing) {
   for (const char* name : arms) {
     const Cell cell(name, box_at(Vector3::Zero(), 100));
-    const ReachGrid grid = grid_of(cell.arm);
+    const ReachGrid grid = grid_of(cell.arm, testing::slow_build ? 2 : 1);
     const ReachCells cells = reach_cells(cell.arm, grid, 0, grid.positions(), cell.options());
     EXPECT_EQ(std::count(cells.branches.begin(), cells.branches.end(), 0), grid.cells());
     EXPECT_TRUE(std::isnan(cells.margin[0]) && std::isnan(cells.manipulability[0]));
@@ -219,7 +220,7 @@ TEST(ReachInScene, DoesNotDependOnThreads) {
   for (const char* name : {"ur5", "panda"}) {
     const Cell cell(random, name);
     const ReachGrid grid = grid_of(cell.arm);
-    for (const std::int64_t samples : {0, 20'000}) {
+    for (const std::int64_t samples : {0, testing::example_size(20'000)}) {
       ReachOptions options = cell.options();
       options.samples = samples;
       options.threads = 1;

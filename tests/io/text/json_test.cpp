@@ -127,6 +127,7 @@ TEST(Json, HostileTextsNeitherOverflowNorHang) {
   std::string keys = "{\"k0\": 0";
   for (int i = 1; i < 200000; ++i) keys += ",\"k" + std::to_string(i) + "\": 0";
   EXPECT_REFUSED(parse(keys + "}"), "more than 32 keys");
+  if (testing::slow_build) return;
   std::string many = "[";
   for (int i = 0; i < 8'000'000; ++i) many += "0,";
   EXPECT_REFUSED(parse(many + "0]"), "holds more than 8 million values");
