@@ -12,7 +12,8 @@ const root = fileURLToPath(new URL("../../build/web", import.meta.url));
 
 /** The headless shell has the engine of Chromium without its windows, and opens a page with half of the computation. */
 const browsers = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"];
-const executablePath = process.env["CHROMIUM"] ?? browsers.find((path) => existsSync(path)) ?? "/usr/bin/chromium";
+export const executablePath =
+  process.env["CHROMIUM"] ?? browsers.find((path) => existsSync(path)) ?? "/usr/bin/chromium";
 
 const types: Record<string, string> = {
   html: "text/html",

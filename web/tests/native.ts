@@ -9,7 +9,7 @@ import type { Files } from "../src/core/types.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const native = process.env["BEELINE"] ?? join(root, "build/beeline");
-const module = process.env["BEELINE_WEB"] ?? join(root, "build-web-core/web");
+export const module = process.env["BEELINE_WEB"] ?? join(root, "build-web-core/web");
 
 export interface Outcome {
   code: number;

@@ -44,11 +44,11 @@ export class Arm {
     const [first = 0, second = 0, third = 0] = texts;
     const handle = module._beeline_arm(first, content, second, third);
     for (const pointer of [...texts, content]) module._free(pointer);
-    this.handle = checked(module, handle);
+    this.handle = checked(module, handle, "invalid_arm");
     const buffers: number[] = [];
     const allocate = (count: number): number => {
       const buffer = module._beeline_allocate(count);
-      if (buffer === 0) throw new CoreError(`the core has no memory for ${count} numbers`);
+      if (buffer === 0) throw new CoreError(`the core has no memory for ${count} numbers`, "no_memory");
       buffers.push(buffer);
       return buffer;
     };
@@ -153,7 +153,7 @@ export class Arm {
 
   /** A trajectory of this arm, from the text of a file; joints are matched by name. */
   trajectory(name: string, text: string): Trajectory {
-    if (this.released) throw new CoreError("the arm was released");
+    if (this.released) throw new CoreError("the arm was released", "released");
     return new Trajectory(this.module, this.handle, this.dof, name, text);
   }
 
@@ -164,7 +164,7 @@ export class Arm {
   }
 
   private check(q: ArrayLike<number>): void {
-    if (this.released) throw new CoreError("the arm was released");
+    if (this.released) throw new CoreError("the arm was released", "released");
     if (q.length !== this.dof) throw new CoreError(`the arm has ${this.dof} joint values, not ${q.length}`);
   }
 

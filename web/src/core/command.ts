@@ -21,7 +21,8 @@ function prepare(module: CommandModule, files: InputFiles): void {
   module.FS.mkdir(folder);
   module.FS.chdir(folder);
   for (const [name, content] of Object.entries(files)) {
-    if (!/^[^/\0]+$/.test(name) || name.startsWith(".")) throw new CoreError(`"${name}" is not the name of a file`);
+    if (!/^[^/\0]+$/.test(name) || name.startsWith("."))
+      throw new CoreError(`"${name}" is not the name of a file`, "invalid_usage");
     module.FS.writeFile(name, content);
   }
 }
@@ -64,6 +65,6 @@ export async function command(
 
 /** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused. */
 export function answer<T = unknown>(result: CommandResult): T {
-  if (result.code > 1) throw new CoreError(result.refusal);
+  if (result.code > 1) throw new CoreError(result.refusal, result.code === 3 ? "invalid_file" : "invalid_usage");
   return JSON.parse(result.stdout) as T;
 }

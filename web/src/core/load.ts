@@ -26,10 +26,11 @@ export function missingFeature(): string | null {
 /** Compiles the module once; instantiate() makes instances of it. */
 export async function compile(wasm: BufferSource | Response | PromiseLike<Response>): Promise<WebAssembly.Module> {
   const missing = missingFeature();
-  if (missing !== null) throw new CoreError(missing);
+  if (missing !== null) throw new CoreError(missing, "not_loaded");
   if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm as BufferSource);
   const response = await (wasm as Response | PromiseLike<Response>);
-  if (!response.ok) throw new CoreError(`The core cannot be loaded: ${response.status} for ${response.url}`);
+  if (!response.ok)
+    throw new CoreError(`The core cannot be loaded: ${response.status} for ${response.url}`, "not_loaded");
   return WebAssembly.compile(await response.arrayBuffer());
 }
 

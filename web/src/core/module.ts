@@ -1,4 +1,4 @@
-import { CoreError } from "./types.js";
+import { CoreError, type ErrorCode } from "./types.js";
 
 /** What each of Emscripten's modules has of what we use, and the functions of web/core/memory.h. */
 export interface Module {
@@ -89,7 +89,7 @@ export interface FileSystem {
 export function writeText(module: Module, text: string): number {
   const bytes = new TextEncoder().encode(text);
   const pointer = module._malloc(bytes.length + 1);
-  if (pointer === 0) throw new CoreError(`the core has no memory for a text of ${bytes.length} bytes`);
+  if (pointer === 0) throw new CoreError(`the core has no memory for a text of ${bytes.length} bytes`, "no_memory");
   module.HEAPU8.set(bytes, pointer);
   module.HEAPU8[pointer + bytes.length] = 0;
   return pointer;
@@ -101,7 +101,7 @@ export function readText(module: Module, pointer: number): string {
 }
 
 /** The value that a function of the core has returned. Throws CoreError with the core's message where it is negative. */
-export function checked(module: Module, value: number): number {
-  if (value < 0) throw new CoreError(readText(module, module._beeline_error()));
+export function checked(module: Module, value: number, code?: ErrorCode): number {
+  if (value < 0) throw new CoreError(readText(module, module._beeline_error()), code);
   return value;
 }

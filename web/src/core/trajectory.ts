@@ -1,4 +1,5 @@
 import { checked, readText, writeText, type CoreModule } from "./module.js";
+import { CoreError } from "./types.js";
 
 export type Quantity = "position" | "velocity" | "acceleration";
 export const quantities: Quantity[] = ["position", "velocity", "acceleration"];
@@ -25,7 +26,7 @@ export class Trajectory {
     const texts = [writeText(module, name), writeText(module, text)] as const;
     const handle = module._beeline_trajectory(arm, ...texts);
     for (const pointer of texts) module._free(pointer);
-    this.handle = checked(module, handle);
+    this.handle = checked(module, handle, "invalid_trajectory");
     try {
       this.size = checked(module, module._beeline_trajectory_size(this.handle));
       this.quantities = quantities.slice(0, checked(module, module._beeline_trajectory_columns(this.handle)));
@@ -79,7 +80,7 @@ export class Trajectory {
 
   private numbers(count: number, write: (buffer: number) => number): Float64Array {
     const buffer = this.module._beeline_allocate(count);
-    if (buffer === 0) throw new Error("the core has no more memory");
+    if (buffer === 0) throw new CoreError(`the core has no memory for ${count} numbers`, "no_memory");
     try {
       checked(this.module, write(buffer));
       return this.module.HEAPF64.slice(buffer / 8, buffer / 8 + count);

@@ -48,9 +48,26 @@ export interface CommandResult {
   files: Files;
 }
 
+/** Which input was refused. */
+export type ErrorCode =
+  | "invalid_argument" // of a function
+  | "invalid_arm" // a name, a joint string or the text of a file
+  | "invalid_trajectory" // the text of a file
+  | "invalid_usage" // of the command: exit code 2
+  | "invalid_file" // of the command: exit code 3
+  | "released" // an arm that was released
+  | "no_memory"
+  | "not_loaded"; // the module, or this browser lacks what it needs
+
 /** The message of the core, in the words of the command line. */
 export class CoreError extends Error {
   override name = "CoreError";
+  constructor(
+    message: string,
+    readonly code: ErrorCode = "invalid_argument",
+  ) {
+    super(message);
+  }
 }
 
 /** A computation was ended from outside, which needs no words. */
