@@ -17,7 +17,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs site wheel test test-peers test-reasons test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean deb try-deb packages
+.PHONY: help build demo bench bench-web docs site wheel npm test test-peers test-reasons test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean deb try-deb packages
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -27,9 +27,10 @@ help:
 	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make site      the page and the documentation as one folder for any static web server, in build/site"
 	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
+	@echo "make npm       the npm package beeline-arms, in build-npm/dist, tried in Node.js and in a project with Vite"
 	@echo "make deb       Debian packages of HEAD, in build-deb/dist: for this system, or SUITES=\"bookworm trixie\", as root, in bare systems"
 	@echo "make try-deb   installs them in bare systems, tries them, and removes them; as root"
-	@echo "make packages  every package made and tried, and a list of them: make wheel, deb and try-deb"
+	@echo "make packages  every package made and tried, and a list of them: make wheel, npm, deb and try-deb"
 	@echo "make test      builds and runs every test but the next; CASES=3: with three times the random cases"
 	@echo "make test-reasons   the tests in C++ with every sentence of a reason replaced by X: no code and no test reads one"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI; beeline-reach-mpi on OpenMPI"
@@ -101,6 +102,10 @@ wheel: web
 	@scripts/install_packages.sh build python
 	@scripts/wheel.sh build-wheel/dist
 
+npm: build web
+	@scripts/npm.sh build-web-core/web build-npm/dist
+	@scripts/try_npm.sh build-npm/dist
+
 deb:
 	@scripts/install_packages.sh build deb
 	@JOBS=$(JOBS) scripts/deb.sh build-deb/dist $(SUITES)
@@ -111,7 +116,7 @@ try-deb:
 
 # The wheel first: it builds the page, which the others carry.
 packages:
-	@scripts/packages.sh wheel deb try-deb
+	@scripts/packages.sh wheel npm deb try-deb
 
 test-peers:
 	@scripts/install_packages.sh build test peers python mpi
@@ -192,4 +197,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf --one-file-system build build-dev build-asan build-asan-all build-tsan build-arm build-fuzz build-bare build-deb build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel
+	@rm -rf --one-file-system build build-dev build-asan build-asan-all build-tsan build-arm build-fuzz build-bare build-deb build-npm build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel

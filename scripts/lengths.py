@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MAX_FILE, MAX_FUNCTION = 400, 60  # lines
 FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "mpi", "packaging", "python", "scripts", "web/core",
-           "web/src", "web/tests")
+           "web/src", "web/npm", "web/tests")
 CODE = {".h", ".cpp"}
 ENDINGS = CODE | {".py", ".sh", ".cmake", ".txt", ".ts", ".css", ".html"}
 

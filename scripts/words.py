@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "mpi", "packaging", "python", "scripts",
-          "web/core", "web/src", "web/tests", "web/index.html", "README.md",
+          "web/core", "web/src", "web/npm", "web/tests", "web/index.html", "README.md",
           "CHANGELOG.md", "CONTRIBUTING.md", "CMakeLists.txt", "Makefile", "layers.txt")
 ENDINGS = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".in", ".ts", ".css", ".html", ""}
 INSTEAD = {

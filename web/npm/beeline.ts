@@ -1,0 +1,151 @@
+import type { Trajectory } from "../src/core/trajectory.js";
+import { answer } from "../src/core/command.js";
+import type { Commands } from "../src/core/commands.js";
+import type { Core } from "../src/core/core.js";
+import type { ChainEnds, CommandResult, Files, Frame, Manipulability, Matrix } from "../src/core/types.js";
+import type { IkAnswer, LineAnswer } from "./answers.js";
+import { Arm } from "./arm.js";
+import {
+  configuration,
+  invalid,
+  matrixOf,
+  posesFile,
+  typedOptions,
+  typedPose,
+  type Numbers,
+  type Options,
+} from "./values.js";
+
+/** A row of a Denavit-Hartenberg table, m and rad. */
+export interface DhRow {
+  /** revolute by default */
+  type?: "revolute" | "prismatic";
+  a?: number;
+  alpha?: number;
+  d?: number;
+  theta?: number;
+  limits?: { lower: number; upper: number };
+}
+
+export interface InverseOptions {
+  /** The joint values that solutions are to be near; 0 by default. */
+  seed?: Numbers;
+  /** All solutions, up to 64; otherwise the nearest. */
+  all?: boolean;
+  ignoreLimits?: boolean;
+}
+
+const frames: readonly string[] = ["base", "tool", "space"] satisfies Frame[];
+
+/** Kinematics and motion of serial arms. Radians, metres, seconds. A pose is a column-major 4 x 4 matrix, as in three.js and
+ * WebGL; where one is asked for, x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz and, of a planar arm, x,y,theta will do. Invalid
+ * input throws a CoreError; a negative answer is an answer. */
+export class Beeline {
+  private whole: Promise<Commands> | null = null;
+
+  /** @internal */
+  constructor(
+    private readonly core: Core,
+    private readonly loadCommands: () => Promise<Commands>,
+  ) {}
+
+  /** The names of the built-in arms. */
+  builtInNames(): string[] {
+    return this.core.builtInNames();
+  }
+
+  /** The arm of a built-in name ("ur5"), a joint string with lengths ("RRR:3.5,3.5,2"), or the name of one of `files`:
+   * .urdf, .xml (MJCF), .json. */
+  readArm(arm: string, files: Files = {}, ends: ChainEnds = {}): Arm {
+    return new Arm(this.core.arm(arm, files, ends), { arm, files, ends });
+  }
+
+  /** The arm of a URDF file's text, from the link `base` to the link `tip` where the tree has several ends. */
+  armFromUrdf(text: string, ends: ChainEnds = {}): Arm {
+    return this.readArm("arm.urdf", { "arm.urdf": text }, ends);
+  }
+
+  /** The arm of Arm.toJson(). */
+  armFromJson(text: string): Arm {
+    return this.readArm("arm.json", { "arm.json": text });
+  }
+
+  /** The arm of a Denavit-Hartenberg table. There is no default convention: the numbers do not say which it is. */
+  armFromDh(name: string, convention: "standard" | "modified", rows: readonly DhRow[]): Arm {
+    return this.armFromJson(JSON.stringify({ name, dh: { convention, rows } }));
+  }
+
+  /** The pose of the tool. */
+  forwardKinematics(arm: Arm, q: Numbers): Matrix {
+    return this.linkPoses(arm, q).at(-1) as Matrix;
+  }
+
+  /** The poses of all links, the base first, and last of the tool. */
+  linkPoses(arm: Arm, q: Numbers): Matrix[] {
+    return arm.core.forward(configuration("q", arm, q));
+  }
+
+  /** The Jacobian, rows vx vy vz wx wy wz with a number for each joint: the velocity of the tool's origin in the axes of
+   * the base ("base"), in its own axes ("tool"), or the spatial twist ("space"). */
+  jacobian(arm: Arm, q: Numbers, { frame = "base" }: { frame?: Frame } = {}): number[][] {
+    if (!frames.includes(frame)) throw invalid(`frame is "${String(frame)}"; it must be base, tool or space`);
+    const columns = arm.core.jacobian(configuration("q", arm, q), frame);
+    return Array.from({ length: 6 }, (_, row) =>
+      Array.from({ length: arm.dof }, (_, k) => columns[6 * k + row] as number),
+    );
+  }
+
+  /** Manipulability, condition number and singular values of the Jacobian: of x, y and theta for a planar arm. */
+  manipulability(arm: Arm, q: Numbers): Manipulability {
+    return arm.core.manipulability(configuration("q", arm, q));
+  }
+
+  /** The joint values with this pose of the tool, nearest to the seed first. The list is empty if there are none; ik() says
+   * why. */
+  inverseKinematics(arm: Arm, pose: Numbers, { seed, ...options }: InverseOptions = {}): Float64Array[] {
+    const near = seed === undefined ? new Float64Array(arm.dof) : configuration("seed", arm, seed);
+    return arm.core.inverse(matrixOf("pose", arm, pose), near, options);
+  }
+
+  /** `beeline ik`: the solutions with status, residual and reason. Options are the command's. */
+  ik(arm: Arm, pose: Numbers, { seed, ...options }: Options & InverseOptions = {}): Promise<IkAnswer> {
+    const near = seed === undefined ? {} : { seed: configuration("seed", arm, seed) };
+    return this.verb("ik", arm, { pose: typedPose("pose", pose), ...near, ...options });
+  }
+
+  /** `beeline line`: moves the tool from the joint values `from` in straight lines through poses, with a proved bound of the
+   * deviation. `trajectory` is the motion, to be released; null if there is none. */
+  async line(
+    arm: Arm,
+    from: Numbers,
+    through: readonly Numbers[],
+    options: Options = {},
+  ): Promise<LineAnswer & { trajectory: Trajectory | null }> {
+    const files = { "poses.csv": posesFile("through", through) };
+    const own = { from: configuration("from", arm, from), through: "poses.csv", out: "line.csv" };
+    const result = await this.runVerb("line", arm, { ...own, ...options }, files);
+    const text = result.files["line.csv"];
+    const trajectory = text === undefined ? null : arm.core.trajectory("line.csv", text);
+    return { ...answer<LineAnswer>(result), trajectory };
+  }
+
+  /** Runs `beeline ARGS` with these files in its folder. */
+  async run(args: readonly string[], files: Files = {}): Promise<CommandResult> {
+    this.whole ??= this.loadCommands();
+    const commands = await this.whole.catch((error: unknown) => {
+      this.whole = null; // the next call tries again
+      throw error;
+    });
+    return commands.run([...args], files);
+  }
+
+  /** What `beeline VERB ARM --json` prints, with options of the command in camel case: {maxSamples: 9} is --max-samples=9. */
+  async verb<Answer>(verb: string, arm: Arm, options: Options = {}, files: Files = {}): Promise<Answer> {
+    return answer<Answer>(await this.runVerb(verb, arm, options, files));
+  }
+
+  private runVerb(verb: string, { source }: Arm, options: Options, files: Files): Promise<CommandResult> {
+    const args = [verb, source.arm, ...typedOptions({ ...source.ends, ...options }), "--json"];
+    return this.run(args, { ...source.files, ...files });
+  }
+}

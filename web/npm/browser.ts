@@ -1,0 +1,11 @@
+import type { Beeline } from "./beeline.js";
+import { load as loadFrom } from "./load.js";
+
+export * from "./exports.js";
+
+/** Loads the core; the command line is loaded when it is first needed. */
+export const load = (): Promise<Beeline> =>
+  loadFrom(
+    () => fetch(new URL("../wasm/core.wasm", import.meta.url)),
+    () => fetch(new URL("../wasm/beeline.wasm", import.meta.url)),
+  );

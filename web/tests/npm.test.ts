@@ -1,0 +1,227 @@
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import type { Beeline } from "../npm/beeline.js";
+import type * as Vite from "vite";
+import { executablePath } from "./browser.js";
+import { json, module, run } from "./native.js";
+
+/** NPM_TRIAL: the package to try, in a project with Vite from npm; otherwise it is packed here, and Vite is the page's. */
+const given = process.env["NPM_TRIAL"];
+const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+interface Computed {
+  error?: string;
+  arms: { name: string; q: number[]; pose: number[]; jacobian: number[][]; inverse: number[][] | null }[];
+  line: { status: string; samples: number; deviation_bound: number };
+  positions: number[][];
+}
+
+let folder: string;
+let beeline: Beeline;
+/** What Node computes by import. */
+let computed: string;
+
+const npm = (...args: string[]) => execFileSync("npm", [...args, "--no-audit", "--no-fund"], { cwd: folder });
+const node = (...args: string[]) => execFileSync("node", args, { cwd: folder, encoding: "utf8" });
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "beeline-npm-"));
+  cpSync(at("../npm/trial"), folder, { recursive: true });
+  writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }');
+  const packed = given ?? join(folder, "packed");
+  if (given === undefined) execFileSync(at("../../scripts/npm.sh"), [module, packed]);
+  npm("install", packed.endsWith(".tgz") ? packed : join(packed, `beeline-arms-${version()}.tgz`));
+  if (given !== undefined) npm("install", "--save-dev", "vite");
+  else symlinkSync(at("../node_modules/vite"), join(folder, "node_modules/vite"));
+  beeline = await ((await import(entry())) as { load(): Promise<Beeline> }).load();
+  computed = node("module.mjs");
+});
+afterAll(() => {
+  rmSync(folder, { recursive: true, force: true });
+});
+
+const version = (): string =>
+  /^project\(beeline VERSION ([\d.]+)/m.exec(readFileSync(at("../../CMakeLists.txt"), "utf8"))?.[1] ?? "";
+const entry = (): string => pathToFileURL(join(folder, "node_modules/beeline-arms/npm/node.js")).href;
+
+function difference(a: number[], b: number[]): number {
+  expect(a.length).toBe(b.length);
+  return Math.max(...a.map((value, i) => Math.abs(value - (b[i] ?? NaN))));
+}
+
+/** A promise's or a function's error as code and message. */
+async function refusal(work: () => unknown): Promise<string> {
+  try {
+    await work();
+  } catch (error) {
+    expect(error).toBeInstanceOf(Error);
+    const { code, message } = error as Error & { code: string };
+    return `${code}: ${message}`;
+  }
+  return "no error";
+}
+
+test("computes as the command does", () => {
+  const { arms, line, positions } = JSON.parse(computed) as Computed;
+  expect(arms.length).toBeGreaterThan(20);
+  for (const { name, q, pose, jacobian, inverse } of arms) {
+    const typed = `--q=${q.join(",")}`;
+    const fk = json<{ pose: { matrix: number[][] } }>(["fk", name, typed]);
+    expect(
+      difference(
+        pose,
+        [0, 1, 2, 3].flatMap((k) => fk.pose.matrix.map((row) => row[k] ?? NaN)),
+      ),
+    ).toBeLessThan(1e-12);
+    const found = json<{ jacobian: number[][]; condition: number | null }>(["jacobian", name, typed, "--task=spatial"]);
+    expect(difference(jacobian.flat(), found.jacobian.flat())).toBeLessThan(1e-12);
+    if (inverse === null) continue; // of a redundant arm rounding may choose
+    const matrix = fk.pose.matrix.flat().join(",");
+    const ik = json<{ solutions: number[][] }>(["ik", name, `--pose=${matrix}`, `--seed=${q.join(",")}`]);
+    expect(inverse.length, name).toBe(ik.solutions.length);
+    const bound = 1e-12 * Math.max(1, found.condition ?? 1);
+    inverse.forEach((solution, i) => {
+      expect(difference(solution, ik.solutions[i] ?? []), name).toBeLessThan(bound);
+    });
+  }
+  const args = ["line", "rrr", "--from=1.95,-0.9,-1.05", "--through=poses.csv"];
+  const expected = json<Computed["line"]>(args, { "poses.csv": "x,y,theta\n4.5,5.2,0\n" });
+  expect(line.status).toBe(expected.status);
+  expect(line.samples).toBe(expected.samples);
+  expect(Math.abs(line.deviation_bound - expected.deviation_bound)).toBeLessThan(1e-9);
+  expect(positions.length).toBe(line.samples);
+});
+
+test("by import() in CommonJS", () => {
+  expect(node("common.cjs")).toBe(computed);
+});
+
+test.each([
+  ["nodenext", "nodenext"],
+  ["esnext", "bundler"],
+])("types for module %s, resolution %s, without types of browsers and of Node", (kind, resolution) => {
+  const tsc = at("../node_modules/.bin/tsc");
+  const options = ["--noEmit", "--strict", "--exactOptionalPropertyTypes", "--target", "es2022", "--lib", "es2023"];
+  const done = [...options, "--types", "", "--module", kind, "--moduleResolution", resolution, "types.ts"];
+  expect(execFileSync(tsc, done, { cwd: folder, encoding: "utf8" })).toBe("");
+});
+
+test.each(["../npm/README.md", "../../docs/install.md"])("the session of %s", (page) => {
+  const text = readFileSync(at(page), "utf8");
+  const block = (language: string): string => new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``).exec(text)?.[1] ?? "";
+  writeFileSync(join(folder, "session.mjs"), block("js"));
+  expect(node("session.mjs")).toBe(block("text"));
+});
+
+const urdf = `<robot name="own"><link name="a"/><link name="b"/><link name="c"/>
+<joint name="turn" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><origin xyz="0 0 0.5"/>
+<limit lower="-1" upper="1"/></joint>
+<joint name="end" type="fixed"><parent link="b"/><child link="c"/><origin xyz="1 0 0"/></joint></robot>`;
+
+test("arms from texts", async () => {
+  const rows = [
+    { a: 3.5, theta: 0 },
+    { a: 3.5, alpha: 0 },
+    { a: 2, type: "revolute" as const, d: 0 },
+  ];
+  const own = beeline.armFromUrdf(urdf);
+  const table = beeline.armFromDh("table", "standard", rows);
+  const string = beeline.readArm("RRR:3.5,3.5,2");
+  const again = beeline.armFromJson(table.toJson());
+  const q = [0.5, -0.2, 0.1];
+  const poses = [table, string, again].map((arm) => beeline.forwardKinematics(arm, q));
+  for (const pose of poses) expect(difference([...pose], [...(poses[0] ?? [])])).toBeLessThan(1e-14);
+  expect(difference([...beeline.forwardKinematics(own, [0.5])].slice(12), [Math.cos(0.5), Math.sin(0.5), 0.5, 1])).toBe(
+    0,
+  );
+  expect(await beeline.verb("fk", own, { q: [0.5] })).toEqual(
+    json(["fk", "arm.urdf", "--q=0.5"], { "arm.urdf": urdf }),
+  );
+  const { solutions } = await beeline.ik(table, poses[0] ?? [], { seed: q });
+  expect(difference(solutions[0] ?? [], q)).toBeLessThan(1e-12);
+  const tip = beeline.armFromUrdf(urdf, { tip: "b" });
+  expect(beeline.linkPoses(tip, [0]).at(-1)?.slice(12)).toEqual(Float64Array.of(0, 0, 0.5, 1));
+  expect((await beeline.run(["--version"])).stdout).toBe(run(["--version"]).stdout);
+});
+
+test("refuses invalid input with a code and what is accepted", async () => {
+  const arm = beeline.readArm("rrr");
+  const refusals: [() => unknown, RegExp][] = [
+    [() => beeline.readArm("ur55"), /^invalid_arm: unknown arm "ur55"; did you mean "ur5"\?.*RRR:3.5,3.5,2/],
+    [() => beeline.armFromUrdf("<robot>"), /^invalid_arm: arm\.urdf:1: /],
+    [() => beeline.armFromDh("own", "standard", [{ a: NaN }]), /^invalid_arm: arm\.json.*number/],
+    [
+      () => beeline.forwardKinematics(arm, [1, 2]),
+      /^invalid_argument: q has 2 numbers; rrr has 3 joint values: joint1, /,
+    ],
+    [
+      () => beeline.forwardKinematics(arm, [1, NaN, 2]),
+      /^invalid_argument: q\[1\] is NaN; it must be a finite number$/,
+    ],
+    [
+      () => beeline.jacobian(arm, undefined as never),
+      /^invalid_argument: q is undefined; it must be a list of 3 joint/,
+    ],
+    [
+      () => beeline.jacobian(arm, [0, 0, 0], { frame: "world" as never }),
+      /^invalid_argument: frame is "world"; .*tool/,
+    ],
+    [() => beeline.inverseKinematics(arm, [1, 2]), /^invalid_argument: pose has 2 numbers; it must be x,y,z/],
+    [
+      () => beeline.inverseKinematics(arm, [1, 2, 0, 2, 0, 0, 0]),
+      /^invalid_argument: pose: the quaternion 2,0,0,0 has length 2/,
+    ],
+    [() => beeline.inverseKinematics(arm, new Float64Array(16)), /^invalid_argument: .*rigid/],
+    [() => beeline.inverseKinematics(arm, [1, 2, 0], { seed: [1] }), /^invalid_argument: seed has 1 numbers/],
+    [() => beeline.ik(arm, [1, 2, 0], { allSolutions: true }), /^invalid_usage: .*--all-solutions/],
+    [() => beeline.ik(arm, [1, 2, 0], { "--all": true }), /^invalid_argument: "--all" is no option; .*camel case/],
+    [() => beeline.line(arm, [0, 0, 1], [[1, 2, "x" as never]]), /^invalid_argument: through\[0\]\[2\] is x; /],
+    [() => beeline.line(arm, [0, 0, 1], 7 as never), /^invalid_argument: through is 7; it must be a list of poses$/],
+    [() => beeline.line(arm, [0, 0, 1], []), /^invalid_(file|usage): .*poses/],
+    [() => beeline.verb("fly", arm), /^invalid_usage: .*fly/],
+  ];
+  for (const [work, expected] of refusals) expect(await refusal(work)).toMatch(expected);
+  arm.release();
+  expect(await refusal(() => beeline.forwardKinematics(arm, [0, 0, 0]))).toBe("released: the arm was released");
+  const far = await beeline.ik(beeline.readArm("rrr"), [90, 90, 0]);
+  expect([far.status, far.solutions.length, far.code === null]).toEqual(["unreachable", 0, false]);
+  expect(far.reason).not.toBe("");
+});
+
+/** What a page of the project shows. */
+async function shown(address: string): Promise<string> {
+  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+  try {
+    const page = await browser.newPage();
+    await page.goto(address);
+    await page.waitForFunction(() => document.body.textContent.startsWith("{"));
+    return (await page.textContent("body")) ?? "";
+  } finally {
+    await browser.close();
+  }
+}
+
+test("in a project of Vite, built and served while it is written", async () => {
+  const path = createRequire(join(folder, "main.js")).resolve("vite");
+  const vite = (await import(pathToFileURL(path).href)) as typeof Vite;
+  console.log(`Node ${process.version}, Vite ${vite.version}`);
+  const options = { root: folder, configFile: false, logLevel: "warn" } as const;
+  await vite.build(options);
+  const built = await vite.preview({ ...options, preview: { host: "127.0.0.1", port: 0 } });
+  const served = await vite.createServer({ ...options, server: { host: "127.0.0.1", port: 0 } });
+  try {
+    await served.listen();
+    for (const { resolvedUrls } of [built, served]) {
+      expect(JSON.parse(await shown(resolvedUrls?.local[0] ?? ""))).toEqual(JSON.parse(computed));
+    }
+  } finally {
+    await built.close();
+    await served.close();
+  }
+});
