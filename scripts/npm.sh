@@ -19,7 +19,8 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/wasm" "$work/licences"
 cp "$modules"/{core,beeline}.{js,wasm} "$work/wasm"
 chmod 644 "$work/wasm"/*
-cp LICENSE web/npm/README.md "$work"
+cp LICENSE "$work"
+cp docs/howto/javascript.md "$work/README.md"
 cp /usr/share/common-licenses/Apache-2.0 "$work/licences"  # which the others name
 for package in emscripten libcli11-dev libeigen3-dev libfast-float-dev libfmt-dev libhwy-dev libtinyxml2-dev \
   libyaml-cpp-dev nlohmann-json3-dev; do

@@ -112,7 +112,7 @@ test.each([
   expect(execFileSync(tsc, done, { cwd: folder, encoding: "utf8" })).toBe("");
 });
 
-test.each(["../npm/README.md", "../../docs/install.md"])("the session of %s", (page) => {
+test.each(["../../docs/howto/javascript.md", "../../docs/install.md"])("the session of %s", (page) => {
   const text = readFileSync(at(page), "utf8");
   const block = (language: string): string => new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``).exec(text)?.[1] ?? "";
   writeFileSync(join(folder, "session.mjs"), block("js"));
