@@ -187,7 +187,13 @@ test("refuses invalid input with a code and what is accepted", async () => {
     [() => beeline.verb("fly", arm), /^invalid_usage: .*fly/],
   ];
   for (const [work, expected] of refusals) expect(await refusal(work)).toMatch(expected);
+  const { trajectory } = await beeline.line(arm, [1.95, -0.9, -1.05], [[4.5, 5.2, 0]]);
+  trajectory?.release();
+  trajectory?.release();
+  expect(await refusal(() => trajectory?.at(0))).toBe("released: the trajectory was released");
   arm.release();
+  arm.release();
+  expect(beeline.forwardKinematics(beeline.readArm("rp"), [0, 0]).length).toBe(16); // the memory is as it was
   expect(await refusal(() => beeline.forwardKinematics(arm, [0, 0, 0]))).toBe("released: the arm was released");
   const far = await beeline.ik(beeline.readArm("rrr"), [90, 90, 0]);
   expect([far.status, far.solutions.length, far.code === null]).toEqual(["unreachable", 0, false]);

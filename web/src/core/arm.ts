@@ -68,8 +68,9 @@ export class Arm {
     }
   }
 
-  /** Afterwards the arm refuses to compute. */
+  /** Afterwards the arm refuses to compute. A second time does nothing. */
   release(): void {
+    if (this.released) return;
     this.released = true;
     for (const buffer of [this.q, this.other, this.result]) this.module._beeline_release(buffer);
     checked(this.module, this.module._beeline_arm_release(this.handle));

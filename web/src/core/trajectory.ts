@@ -12,6 +12,7 @@ export class Trajectory {
   /** Position, and what the file has besides. */
   readonly quantities: Quantity[];
   private readonly handle: number;
+  private released = false;
   private readonly values: Float64Array;
   private readonly stride: number;
 
@@ -60,6 +61,7 @@ export class Trajectory {
 
   /** The joint values at a time of the motion that the columns mean: polynomials between the samples. */
   at(time: number): number[] {
+    this.check();
     return Array.from(
       this.numbers(this.dof, (buffer) => this.module._beeline_trajectory_sample(this.handle, time, buffer)),
     );
@@ -67,6 +69,7 @@ export class Trajectory {
 
   /** The content of a file with this name, .csv or .json. */
   text(name: string): string {
+    this.check();
     const pointer = writeText(this.module, name);
     const content = this.module._beeline_trajectory_text(this.handle, pointer);
     this.module._free(pointer);
@@ -74,8 +77,15 @@ export class Trajectory {
     return readText(this.module, content);
   }
 
+  /** Afterwards it has its samples only. A second time does nothing. */
   release(): void {
+    if (this.released) return;
+    this.released = true;
     checked(this.module, this.module._beeline_trajectory_release(this.handle));
+  }
+
+  private check(): void {
+    if (this.released) throw new CoreError("the trajectory was released", "released");
   }
 
   private numbers(count: number, write: (buffer: number) => number): Float64Array {
