@@ -29,6 +29,7 @@ ProgramVerifier::ProgramVerifier(const Arm& arm, const Trajectory& trajectory,
   options_.budget = budget.part();
   now_.result.deviation.bound = {};
   interval_bounds_.resize(trajectory.size() - 1);
+  speed_bounds_.resize(trajectory.size() - 1, Limits::none);
 }
 
 Verification ProgramVerifier::run() {
@@ -139,18 +140,28 @@ bool ProgramVerifier::check_rest(std::size_t move) {
   return true;
 }
 
-/// The tool's speed between two samples, if it may exceed the limit.
-std::optional<double> ProgramVerifier::excess_speed(std::size_t from, std::size_t to,
-                                                    const std::optional<double>& limit) const {
-  if (!limit || from >= to) return std::nullopt;
-  const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to));
-  return speed <= *limit * speed_rounding ? std::nullopt : std::optional(speed);
+/// Whether the tool's speed between two samples may exceed a limit. Which intervals are within one
+/// is remembered, as several passages ask.
+bool ProgramVerifier::exceeds_speed(std::size_t from, std::size_t to,
+                                    const std::optional<double>& limit) {
+  if (!limit) return false;
+  const double largest = *limit * speed_rounding;
+  for (std::size_t k = from; k < to; ++k) {
+    if (speed_bounds_[k] <= largest) continue;
+    if (budget_.ended()) return false;
+    const double bound =
+        tool_speed_bounds(arm_, samples_between(trajectory_, k, k + 1), {largest}).front();
+    if (bound > largest) return true;
+    speed_bounds_[k] = largest;
+  }
+  return false;
 }
 
 bool ProgramVerifier::check_speed(std::size_t move, std::size_t from, std::size_t to,
                                   const std::optional<double>& limit) {
-  const std::optional<double> speed = excess_speed(from, to, limit);
-  return !speed || fail_too_fast(move, from, *speed, *limit);
+  if (!exceeds_speed(from, to, limit)) return true;
+  const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to), budget_);
+  return fail_too_fast(move, from, speed, *limit);
 }
 
 /// The same for a part of the interval after sample k, under the limit of the move.

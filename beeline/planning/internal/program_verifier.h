@@ -31,6 +31,7 @@ struct JointRun {
 struct PassageLayer {
   std::vector<Passage> passages = {};
   std::vector<std::size_t> before = {};
+  std::vector<bool> stops = {};  ///< whether the arm stops at the waypoint there
 };
 
 /// Proves the parts of a program one after the other. Each begins at the sample at which the one
@@ -77,8 +78,7 @@ class ProgramVerifier {
   bool check_stop(std::size_t i);
   bool check_dwell(std::size_t move);
   bool check_rest(std::size_t move);
-  std::optional<double> excess_speed(std::size_t from, std::size_t to,
-                                     const std::optional<double>& limit) const;
+  bool exceeds_speed(std::size_t from, std::size_t to, const std::optional<double>& limit);
   bool check_speed(std::size_t move, std::size_t from, std::size_t to,
                    const std::optional<double>& limit);
   bool check_speed(std::size_t move, std::size_t k, const Trajectory& part);
@@ -93,6 +93,8 @@ class ProgramVerifier {
   bool check_joint_moves();
   bool check_rests(const JointRun& run, const std::vector<PassageLayer>& layers);
   bool check_line_begins(const JointRun& run, const std::vector<PassageLayer>& layers);
+  bool stops_in(const Move& move, const Passage& passage) const;
+  static std::vector<std::size_t> passages_before(const PassageLayer& layer, double at);
   bool add_layers(const JointRun& run, std::vector<PassageLayer>& layers);
   bool fail_to_pass(std::size_t move, std::size_t first);
   std::vector<std::size_t> joint_rests(std::size_t part, std::size_t first) const;
@@ -145,6 +147,7 @@ class ProgramVerifier {
   std::vector<ProgramPart> parts_ = {};
   Progress now_ = {};
   std::vector<Deviation> interval_bounds_ = {};  // 0 on joint moves
+  std::vector<double> speed_bounds_ = {};        // of the tool in each interval, as far as proved
   std::size_t bounds_end_ = 0;                   // of those that the last attempt wrote
 };
 

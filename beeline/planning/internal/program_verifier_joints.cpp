@@ -28,6 +28,14 @@ std::optional<std::size_t> last_until(const PassageLayer& layer, double at) {
   return static_cast<std::size_t>(after - layer.passages.begin()) - 1;
 }
 
+/// The last stop of a layer that is not after a time.
+std::optional<std::size_t> last_stop_until(const PassageLayer& layer, double at) {
+  for (std::size_t i = layer.passages.size(); i-- > 0;) {
+    if (layer.stops[i] && layer.passages[i].at <= at) return i;
+  }
+  return std::nullopt;
+}
+
 /// The motion between samples k and k + 1 from one fraction of this interval to another.
 Trajectory part_of_interval(const Trajectory& trajectory, std::size_t k, double from, double to) {
   Trajectory part = samples_between(trajectory, k, k + 1);
@@ -98,9 +106,25 @@ bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first) {
   return fail(Fault::not_through, nearest, std::move(reason));
 }
 
+/// Whether the arm stops at the waypoint of a move in a passage.
+bool ProgramVerifier::stops_in(const Move& move, const Passage& passage) const {
+  const std::size_t k = passage.before();
+  return k == passage.after() && rests_.rests_at(k) && rests_.offset(move, k) <= 1;
+}
+
+/// The passages of a waypoint up to a time from which the motion to the next may continue, in the
+/// order in which they are tried: the last one in which the arm stops, as it does where its blend
+/// is no better, and the latest one, as less of the motion is between them.
+std::vector<std::size_t> ProgramVerifier::passages_before(const PassageLayer& layer, double at) {
+  std::vector<std::size_t> before;
+  if (const auto stop = last_stop_until(layer, at)) before.push_back(*stop);
+  const auto last = last_until(layer, at);
+  if (last && (before.empty() || before.front() != *last)) before.push_back(*last);
+  return before;
+}
+
 /// Finds the passages of the waypoints that a run passes. A passage counts if it is after one of
-/// the waypoint before and the tool keeps the speed of the move between them; the latest one before
-/// it decides, as less of the motion is between them.
+/// the waypoint before and the tool keeps the speed of the move between them.
 bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>& layers) {
   auto first = static_cast<double>(now_.begin);
   for (const std::size_t move : run.passed) {
@@ -108,15 +132,20 @@ bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>&
     PassageLayer layer;
     std::optional<std::pair<std::size_t, std::size_t>> too_fast;
     for (const Passage& passage : passages_.passages(program_.moves[move], first, max_candidates)) {
-      const std::size_t before = layers.empty() ? 0 : *last_until(layers.back(), passage.at);
-      const std::size_t from =
-          layers.empty() ? speed_from() : layers.back().passages[before].after();
-      if (excess_speed(from, passage.before(), limit)) {
-        if (!too_fast) too_fast = {from, passage.before()};
-        continue;
+      const auto candidates =
+          layers.empty() ? std::vector<std::size_t>{0} : passages_before(layers.back(), passage.at);
+      for (const std::size_t before : candidates) {
+        const std::size_t from =
+            layers.empty() ? speed_from() : layers.back().passages[before].after();
+        if (exceeds_speed(from, passage.before(), limit)) {
+          if (!too_fast) too_fast = {from, passage.before()};
+          continue;
+        }
+        layer.passages.push_back(passage);
+        layer.before.push_back(before);
+        layer.stops.push_back(stops_in(program_.moves[move], passage));
+        break;
       }
-      layer.passages.push_back(passage);
-      layer.before.push_back(before);
     }
     if (!budget_.complete()) return end(budget_.ending(), {});
     if (layer.passages.empty()) {
@@ -188,11 +217,21 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
     if (!passed) return fail_to_reach(move);
     rests.push_back(*passed);
   }
-  return check_candidates(rests, [&](std::size_t end) {
+  std::vector<std::size_t> ends, last, candidates;  // of each candidate: its rest and last passage
+  for (const std::size_t rest : rests) {
+    const auto before = layers.empty() ? std::vector<std::size_t>{0}
+                                       : passages_before(layers.back(), static_cast<double>(rest));
+    for (const std::size_t passage : before) {
+      candidates.push_back(ends.size());
+      ends.push_back(rest);
+      last.push_back(passage);
+    }
+  }
+  return check_candidates(candidates, [&](std::size_t i) {
+    const std::size_t end = ends[i];
     std::size_t from = speed_from();
     if (!layers.empty()) {
-      const auto last = last_until(layers.back(), static_cast<double>(end));
-      const std::vector<Passage> passed = chain_of(layers, *last);
+      const std::vector<Passage> passed = chain_of(layers, last[i]);
       if (!check_passages(run, move, passed)) return false;
       from = passed.back().after();
     }

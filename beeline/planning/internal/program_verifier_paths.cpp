@@ -79,22 +79,26 @@ std::vector<std::size_t> ProgramVerifier::path_rests(const Route& route) const {
 std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_t move) const {
   const Deviation blend = blend_deviation(program_.moves[move]);
   std::vector<std::size_t> ends;
-  std::optional<std::size_t> first, stop;  // of the stay so far
-  for (std::size_t k = now_.begin; k <= trajectory_.size() && ends.size() < max_candidates; ++k) {
-    double fraction = 0;
-    const bool ends_here = k < trajectory_.size() && passages_.is_near(line.to, blend, k) &&
-                           is_on(line, k, fraction) && fraction >= 1 - blended_fraction;
-    if (ends_here) {
-      if (!first) first = k;
-      if (!stop && is_at(line.to, k) && rests_.rests_at(k)) stop = k;
-    } else if (first) {
-      for (const std::size_t end : {stop.value_or(*first), *first, k - 1}) {
-        if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
-      }
-      first.reset();
-      stop.reset();
+  std::optional<std::size_t> first, stop, last;  // of the stay so far
+  const auto end_stay = [&] {
+    if (!first) return;
+    for (const std::size_t end : {stop.value_or(*first), *first, *last}) {
+      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
     }
+    first.reset();
+    stop.reset();
+  };
+  std::size_t k = passages_.next_near(line.to, blend, now_.begin);
+  for (; k < trajectory_.size(); k = passages_.next_near(line.to, blend, k + 1)) {
+    double fraction = 0;
+    if (!is_on(line, k, fraction) || fraction < 1 - blended_fraction) continue;
+    if (first && k > *last + 1) end_stay();
+    if (ends.size() >= max_candidates) return ends;
+    if (!first) first = k;
+    last = k;
+    if (!stop && is_at(line.to, k) && rests_.rests_at(k)) stop = k;
   }
+  end_stay();
   return ends;
 }
 

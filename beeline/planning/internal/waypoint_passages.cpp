@@ -38,7 +38,7 @@ WaypointPassages::WaypointPassages(const Arm& arm, const Trajectory& trajectory,
       task_(task),
       tool_(tool),
       budget_(budget),
-      by_position_(task.positions() == 3) {}
+      boxes_(tool, task) {}
 
 double WaypointPassages::distance(const Move& move, std::size_t k) const {
   return blend_distance(arm_, task_, move, waypoint_of(arm_, move), trajectory_.positions[k],
@@ -46,10 +46,21 @@ double WaypointPassages::distance(const Move& move, std::size_t k) const {
 }
 
 bool WaypointPassages::is_near(const Pose& waypoint, const Deviation& blend, std::size_t k) const {
-  if (by_position_ && (tool_[k].translation() - waypoint.translation()).norm() > blend.position) {
-    return false;
-  }
   return within(task_deviation(task_, waypoint, tool_[k]), blend);
+}
+
+std::size_t WaypointPassages::next_near(const Pose& waypoint, const Deviation& blend,
+                                        std::size_t first) const {
+  constexpr std::size_t batch = 64;  // samples
+  const auto next = [&](std::size_t k) {
+    return boxes_.next_near(waypoint.translation(), blend.position, k);
+  };
+  std::size_t k = next(first);
+  while (k < tool_.size() && !is_near(waypoint, blend, k)) {
+    if (k % batch == 0 && budget_.ended()) return tool_.size();
+    k = next(k + 1);
+  }
+  return k;
 }
 
 double WaypointPassages::distance_at(const Move& move, const Pose& waypoint, double at) const {
@@ -59,17 +70,6 @@ double WaypointPassages::distance_at(const Move& move, const Pose& waypoint, dou
     q[i] = interval_polynomial(trajectory_, k, i)(at - static_cast<double>(k));
   }
   return blend_distance(arm_, task_, move, waypoint, q, forward_kinematics(arm_, q));
-}
-
-/// Whether the motion may be within the blend between sample k and its neighbours. Between two
-/// samples the tool is hardly farther from the nearer one than they are from each other.
-bool WaypointPassages::may_pass(const Move& move, const Pose& waypoint, std::size_t k) const {
-  if (!by_position_) return true;
-  const Vector3 here = tool_[k].translation();
-  double step = 0;
-  if (k > 0) step = (tool_[k - 1].translation() - here).norm();
-  if (k + 1 < tool_.size()) step = std::max(step, (tool_[k + 1].translation() - here).norm());
-  return (here - waypoint.translation()).norm() <= move.blend + step;
 }
 
 /// The local minimum between the neighbours of sample k, not before `first`, and its distance.
@@ -98,19 +98,21 @@ std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
                                                 std::size_t most) const {
   std::vector<Passage> found;
   const Pose waypoint = waypoint_of(arm_, move);
-  const auto distance_of = [&](std::size_t k) {
-    return may_pass(move, waypoint, k)
-               ? blend_distance(arm_, task_, move, waypoint, trajectory_.positions[k], tool_[k])
-               : far_away;
+  const std::size_t count = trajectory_.size();
+  const auto next_near = [&](std::size_t k) {
+    return boxes_.next_near(waypoint.translation(), move.blend, k);
   };
-  constexpr std::size_t batch = 64;  // samples
-  const auto begin = static_cast<std::size_t>(first);
-  double before = far_away, here = distance_of(begin);
+  const auto distance_of = [&](std::size_t k) {
+    return blend_distance(arm_, task_, move, waypoint, trajectory_.positions[k], tool_[k]);
+  };
   constexpr int work = 50;  // configurations of a local minimum
-  for (std::size_t k = begin; k < trajectory_.size() && found.size() < most; ++k) {
-    if (k % batch == 0 && budget_.ended()) break;
-    const double next = k + 1 < trajectory_.size() ? distance_of(k + 1) : far_away;
-    if (here < before && here <= next) {
+  double before = far_away, next_distance = far_away;
+  std::size_t k = next_near(static_cast<std::size_t>(first));
+  while (k < count && found.size() < most && !budget_.ended()) {
+    const double here = next_distance < far_away ? next_distance : distance_of(k);
+    const std::size_t next = next_near(k + 1);
+    next_distance = next == k + 1 && next < count ? distance_of(next) : far_away;
+    if (here < before && here <= next_distance) {
       if (budget_.ended(work)) break;
       double least = here;
       Passage passage{static_cast<double>(k)};
@@ -118,8 +120,8 @@ std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
       if (passage.at < first || here > 1) passage = refined(move, waypoint, k, first, least);
       if (least <= 1 && (found.empty() || passage.at > found.back().at)) found.push_back(passage);
     }
-    before = here;
-    here = next;
+    before = next == k + 1 ? here : far_away;
+    k = next;
   }
   return found;
 }

@@ -5,6 +5,7 @@
 
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/task.h>
+#include <beeline/planning/internal/tool_boxes.h>
 #include <beeline/planning/program.h>
 
 namespace beeline::internal {
@@ -44,9 +45,12 @@ class WaypointPassages {
   /// Whether the tool at sample k is within the deviation of a blend from its waypoint.
   bool is_near(const Pose& waypoint, const Deviation& blend, std::size_t k) const;
 
+  /// Returns the first such sample from `first` on. The number of samples if there is none, or the
+  /// budget ends the search.
+  std::size_t next_near(const Pose& waypoint, const Deviation& blend, std::size_t first) const;
+
  private:
   double distance_at(const Move& move, const Pose& waypoint, double at) const;
-  bool may_pass(const Move& move, const Pose& waypoint, std::size_t k) const;
   Passage refined(const Move& move, const Pose& waypoint, std::size_t k, double first,
                   double& distance) const;
 
@@ -55,7 +59,7 @@ class WaypointPassages {
   const Task& task_;
   const std::vector<Pose>& tool_;
   BudgetMeter& budget_;
-  bool by_position_ = false;  ///< whether the task constrains the whole position
+  ToolBoxes boxes_;
 };
 
 }  // namespace beeline::internal
