@@ -1,252 +1,181 @@
 #include <algorithm>
-#include <cmath>
 
-#include <beeline/kinematics/forward.h>
-#include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/planning/internal/blend_chain.h>
 #include <beeline/planning/internal/motion_request.h>
-#include <beeline/planning/internal/planned_lines.h>
-#include <beeline/planning/internal/program_parts.h>
-#include <beeline/planning/internal/waypoint_passages.h>
 #include <beeline/timing/internal/retimed_paths.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr double margin = 0.95;   // of the deviation, for the interpolation between samples
-constexpr int max_attempts = 8;   // to prove a motion, each with smaller blends than the one before
-constexpr int max_additions = 3;  // of grid points to lines, before that
-
-bool is_joint(const PlannedProgram& planned, std::size_t move) {
-  return is_joint_motion(planned.program.moves[move].kind);
-}
+constexpr int max_refusals = 20;       // of motions, until the search ends
+constexpr int stopping = 10;           // refusals left from which a refused blend becomes a stop
+constexpr int all_stopping = 2;        // the same for all blends after it too
+constexpr int max_smaller = 3;         // times that a blend is made smaller before it is a stop
+constexpr int max_additions = 3;       // of grid points to a line
+constexpr double smaller_blend = 0.4;  // of the radius that was refused
 
 }  // namespace
 
-BlendChain::BlendChain(const PlannedProgram& planned, const MoveRange& moves,
-                       const CollisionModel* model, BudgetMeter& budget)
-    : planned_(planned), moves_(moves), model_(model), budget_(budget) {
+BlendChain::BlendChain(const PlannedProgram& planned, std::vector<ChainPart> parts,
+                       std::vector<double> largest, const CollisionModel* model,
+                       BudgetMeter& budget)
+    : planned_(planned),
+      parts_(std::move(parts)),
+      largest_(std::move(largest)),
+      model_(model),
+      budget_(budget),
+      allowed_(largest_),
+      refused_(largest_.size(), 0),
+      additions_(parts_.size(), 0),
+      refusals_left_(max_refusals) {
   const auto begin = planned.program.moves.begin();
-  program_.moves.assign(begin + static_cast<std::ptrdiff_t>(moves.first),
-                        begin + static_cast<std::ptrdiff_t>(moves.last) + 1);
+  program_.moves.assign(begin + static_cast<std::ptrdiff_t>(moves().first),
+                        begin + static_cast<std::ptrdiff_t>(moves().last) + 1);
   program_.moves.back().blend = program_.moves.back().dwell = 0;
-  MoveRange piece{moves.first, moves.first};
-  for (std::size_t i = moves.first; i <= moves.last; ++i) {
-    piece.last = i;
-    if (i < moves.last && continues_path(planned.program, i)) continue;
-    if (i < moves.last) blends_.push_back(i);
-    if (!add_piece(piece)) return;
-    piece.first = i + 1;
-  }
-  for (std::size_t i = 0; i < blends_.size(); ++i) {
-    constexpr int work = 200;  // configurations at most
-    if (budget.ended(work)) {
-      largest_.clear();
-      return;
-    }
-    largest_.push_back(largest_radius(i));
-  }
 }
 
-bool BlendChain::add_piece(const MoveRange& moves) {
-  Piece piece{.moves = moves};
-  if (!is_joint(planned_, moves.first)) {
-    if (!add_path(piece)) return false;
-  } else {
-    const auto& positions = planned_.trajectory.positions;
-    const PlannedMove& move = planned_.moves[moves.first];
-    const std::optional<double>& speed = planned_.program.moves[moves.first].speed;
-    piece.limited = {straight_path(positions[move.begin], positions[move.end]),
-                     speed.value_or(planned_.options.tool_speed)};
-  }
-  pieces_.push_back(std::move(piece));
-  return true;
-}
-
-/// Sets the joint path along lines; returns whether there is one.
-bool BlendChain::add_path(Piece& piece) const {
-  std::optional<PlannedLines> lines = planned_lines(planned_, piece.moves, budget_);
-  if (!lines) return false;
-  const std::vector<Segment>& segments = planned_.parts[lines->part].route.path.segments;
-  const auto line = [](const Segment& segment) {
-    const Line* const found = std::get_if<Line>(&segment);
-    return found != nullptr ? std::optional(*found) : std::nullopt;
-  };
-  piece.begin = line(segments[lines->first_segment]);
-  piece.end = line(segments[lines->last_segment]);
-  piece.begin_length = lines->limited.tool_speeds.ends.front();
-  const std::vector<double>& ends = lines->limited.tool_speeds.ends;
-  piece.end_length = ends.back() - (ends.size() > 1 ? ends[ends.size() - 2] : 0);
-  piece.limited = std::move(lines->limited);
-  return true;
-}
-
-/// Whether a blend is within its deviation from the waypoint, and the lines beside it are followed
-/// up to there.
-bool BlendChain::fits(std::size_t corner, double radius) const {
-  constexpr int places = 8;  // of the middle half of the blend
-  const Arm& arm = planned_.arm;
-  const Task& task = *planned_.options.task;
-  const Move& move = planned_.program.moves[blends_[corner]];
-  const Pose waypoint = waypoint_of(arm, move);
-  const Piece &before = pieces_[corner], &after = pieces_[corner + 1];
-  const JointPath blend = blend_between(before.limited.path, after.limited.path, radius);
-  double nearest = Limits::none;
-  for (int i = 0; i <= places; ++i) {
-    const Configuration q = path_point(blend, 0, 0.25 + 0.5 * i / places).q;
-    nearest =
-        std::min(nearest, blend_distance(arm, task, move, waypoint, q, forward_kinematics(arm, q)));
-  }
-  const Deviation most = blend_deviation(move);
-  const auto leaves_line = [&](const Line& line, const Configuration& q, bool at_end) {
-    const Pose tool = forward_kinematics(arm, q);
-    const double fraction = nearest_fraction(line, tool, task);
-    return (at_end ? 1 - fraction : fraction) <= margin * blended_fraction &&
-           within(task_deviation(task, waypoint, tool),
-                  {margin * most.position, margin * most.orientation});
-  };
-  return nearest <= margin && (!before.end || leaves_line(*before.end, blend.q[0], true)) &&
-         (!after.begin || leaves_line(*after.begin, blend.q[1], false));
-}
-
-double BlendChain::largest_radius(std::size_t corner) const {
-  constexpr int bisections = 20;
-  const Piece &before = pieces_[corner], &after = pieces_[corner + 1];
-  const bool lines = !is_joint(planned_, before.moves.last) && !before.end;
-  if (lines || (!is_joint(planned_, after.moves.first) && !after.begin)) return 0;
-  const JointPath &in = before.limited.path, &out = after.limited.path;
-  const Configuration& at = in.q.back();
-  if (turns_back({at - in.dq.back(), at, at + out.dq.front(), 0})) return 0;
-  double high = std::min(before.end ? blended_fraction * before.end_length : 0.5 * in.s.back(),
-                         after.begin ? blended_fraction * after.begin_length : 0.5 * out.s.back());
-  if (high < least_blend) return 0;
-  if (fits(corner, high)) return high;
-  double low = 0;
-  for (int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (fits(corner, middle) ? low : high) = middle;
-  }
-  return low < least_blend ? 0 : low;
-}
-
-/// Times the chain; returns why there is no motion.
-Reason BlendChain::timed(const std::vector<double>& radii, BlendedMotion& motion) {
-  std::vector<LimitedPath> pieces;
-  for (const Piece& piece : pieces_) pieces.push_back(piece.limited);
+/// Times the chain. Returns the section, from stop to stop, that has no motion, if there is none.
+std::size_t BlendChain::timed(const std::vector<double>& radii, BlendedMotion& motion) {
+  std::vector<LimitedPath> parts;
+  for (const ChainPart& part : parts_) parts.push_back(part.limited);
   std::vector<JointPath> paths;
   std::vector<ToolSpeeds> speeds;
-  for (LimitedPath& joined : joined_paths(pieces, radii)) {
+  for (LimitedPath& joined : joined_paths(parts, radii)) {
     paths.push_back(std::move(joined.path));
     speeds.push_back(std::move(joined.tool_speeds));
   }
-  RetimeOptions options = timing_options(planned_.options);
-  Retimed retimed = retimed_paths(planned_.arm, paths, options, budget_, speeds);
+  Retimed retimed =
+      retimed_paths(planned_.arm, paths, timing_options(planned_.options), budget_, speeds);
   motion.trajectory = std::move(retimed.trajectory);
   motion.radii = radii;
-  return retimed.reason;
+  return retimed.sections;
 }
 
-/// Adds a grid point, and so a sample without a rate, in the middle between any two on lines.
-void BlendChain::add_grid_points() {
-  for (Piece& piece : pieces_) {
-    if (is_joint(planned_, piece.moves.first)) continue;
-    const JointPath& path = piece.limited.path;
-    JointPath denser;
-    const auto add = [&denser](double s, const PathPoint& point) {
-      denser.s.push_back(s);
-      denser.q.push_back(point.q);
-      denser.dq.push_back(point.dq);
-      denser.ddq.push_back(point.ddq);
-    };
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      add(path.s[k], path_point(path, k, 0));
-      add(0.5 * (path.s[k] + path.s[k + 1]), path_point(path, k, 0.5));
-    }
-    add(path.s.back(), path_point(path, path.size() - 2, 1));
-    piece.limited.path = std::move(denser);
-  }
-}
-
-/// Halves the blends at both ends of a move, or all if none is there.
-void BlendChain::make_smaller(const std::optional<std::size_t>& move,
-                              std::vector<double>& radii) const {
-  const auto halve = [&](const auto& selected) {
-    bool changed = false;
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-      if (radii[i] == 0 || !selected(blends_[i])) continue;
-      radii[i] = radii[i] / 2 < least_blend ? 0 : radii[i] / 2;
-      changed = true;
-    }
-    return changed;
+/// The refusal of all blends of a section, from stop to stop; of all sections if the whole of them
+/// is refused.
+BlendChain::Refusal BlendChain::refusal_of_section(const std::vector<double>& radii,
+                                                   std::size_t section) const {
+  const auto stop_from = [&](std::size_t i) {
+    const auto first = radii.begin() + static_cast<std::ptrdiff_t>(i);
+    return static_cast<std::size_t>(std::find(first, radii.end(), 0.0) - radii.begin());
   };
-  const bool changed =
-      move && halve([&](std::size_t blend) { return blend == *move || blend + 1 == *move; });
-  if (!changed) halve([](std::size_t) { return true; });
+  Refusal refusal;
+  for (; section > 0 && refusal.first <= radii.size(); --section) {
+    refusal.first = stop_from(refusal.first) + 1;
+  }
+  if (refusal.first > radii.size()) return {0, radii.size(), 0, false};
+  refusal.last = stop_from(refusal.first);
+  refusal.part = refusal.first;
+  return refusal;
 }
 
-/// Proves a motion, and sets its arrivals. Returns the move at which it is refused; none if it is
-/// proved.
-std::optional<std::size_t> BlendChain::faulty_move(BlendedMotion& motion) {
+/// The refusal of a motion at a sample of a move: the nearer one of the blends at both ends of the
+/// move's part is the cause, or both.
+BlendChain::Refusal BlendChain::refusal_at(const BlendedMotion& motion, std::size_t move,
+                                           std::size_t sample, bool of_whole_move) const {
+  const auto after = std::find_if(parts_.begin(), parts_.end() - 1,
+                                  [&](const ChainPart& part) { return move <= part.moves.last; });
+  const auto part = static_cast<std::size_t>(after - parts_.begin());
+  const auto blends = [&](std::size_t i) { return i < motion.radii.size() && motion.radii[i] > 0; };
+  const bool before = part > 0 && blends(part - 1), behind = blends(part);
+  Refusal refusal{part - (before ? 1 : 0), part + (behind ? 1 : 0), part, false};
+  if (!before || !behind || of_whole_move) return refusal;
+  const Configuration& q = motion.trajectory.positions[sample];
+  const JointPath& path = after->limited.path;
+  const bool nearer_to_begin = (q - path.q.front()).norm() < (q - path.q.back()).norm();
+  nearer_to_begin ? --refusal.last : ++refusal.first;
+  return refusal;
+}
+
+/// Times and proves a motion. Returns why it is refused; none if it is proved or the budget ends.
+std::optional<BlendChain::Refusal> BlendChain::refusal(const std::vector<double>& radii,
+                                                       BlendedMotion& motion) {
+  const std::size_t section = timed(radii, motion);
+  if (!budget_.complete()) return std::nullopt;
+  if (motion.trajectory.size() == 0) return refusal_of_section(radii, section);
   VerifyOptions options = proof_options(planned_.options);
   options.budget = budget_.part();
-  Verification found = verify(planned_.arm, motion.trajectory, program_, options);
-  motion.fault = found.fault;
-  motion.arrivals = std::move(found.arrivals);
-  if (!found) return std::min(moves_.first + motion.arrivals.size(), moves_.last);
+  const Verification found = verify(planned_.arm, motion.trajectory, program_, options);
+  motion.arrivals = found.arrivals;
+  if (!budget_.complete()) return std::nullopt;
+  const std::size_t first = moves().first;
+  if (!found) {
+    Refusal refused = refusal_at(motion, first + found.arrivals.size(), found.sample,
+                                 found.fault == Fault::tool_speed);
+    refused.deviates = found.fault == Fault::deviation;
+    return refused;
+  }
   if (model_ == nullptr) return std::nullopt;
   const ClearanceProof proof =
       prove_clearance(*model_, motion.trajectory, {.budget = budget_.part()});
-  if (proof) return std::nullopt;
-  std::size_t move = 0;
-  while (move + 1 < motion.arrivals.size() &&
-         motion.trajectory.times[motion.arrivals[move]] < proof.time) {
-    ++move;
+  if (proof || !budget_.complete()) return std::nullopt;
+  const std::vector<double>& times = motion.trajectory.times;
+  const auto sample = static_cast<std::size_t>(
+      std::lower_bound(times.begin(), times.end() - 1, proof.time) - times.begin());
+  const auto arrival = std::lower_bound(found.arrivals.begin(), found.arrivals.end(), sample);
+  return refusal_at(motion, first + static_cast<std::size_t>(arrival - found.arrivals.begin()),
+                    sample, false);
+}
+
+/// Makes the blends that may be the cause of a refusal smaller; returns whether there are any.
+bool BlendChain::make_smaller(const Refusal& refusal, std::vector<double>& radii) {
+  bool changed = false;
+  for (std::size_t i = refusal.first; i < refusal.last; ++i) {
+    if (radii[i] == 0) continue;
+    const bool stops = refusals_left_ <= stopping || ++refused_[i] > max_smaller;
+    const double radius = stops ? 0 : smaller_blend * radii[i];
+    allowed_[i] = radii[i] = radius < least_blend ? 0 : radius;
+    changed = true;
   }
-  return moves_.first + move;
+  for (std::size_t i = refusal.first; refusals_left_ <= all_stopping && i < radii.size(); ++i) {
+    allowed_[i] = radii[i] = 0;
+  }
+  return changed;
+}
+
+/// Adds samples, if there is no rate, to the part whose line is not followed; returns whether it
+/// does.
+bool BlendChain::add_samples(const Refusal& refusal) {
+  if (!refusal.deviates || parts_[refusal.part].joint || planned_.options.rate > 0) return false;
+  if (additions_[refusal.part]++ >= max_additions) return false;
+  add_grid_points(parts_[refusal.part].limited.path);
+  return true;
 }
 
 std::optional<BlendedMotion> BlendChain::proved(std::vector<double> radii) {
-  int additions = planned_.options.rate > 0 ? max_additions : 0;
-  for (int attempt = 0; attempt < max_attempts && !budget_.ended();) {
+  while (refusals_left_ > 0 && !budget_.ended()) {
     if (std::all_of(radii.begin(), radii.end(), [](double r) { return r == 0; })) break;
     BlendedMotion motion;
-    const Reason reason = timed(radii, motion);
+    const std::optional<Refusal> refused = refusal(radii, motion);
     if (!budget_.complete()) break;
-    std::optional<std::size_t> faulty;
-    if (!reason) {
-      faulty = faulty_move(motion);
-      if (!budget_.complete()) break;
-      if (!faulty) return motion;
-      if (motion.fault == Fault::deviation && additions++ < max_additions) {
-        add_grid_points();
-        continue;
-      }
-    }
-    ++attempt;
-    if (2 * attempt > max_attempts) faulty.reset();  // smaller everywhere
-    make_smaller(faulty, radii);
+    if (!refused) return motion;
+    if (add_samples(*refused)) continue;
+    --refusals_left_;
+    if (make_smaller(*refused, radii)) continue;
+    refused_part_ = refused->part;
+    refusals_left_ = 0;
   }
   return std::nullopt;
 }
 
-/// The radii with a part of those where the limit of the tool's speed changes. The lower limit
+/// The radii with a fraction of those where the limit of the tool's speed changes. The lower limit
 /// holds on the whole blend, so that a smaller one may be quicker.
-std::vector<double> BlendChain::smaller_at_changes(double part) const {
-  std::vector<double> radii = largest_;
+std::vector<double> BlendChain::smaller_at_changes(double fraction) const {
+  std::vector<double> radii = allowed_;
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    const double before = pieces_[i].limited.tool_speeds.limits.back();
-    const double after = pieces_[i + 1].limited.tool_speeds.limits.front();
+    const double before = parts_[i].limited.tool_speeds.limits.back();
+    const double after = parts_[i + 1].limited.tool_speeds.limits.front();
     if (before == after) continue;
-    radii[i] = part * radii[i] < least_blend ? 0 : part * radii[i];
+    const double radius = std::min(radii[i], fraction * largest_[i]);
+    radii[i] = radius < least_blend ? 0 : radius;
   }
   return radii;
 }
 
 std::optional<BlendedMotion> BlendChain::motion() {
-  if (largest_.empty()) return std::nullopt;
   const std::vector<double>& times = planned_.trajectory.times;
   double shortest =
-      times[planned_.moves[moves_.last].end] - times[planned_.moves[moves_.first].begin];
+      times[planned_.moves[moves().last].end] - times[planned_.moves[moves().first].begin];
   std::optional<BlendedMotion> best;
   std::vector<std::vector<double>> tried;
   const auto attempt = [&](const std::vector<double>& radii) {
@@ -257,8 +186,8 @@ std::optional<BlendedMotion> BlendChain::motion() {
     shortest = found->trajectory.duration();
     best = std::move(found);
   };
-  for (const double part : {1.0, 0.25, 0.0625, 0.0}) attempt(smaller_at_changes(part));
-  attempt(with_stops_below(small_blend, best ? best->radii : largest_));
+  for (const double fraction : {1.0, 0.25, 0.0625, 0.0}) attempt(smaller_at_changes(fraction));
+  attempt(with_stops_below(small_blend, best ? best->radii : allowed_));
   return best;
 }
 

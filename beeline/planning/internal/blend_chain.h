@@ -3,9 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include <beeline/planning/internal/planned_lines.h>
+#include <beeline/planning/internal/chain_part.h>
 #include <beeline/planning/internal/program_refusal.h>
-#include <beeline/timing/internal/blended_path.h>
 
 namespace beeline::internal {
 
@@ -13,58 +12,63 @@ namespace beeline::internal {
 struct BlendedMotion {
   Trajectory trajectory;
   std::vector<std::size_t> arrivals;  ///< the sample at which each move ends
-  std::vector<double> radii;          ///< of the blends with joint moves, in order; 0: a stop
-  Fault fault = Fault::none;          ///< of verify()
+  std::vector<double> radii;          ///< of the blends between the parts, in order; 0: a stop
 };
 
-/// The moves of a program from one stop to the next, of which some blend with joint moves. The
-/// program is planned with stops before: that motion has the configurations at the waypoints, and
-/// along the lines. With a model of the arm in its scene, the motion keeps its clearance.
+/// The moves of a program from one stop to the next, whose parts blend with each other: at least
+/// one of two neighbours is a joint move. The program is planned with stops before: that motion has
+/// the configurations at the waypoints, and along the lines. With a model of the arm in its scene,
+/// the motion keeps its clearance.
+///
+/// The search ends after a number of refused motions: the blend that is refused is made smaller
+/// first, then a stop, and near the end so are all blends after it.
 class BlendChain {
  public:
-  /// All arguments must outlive the object.
-  BlendChain(const PlannedProgram& planned, const MoveRange& moves, const CollisionModel* model,
-             BudgetMeter& budget);
+  /// `largest` are the radii of the largest blends between the parts, above 0. All other arguments
+  /// must outlive the object.
+  BlendChain(const PlannedProgram& planned, std::vector<ChainPart> parts,
+             std::vector<double> largest, const CollisionModel* model, BudgetMeter& budget);
 
-  /// The moves that blend with joint moves.
-  const std::vector<std::size_t>& blends() const { return blends_; }
-
-  /// The radii of the largest blends.
+  MoveRange moves() const { return {parts_.front().moves.first, parts_.back().moves.last}; }
+  const std::vector<ChainPart>& parts() const { return parts_; }
   const std::vector<double>& largest() const { return largest_; }
 
   /// Returns a motion that is proved by verify() with blends as large as possible, and quicker than
   /// the motion with stops. None if there is none, or the budget ends.
   std::optional<BlendedMotion> motion();
 
+  /// The part whose motion from stop to stop was refused, if one was: no blend helps.
+  std::optional<std::size_t> refused_part() const { return refused_part_; }
+
  private:
-  /// A joint path of one joint move, or along lines from a joint move or stop to the next.
-  struct Piece {
-    MoveRange moves;
-    LimitedPath limited = {};
-    // Of lines: the first and last one, and the parts of the joint path along them.
-    std::optional<Line> begin = std::nullopt, end = std::nullopt;
-    double begin_length = 0, end_length = 0;
+  /// Why a motion is refused.
+  struct Refusal {
+    std::size_t first = 0, last = 0;  ///< the blends that may be the cause, up to before `last`
+    std::size_t part = 0;             ///< the first part that is not proved
+    bool deviates = false;            ///< whether a line of this part is not followed
   };
 
-  bool add_piece(const MoveRange& moves);
-  bool add_path(Piece& piece) const;
-  bool fits(std::size_t corner, double radius) const;
-  double largest_radius(std::size_t corner) const;
-  std::vector<double> smaller_at_changes(double part) const;
+  std::vector<double> smaller_at_changes(double fraction) const;
   std::optional<BlendedMotion> proved(std::vector<double> radii);
-  Reason timed(const std::vector<double>& radii, BlendedMotion& motion);
-  std::optional<std::size_t> faulty_move(BlendedMotion& motion);
-  void make_smaller(const std::optional<std::size_t>& move, std::vector<double>& radii) const;
-  void add_grid_points();
+  std::optional<Refusal> refusal(const std::vector<double>& radii, BlendedMotion& motion);
+  std::size_t timed(const std::vector<double>& radii, BlendedMotion& motion);
+  Refusal refusal_of_section(const std::vector<double>& radii, std::size_t section) const;
+  Refusal refusal_at(const BlendedMotion& motion, std::size_t move, std::size_t sample,
+                     bool of_whole_move) const;
+  bool make_smaller(const Refusal& refusal, std::vector<double>& radii);
+  bool add_samples(const Refusal& refusal);
 
   const PlannedProgram& planned_;
-  MoveRange moves_;
+  std::vector<ChainPart> parts_;
+  std::vector<double> largest_;
   const CollisionModel* model_;
   BudgetMeter& budget_;
-  Program program_;  ///< of the moves of the chain
-  std::vector<Piece> pieces_ = {};
-  std::vector<std::size_t> blends_ = {};  ///< the last move of each piece but the last
-  std::vector<double> largest_ = {};
+  Program program_ = {};              ///< of the moves of the chain
+  std::vector<double> allowed_ = {};  ///< the radius of each blend that is not refused so far
+  std::vector<int> refused_ = {};     ///< how often each blend was
+  std::vector<int> additions_ = {};   ///< of grid points to each part
+  int refusals_left_ = 0;             ///< until the search ends
+  std::optional<std::size_t> refused_part_ = std::nullopt;
 };
 
 }  // namespace beeline::internal

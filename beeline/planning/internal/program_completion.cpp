@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <beeline/planning/internal/motion_request.h>
@@ -22,46 +23,72 @@ Verification proof_of(const DividedProgram& program, const Trajectory& trajector
   return verify(program.arm, trajectory, program.program, options);
 }
 
-/// Replaces stops by blends with joint moves, if the motion is proved with them.
-std::optional<Verification> blend(const DividedProgram& program, std::vector<PlannedPart>& planned,
-                                  BudgetMeter& budget, ProgramMotion& motion) {
-  set_stops(program.program, motion.moves);
-  BlendedProgram blended =
-      with_joint_blends(planned_with(program, planned, motion), program.model, budget);
-  if (!budget.complete()) return std::nullopt;
-  Verification found = proof_of(program, blended.trajectory, budget);
-  if (!found) return std::nullopt;
-  motion.trajectory = std::move(blended.trajectory);
-  motion.moves = std::move(blended.moves);
-  planned = std::move(blended.planned);
-  for (std::size_t i = 0; i < motion.moves.size(); ++i) {
-    if (!is_passed(program.program, i)) continue;
-    motion.moves[i].end = motion.moves[i + 1].begin = found.arrivals[i];
+/// Sets the bounds of a proved motion.
+void set_bounds(const DividedProgram& program, Verification proof, BudgetMeter& budget,
+                ProgramMotion& motion) {
+  motion.deviation = std::move(proof.deviation);
+  for (PlannedMove& move : motion.moves) {
+    move.bound = {};
+    for (std::size_t k = move.begin; k < move.end; ++k) {
+      grow(move.bound, motion.deviation.interval_bounds[k]);
+    }
+    move.tool_speed = tool_speed_bound(
+        program.arm, samples_between(motion.trajectory, move.begin, move.end), budget);
   }
-  return found;
+  motion.limits = limit_usage(program.arm, motion.trajectory, budget.part());
+}
+
+/// Removes the motion of the moves that are refused, or all.
+void remove_refused(const Verification& found, std::vector<BlendedMoves>& motions) {
+  const std::size_t refused = found.arrivals.size();
+  const std::size_t before = motions.size();
+  std::erase_if(motions, [&](const BlendedMoves& one) {
+    return one.moves.first <= refused && refused <= one.moves.last;
+  });
+  if (motions.size() == before) motions.clear();
+}
+
+/// Replaces stops by blends with joint moves, if the motion is proved with them before the budget
+/// ends. Returns whether it is.
+bool blend(const DividedProgram& program, const std::vector<PlannedPart>& planned,
+           BudgetMeter& budget, ProgramMotion& motion) {
+  constexpr int max_refusals = 4;
+  const PlannedProgram with_stops = planned_with(program, planned, motion);
+  std::vector<BlendedMoves> motions = blended_moves(with_stops, program.model, budget);
+  for (int refusals = 0; refusals < max_refusals && !motions.empty(); ++refusals) {
+    BlendedProgram blended = with_blends(with_stops, motions);
+    Verification found = proof_of(program, blended.trajectory, budget);
+    if (!budget.complete()) return false;
+    if (!found) {
+      remove_refused(found, motions);
+      continue;
+    }
+    ProgramMotion better = motion;
+    better.trajectory = std::move(blended.trajectory);
+    better.moves = std::move(blended.moves);
+    for (std::size_t i = 0; i < better.moves.size(); ++i) {
+      if (!is_passed(program.program, i)) continue;
+      better.moves[i].end = better.moves[i + 1].begin = found.arrivals[i];
+    }
+    set_bounds(program, std::move(found), budget, better);
+    if (budget.complete()) motion = std::move(better);
+    return budget.complete();
+  }
+  return false;
 }
 
 }  // namespace
 
-std::optional<ProgramRefusal> complete_program(const DividedProgram& program,
-                                               std::vector<PlannedPart> planned,
-                                               BudgetMeter& budget, ProgramMotion& motion) {
-  std::optional<Verification> found;
-  if (has_joint_blends(program.program)) found = blend(program, planned, budget, motion);
-  if (!budget.complete()) return std::nullopt;
-  if (!found) found = proof_of(program, motion.trajectory, budget);
-  if (!budget.complete()) return std::nullopt;
-  if (!*found) return program_refusal(planned_with(program, planned, motion), *found, budget);
-  motion.deviation = std::move(found->deviation);
-  for (PlannedMove& move : motion.moves) {
-    for (std::size_t k = move.begin; k < move.end; ++k) {
-      grow(move.bound, motion.deviation.interval_bounds[k]);
-    }
-    move.tool_speed =
-        tool_speed_bound(program.arm, samples_between(motion.trajectory, move.begin, move.end));
-  }
-  motion.limits = limit_usage(program.arm, motion.trajectory, budget.part());
-  return std::nullopt;
+Completion complete_program(const DividedProgram& program, const std::vector<PlannedPart>& planned,
+                            BudgetMeter& budget, ProgramMotion& motion) {
+  Verification found = proof_of(program, motion.trajectory, budget);
+  const bool with_stops = bool(found);
+  set_stops(program.program, motion.moves);
+  if (with_stops) set_bounds(program, found, budget, motion);
+  if (!budget.complete()) return {};
+  if (has_joint_blends(program.program) && blend(program, planned, budget, motion)) return {true};
+  if (with_stops) return {true};
+  return {false, program_refusal(planned_with(program, planned, motion), found, budget)};
 }
 
 }  // namespace beeline::internal

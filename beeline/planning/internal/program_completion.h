@@ -16,13 +16,17 @@ struct DividedProgram {
   const CollisionModel* model;  ///< the arm in its scene before the program; none: no scene
 };
 
+/// Whether a motion is complete and proved, or why it is refused. Neither, if the budget ends.
+struct Completion {
+  bool proved = false;
+  std::optional<ProgramRefusal> refusal = std::nullopt;
+};
+
 /// Completes the motion of a program that was planned with stops, as far as its trajectory and
-/// moves: replaces stops by blends with joint moves and proves the whole by verify(), as a check of
-/// its file does: the moves one by one, and that each continues the one before. With a model,
-/// blends keep the clearance. Returns why it is refused. If the budget ends, the motion is not
-/// complete.
-std::optional<ProgramRefusal> complete_program(const DividedProgram& program,
-                                               std::vector<PlannedPart> planned,
-                                               BudgetMeter& budget, ProgramMotion& motion);
+/// moves: proves it by verify(), as a check of its file does, and replaces stops by blends with
+/// joint moves as far as the whole is proved with them. With a model, blends keep the clearance. If
+/// the budget ends after the motion with stops is proved, it keeps its stops.
+Completion complete_program(const DividedProgram& program, const std::vector<PlannedPart>& planned,
+                            BudgetMeter& budget, ProgramMotion& motion);
 
 }  // namespace beeline::internal

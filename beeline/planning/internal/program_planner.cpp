@@ -352,13 +352,17 @@ class ProgramPlanner {
     return true;
   }
 
-  /// Completes the trajectory and its proof.
+  /// Completes the trajectory and its proof. A motion whose blends the budget ended keeps its
+  /// stops, unless it is cancelled.
   bool finish() {
     motion_.trajectory = trajectory_.finished();
-    const auto why = complete_program({arm_, program_, options_, parts_, model_},
-                                      std::move(planned_), budget_, motion_);
-    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    return !why || fail(why->move, why->status, why->reason, why->name);
+    const Completion completion =
+        complete_program({arm_, program_, options_, parts_, model_}, planned_, budget_, motion_);
+    const auto& why = completion.refusal;
+    const bool ended = !completion.proved && !why;
+    if (ended || budget_.ending() == Ending::cancelled)
+      return fail_ended(program_.moves.size() - 1);
+    return completion.proved || fail(why->move, why->status, why->reason, why->name);
   }
 
   const Arm& arm_;

@@ -12,14 +12,6 @@ Configuration direction_of(const Configuration& from, const Configuration& to) {
   return (to - from).normalized();
 }
 
-void add_point(JointPath& path, double s, const PathPoint& point) {
-  if (!path.s.empty() && s - path.s.back() <= touching) return;
-  path.s.push_back(s);
-  path.q.push_back(point.q);
-  path.dq.push_back(point.dq);
-  path.ddq.push_back(point.ddq);
-}
-
 void add_limit(ToolSpeeds& speeds, double end, double limit) {
   if (!speeds.limits.empty() && speeds.limits.back() == limit) {
     speeds.ends.back() = end;
@@ -61,6 +53,14 @@ Trajectory JointBlend::curve(const std::vector<std::string>& joint_names) const 
 JointPath straight_path(const Configuration& from, const Configuration& to) {
   const Configuration direction = direction_of(from, to), none = Configuration::Zero(from.size());
   return {{0, (to - from).norm()}, {from, to}, {direction, direction}, {none, none}};
+}
+
+void add_point(JointPath& path, double s, const PathPoint& point) {
+  if (!path.s.empty() && s - path.s.back() <= touching) return;
+  path.s.push_back(s);
+  path.q.push_back(point.q);
+  path.dq.push_back(point.dq);
+  path.ddq.push_back(point.ddq);
 }
 
 PathPoint point_at(const JointPath& path, double s) {

@@ -54,6 +54,9 @@ JointPath straight_path(const Configuration& from, const Configuration& to);
 /// Returns the point of a joint path at a parameter.
 PathPoint point_at(const JointPath& path, double s);
 
+/// Appends a point to a joint path, unless it touches the last one.
+void add_point(JointPath& path, double s, const PathPoint& point);
+
 /// Returns the blend from a joint path, whose last part of a length it replaces, to the next one,
 /// whose first part of this length it replaces: the quintic polynomial with their derivatives at
 /// its ends. Its parameter is 0 at its beginning.
