@@ -333,7 +333,8 @@ class ProgramPlanner {
       PlannedMove planned{.begin = trajectory_.last(),
                           .blend_radius = part.blend_radii[i - part.first]};
       if (program_.moves[i].blend > 0) {
-        planned.blend = planned.blend_radius > 0 ? BlendOutcome::full : BlendOutcome::stop;
+        const bool stops = part.route.stops[part.last_segment(i)];
+        planned.blend = stops ? BlendOutcome::stop : BlendOutcome::full;
       }
       for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
         trajectory_.append(ahead->trajectory, ++k);
