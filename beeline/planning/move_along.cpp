@@ -13,6 +13,7 @@
 #include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/printed_motion.h>
+#include <beeline/planning/internal/track_segment.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/recovery_section.h>
@@ -260,7 +261,6 @@ BlockedMotions blocked_motions(const CollisionModel& model) {
 
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options) {
-  constexpr double start_tolerance = 1e-8;  // metres and radians
   check_options(options);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
@@ -270,7 +270,8 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   if (!start) return planned_or_suggestions(arm, start, route, options, budget);
   const Configuration from = checked_start(arm, *start, options);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
-  if (!within(off, {start_tolerance, start_tolerance})) {
+  const double near = start_tolerance(arm);
+  if (!within(off, {near, near})) {
     throw Error::of("start", "the motion cannot start: the tool is " + deviation_text(off) +
                                  " away from the path's beginning");
   }
