@@ -82,7 +82,7 @@ Program random_mixed_moves(Random& random, const Arm& arm, const Configuration& 
     program.moves.push_back(move);
     from = move.q ? forward_kinematics(arm, *move.q) : move.target;
   }
-  // Blended lines refuse repeated waypoints.
+  // At a line without length the arm stops: tests/planning/blend_search_test.cpp.
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     Move& move = program.moves[i];
     const Pose before =
