@@ -1,11 +1,14 @@
 # beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
 # it included; "." stands for the files beside the folders. MOTION: further folders of it, compiled by a target of their
-# own, beeline_motion, as a sanitizer may optimise them less. Its public headers are installed with it
+# own, beeline_core_motion, which a sanitizer optimises less (BEELINE_OPTIMISE_MOTION). Its public headers are installed with it
 # and must each compile alone. Not public: headers in a folder internal/, in math/,
 # reason/, inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
 # each instruction set.
 function(beeline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;MOTION")
+  set(sources)
+  set(motion)
+  set(headers)
   foreach(folder IN LISTS arg_FOLDERS arg_MOTION)
     set(mode GLOB_RECURSE)
     if(folder STREQUAL ".")
@@ -31,10 +34,10 @@ function(beeline_library name)
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   beeline_quick(beeline_${name})
   if(motion)
-    add_library(beeline_motion OBJECT ${motion})
-    target_include_directories(beeline_motion PRIVATE ${PROJECT_SOURCE_DIR})
-    beeline_quick(beeline_motion)
-    target_sources(beeline_${name} PRIVATE $<TARGET_OBJECTS:beeline_motion>)
+    add_library(beeline_${name}_motion OBJECT ${motion})
+    target_include_directories(beeline_${name}_motion PRIVATE ${PROJECT_SOURCE_DIR})
+    beeline_quick(beeline_${name}_motion)
+    target_sources(beeline_${name} PRIVATE $<TARGET_OBJECTS:beeline_${name}_motion>)
   endif()
 endfunction()
 

@@ -62,14 +62,15 @@ function(beeline_group target)
   endforeach()
 endfunction()
 
+option(BEELINE_OPTIMISE_MOTION
+  "Optimise the core's folders from collision to control as the rest of the core; OFF: as the other libraries" ON)
+
 # beeline_quick(target): groups the sources as beeline_group() does and uses a precompiled header. The core is compiled with
 # -O3: with -O2 its loops over links and samples take 5 to 35 % longer, as Eigen's small products are
 # calls, and it is compiled no quicker.
-option(BEELINE_MOTION_AS_CORE
-  "Optimise the core's motions as the core; OFF: as the other libraries, for a sanitizer whose tests seldom move" ON)
 function(beeline_quick target)
   beeline_group(${target})
-  if(target STREQUAL beeline_core OR (target STREQUAL beeline_motion AND BEELINE_MOTION_AS_CORE))
+  if(target STREQUAL beeline_core OR (target STREQUAL beeline_core_motion AND BEELINE_OPTIMISE_MOTION))
     target_precompile_headers(${target} REUSE_FROM beeline_precompiled_core)
   else()
     beeline_optimise(${target} -O2)

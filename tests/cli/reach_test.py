@@ -129,7 +129,7 @@ def test_an_ended_map_says_how_it_continues(beeline, tmp_path):
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
 def test_an_interrupted_map_is_continued(beeline, build, puma, tmp_path, end):
     path = tmp_path / "map.h5"
-    command = [build / "beeline", "reach", "map", "ur5", "--resolution", "0.07", "--out", path]
+    command = [build / "beeline", "reach", "map", "ur5", "--resolution", "0.05", "--out", path]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         parts = tmp_path / "map.h5.parts"
         while process.poll() is None and len(list(parts.glob("slab-*.h5"))) < 2:

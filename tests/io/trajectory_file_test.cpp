@@ -52,7 +52,8 @@ TEST(TrajectoryFile, WithoutAnEndingTheTextDecides) {
   }
 }
 
-/// More than the 64 MiB that are read as a whole, and than the 8 million values of a JSON document.
+/// More than the 64 MiB that are read as a whole, and than the 8 million values of a JSON document
+/// (not under a sanitizer).
 TEST(TrajectoryFile, AnyLengthIsRead) {
   const testing::TemporaryFolder folder;
   const int samples = testing::slow_build ? 14'000 : 1'400'000;

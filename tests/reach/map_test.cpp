@@ -50,7 +50,7 @@ struct Example {
   Arm arm = built_in("ur5");
   ReachGrid grid{arm, {.resolution = resolution, .directions = 45 * deg, .rolls = 40 * deg}};
 };
-/// What each solution is asked takes a sanitizer long.
+/// Smaller under a sanitizer: each solution is tested for collision.
 Example example_in_scene() { return {.resolution = testing::slow_build ? 0.3 : 0.2}; }
 const ReachGridOptions by_azimuths{
     .resolution = 0.08, .azimuths = 60 * deg, .directions = 20 * deg, .rolls = 60 * deg};
