@@ -121,7 +121,7 @@ class AttachmentError : public Error {
 /// What became of the blend of a move with the next one.
 enum class BlendOutcome {
   none,     ///< the move has no blend
-  full,     ///< it is as large as its deviation and the lengths of both moves allow
+  full,     ///< it is as large as its deviation, both moves and the limits at its samples allow
   smaller,  ///< it is smaller, because a larger one was not proved or takes longer
   stop,     ///< the arm stops, because no blend was proved within the budget or a stop is quicker
 };
@@ -202,7 +202,7 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// another pose. prove_clearance() with a program proves the clearance of the other moves.
 ///
 /// `budget` limits the planning of the whole program; if its time or work ends in the search for
-/// blends, the arm stops where none is proved yet. Throws Error for a program without moves,
+/// blends with joint moves, the arm stops at all of them. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
 /// before its beginning or after the last move, and at a waypoint that the tool passes without a
 /// stop, and MoveError for a blend that is not between lines and joint moves or is at a dwell, for

@@ -166,7 +166,6 @@ TEST(JointBlends, MeetRepeatedPosesAtRest) {
     Move again = program.moves[repeated];
     if (repeated == 4) program.moves[4].blend = 0.02;
     program.moves.insert(program.moves.begin() + static_cast<std::ptrdiff_t>(repeated) + 1, again);
-    if (again.kind == MoveKind::line) continue;  // lines with blends refuse repeated waypoints
     const ProgramMotion motion = move_program(arm, home, program);
     ASSERT_TRUE(motion) << motion;
     EXPECT_GE(blend_count(motion), 2);

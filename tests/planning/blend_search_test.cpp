@@ -54,6 +54,7 @@ TEST(BlendSearch, EndsNearSingularities) {
     blends += blend_count(motion);
   }
   EXPECT_GE(2 * blends, 3 * programs);
+  EXPECT_GE(4 * programs, cases(12));
 }
 
 TEST(BlendSearch, GivesTheMotionWithStopsWhenItsBudgetEnds) {
@@ -97,6 +98,71 @@ TEST(BlendSearch, GivesTheMotionWithStopsWhenItsBudgetEnds) {
   }
   EXPECT_GE(ended, 1);
   EXPECT_GE(blended, 1);
+}
+
+TEST(BlendSearch, MakesOnlyTheBlendThatIsRefusedAStop) {
+  Random random;
+  const Arm arm = built_in("ur5");
+  for (const std::size_t tiny : {std::size_t{1}, std::size_t{3}, std::size_t{6}}) {
+    SCOPED_TRACE(tiny);
+    const Configuration start = near_middle(random, arm, 0.2);
+    Configuration q = start;
+    Program program;
+    for (int k = 0; k < 8; ++k) {
+      q[k % 3] += (random.integer(0, 1) == 0 ? 1 : -1) * random.uniform(0.5, 0.9);
+      program.moves.push_back({.kind = MoveKind::joint, .q = q, .blend = 0.1});
+    }
+    program.moves.back().blend = 0;
+    program.moves[tiny].blend = 1e-7;  // smaller than any that is made
+    const ProgramMotion motion = move_program(arm, start, program, {.rate = 250});
+    ASSERT_TRUE(motion) << motion;
+    expect_proved(arm, program, motion);
+    for (std::size_t k = 0; k + 1 < program.moves.size(); ++k) {
+      EXPECT_EQ(motion.moves[k].blend == BlendOutcome::stop, k == tiny) << k;
+    }
+  }
+}
+
+// A check that ends early says what is true of the whole one, however early it ends.
+TEST(BlendSearch, AnEndedCheckRefutesNothingElse) {
+  Random random;
+  int ended = 0;
+  for (const std::string name : {"panda", "ur5"}) {
+    const Arm arm = built_in(name);
+    const Configuration start = near_middle(random, arm, 0.2);
+    Program program;
+    for (int k = 0; k < 4; ++k) {
+      const Configuration q = near_middle(random, arm, 0.3);
+      program.moves.push_back({.kind = MoveKind::joint, .q = q, .blend = 0.05});
+    }
+    Pose target = forward_kinematics(arm, *program.moves.back().q);
+    target.translation().z() += 0.05;
+    program.moves.push_back({.target = target, .blend = 0.01});
+    program.moves.push_back({.kind = MoveKind::joint, .q = start});
+    const ProgramMotion motion = move_program(arm, start, program, {.rate = 100});
+    ASSERT_TRUE(motion) << motion;
+    for (const double speed : {0.0, 0.01, 0.3}) {
+      for (std::size_t slow = 0; slow < 5; ++slow) {
+        Program slower = program;
+        if (speed > 0) slower.moves[slow].speed = speed;
+        const Verification whole = verify(arm, motion.trajectory, slower);
+        EXPECT_EQ(bool(whole), speed == 0 || whole.fault == Fault::none);
+        for (int work = 1; work < 6000; work += 1 + random.integer(0, work / 20)) {
+          VerifyOptions options;
+          options.budget.max_work = work;
+          const Verification found = verify(arm, motion.trajectory, slower, options);
+          if (found.ending == Ending::complete) {
+            EXPECT_EQ(found.fault, whole.fault) << work;
+            break;
+          }
+          ++ended;
+          EXPECT_FALSE(found);
+          EXPECT_TRUE(found.fault == Fault::none || found.fault == whole.fault) << work;
+        }
+      }
+    }
+  }
+  EXPECT_GT(ended, 100);
 }
 
 TEST(BlendSearch, StopsOnlyWhereAMotionTurnsBack) {

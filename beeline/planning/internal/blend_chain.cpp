@@ -8,8 +8,8 @@ namespace beeline::internal {
 namespace {
 
 constexpr int max_refusals = 20;       // of motions, until the search ends
-constexpr int stopping = 10;           // refusals left from which a refused blend becomes a stop
-constexpr int all_stopping = 2;        // the same for all blends after it too
+constexpr int stop_refused_from = 10;  // refusals left from which a refused blend becomes a stop
+constexpr int stop_rest_from = 2;      // the same for all blends after it too
 constexpr int max_smaller = 3;         // times that a blend is made smaller before it is a stop
 constexpr int max_additions = 3;       // of grid points to a line
 constexpr double smaller_blend = 0.4;  // of the radius that was refused
@@ -64,7 +64,7 @@ BlendChain::Refusal BlendChain::refusal_of_section(const std::vector<double>& ra
     refusal.first = stop_from(refusal.first) + 1;
   }
   if (refusal.first > radii.size()) return {0, radii.size(), 0, false};
-  refusal.last = stop_from(refusal.first);
+  refusal.end = stop_from(refusal.first);
   refusal.part = refusal.first;
   return refusal;
 }
@@ -83,7 +83,7 @@ BlendChain::Refusal BlendChain::refusal_at(const BlendedMotion& motion, std::siz
   const Configuration& q = motion.trajectory.positions[sample];
   const JointPath& path = after->limited.path;
   const bool nearer_to_begin = (q - path.q.front()).norm() < (q - path.q.back()).norm();
-  nearer_to_begin ? --refusal.last : ++refusal.first;
+  nearer_to_begin ? --refusal.end : ++refusal.first;
   return refusal;
 }
 
@@ -100,8 +100,8 @@ std::optional<BlendChain::Refusal> BlendChain::refusal(const std::vector<double>
   if (!budget_.complete()) return std::nullopt;
   const std::size_t first = moves().first;
   if (!found) {
-    Refusal refused = refusal_at(motion, first + found.arrivals.size(), found.sample,
-                                 found.fault == Fault::tool_speed);
+    Refusal refused = refusal_at(motion, first + refused_move(found, program_.moves.size()),
+                                 found.sample, found.fault == Fault::tool_speed);
     refused.deviates = found.fault == Fault::deviation;
     return refused;
   }
@@ -120,14 +120,14 @@ std::optional<BlendChain::Refusal> BlendChain::refusal(const std::vector<double>
 /// Makes the blends that may be the cause of a refusal smaller; returns whether there are any.
 bool BlendChain::make_smaller(const Refusal& refusal, std::vector<double>& radii) {
   bool changed = false;
-  for (std::size_t i = refusal.first; i < refusal.last; ++i) {
+  for (std::size_t i = refusal.first; i < refusal.end; ++i) {
     if (radii[i] == 0) continue;
-    const bool stops = refusals_left_ <= stopping || ++refused_[i] > max_smaller;
+    const bool stops = refusals_left_ <= stop_refused_from || ++refused_[i] > max_smaller;
     const double radius = stops ? 0 : smaller_blend * radii[i];
     allowed_[i] = radii[i] = radius < least_blend ? 0 : radius;
     changed = true;
   }
-  for (std::size_t i = refusal.first; refusals_left_ <= all_stopping && i < radii.size(); ++i) {
+  for (std::size_t i = refusal.first; refusals_left_ <= stop_rest_from && i < radii.size(); ++i) {
     allowed_[i] = radii[i] = 0;
   }
   return changed;
@@ -182,7 +182,9 @@ std::optional<BlendedMotion> BlendChain::motion() {
     if (std::find(tried.begin(), tried.end(), radii) != tried.end()) return;
     tried.push_back(radii);
     std::optional<BlendedMotion> found = proved(radii);
-    if (!found || !(found->trajectory.duration() < shortest)) return;
+    if (!found) return;
+    tried.push_back(found->radii);
+    if (!(found->trajectory.duration() < shortest)) return;
     shortest = found->trajectory.duration();
     best = std::move(found);
   };

@@ -43,9 +43,9 @@ class BlendChain {
  private:
   /// Why a motion is refused.
   struct Refusal {
-    std::size_t first = 0, last = 0;  ///< the blends that may be the cause, up to before `last`
-    std::size_t part = 0;             ///< the first part that is not proved
-    bool deviates = false;            ///< whether a line of this part is not followed
+    std::size_t first = 0, end = 0;  ///< the blends that may be the cause, up to before `end`
+    std::size_t part = 0;            ///< the first part that is not proved
+    bool deviates = false;           ///< whether a line of this part is not followed
   };
 
   std::vector<double> smaller_at_changes(double fraction) const;

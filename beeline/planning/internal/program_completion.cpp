@@ -39,8 +39,9 @@ void set_bounds(const DividedProgram& program, Verification proof, BudgetMeter& 
 }
 
 /// Removes the motion of the moves that are refused, or all.
-void remove_refused(const Verification& found, std::vector<BlendedMoves>& motions) {
-  const std::size_t refused = found.arrivals.size();
+void remove_refused(const DividedProgram& program, const Verification& found,
+                    std::vector<BlendedMoves>& motions) {
+  const std::size_t refused = refused_move(found, program.program.moves.size());
   const std::size_t before = motions.size();
   std::erase_if(motions, [&](const BlendedMoves& one) {
     return one.moves.first <= refused && refused <= one.moves.last;
@@ -60,7 +61,7 @@ bool blend(const DividedProgram& program, const std::vector<PlannedPart>& planne
     Verification found = proof_of(program, blended.trajectory, budget);
     if (!budget.complete()) return false;
     if (!found) {
-      remove_refused(found, motions);
+      remove_refused(program, found, motions);
       continue;
     }
     ProgramMotion better = motion;

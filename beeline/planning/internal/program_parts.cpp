@@ -91,9 +91,7 @@ ProgramSection section_through(const Program& program, std::size_t i, std::vecto
   return section;
 }
 
-constexpr double identical = 1e-12;  // metres, radians
-
-bool is_same(const Pose& a, const Pose& b) { return pose_difference(a, b).norm() <= identical; }
+constexpr double identical = 1e-12;  // metres
 
 /// Refuses repeated waypoints of a path that needs different ones. Only a single line may have
 /// length 0.
@@ -101,7 +99,7 @@ void check_distinct(const Program& program, std::size_t i, const std::vector<Pos
   const Move& move = program.moves[i];
   if (move.kind == MoveKind::line && poses.size() == 2) return;
   for (std::size_t k = 1; k < poses.size(); ++k) {
-    if (!is_same(poses[k], poses[k - 1])) continue;
+    if (!repeats(poses[k], poses[k - 1])) continue;
     throw MoveError(program, i + k - 1, "the waypoint is the same as the one before it");
   }
   for (const Pose& end : poses) {
@@ -118,8 +116,8 @@ std::size_t add_section(const Program& program, std::size_t i, Pose& from, doubl
   // A line without length has no blend: the tool stops.
   const auto stops = [&] {
     return program.moves[last].kind == MoveKind::line &&
-           (is_same(poses[poses.size() - 2], poses.back()) ||
-            is_same(poses.back(), program.moves[last + 1].target));
+           (repeats(poses[poses.size() - 2], poses.back()) ||
+            repeats(poses.back(), program.moves[last + 1].target));
   };
   while (continues_path(program, last) && !stops()) {
     poses.push_back(program.moves[++last].target);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/internal/program_refusal.h>
 #include <beeline/planning/internal/program_trajectory.h>
@@ -23,6 +25,12 @@ Deviation deviation_of(const PlannedProgram& program, const PlannedPart& planned
 }
 
 }  // namespace
+
+std::size_t refused_move(const Verification& found, std::size_t moves) {
+  const std::vector<std::size_t>& ends = found.arrivals;
+  const auto after = std::upper_bound(ends.begin(), ends.end(), found.sample);
+  return std::min(static_cast<std::size_t>(after - ends.begin()), moves - 1);
+}
 
 std::optional<ProgramRefusal> program_refusal(const PlannedProgram& planned,
                                               const Verification& found, BudgetMeter& budget) {

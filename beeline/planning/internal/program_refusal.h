@@ -27,6 +27,10 @@ struct PlannedProgram {
   const PathMotionOptions& options;  ///< with a task
 };
 
+/// The move at which verify() refuses a program of `moves` moves: the first that ends after the
+/// sample of the fault.
+std::size_t refused_move(const Verification& found, std::size_t moves);
+
 /// Why a program has no motion.
 struct ProgramRefusal {
   std::size_t move = 0;  ///< the move that fails

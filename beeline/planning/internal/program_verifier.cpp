@@ -140,28 +140,27 @@ bool ProgramVerifier::check_rest(std::size_t move) {
   return true;
 }
 
-/// Whether the tool's speed between two samples may exceed a limit. Which intervals are within one
-/// is remembered, as several passages ask.
-bool ProgramVerifier::exceeds_speed(std::size_t from, std::size_t to,
-                                    const std::optional<double>& limit) {
-  if (!limit) return false;
+/// The first interval between two samples in which the tool's speed may exceed a limit. Which
+/// intervals are within one is remembered, as several passages ask. None if the budget ends.
+std::optional<std::size_t> ProgramVerifier::fast_interval(std::size_t from, std::size_t to,
+                                                          const std::optional<double>& limit) {
+  if (!limit) return std::nullopt;
   const double largest = *limit * speed_rounding;
   for (std::size_t k = from; k < to; ++k) {
     if (speed_bounds_[k] <= largest) continue;
-    if (budget_.ended()) return false;
+    if (budget_.ended()) return std::nullopt;
     const double bound =
         tool_speed_bounds(arm_, samples_between(trajectory_, k, k + 1), {largest}).front();
-    if (bound > largest) return true;
+    if (bound > largest) return k;
     speed_bounds_[k] = largest;
   }
-  return false;
+  return std::nullopt;
 }
 
 bool ProgramVerifier::check_speed(std::size_t move, std::size_t from, std::size_t to,
                                   const std::optional<double>& limit) {
-  if (!exceeds_speed(from, to, limit)) return true;
-  const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to), budget_);
-  return fail_too_fast(move, from, speed, *limit);
+  const std::optional<std::size_t> fast = fast_interval(from, to, limit);
+  return !fast || fail_too_fast(move, from, to, *fast, *limit);
 }
 
 /// The same for a part of the interval after sample k, under the limit of the move.
@@ -170,6 +169,17 @@ bool ProgramVerifier::check_speed(std::size_t move, std::size_t k, const Traject
   if (!limit) return true;
   const double speed = tool_speed_bound(arm_, part);
   return speed <= *limit * speed_rounding || fail_too_fast(move, k, speed, *limit);
+}
+
+/// Fails with the largest speed between two samples or, if the budget ends before it is known, in
+/// the interval after sample `fast`.
+bool ProgramVerifier::fail_too_fast(std::size_t move, std::size_t from, std::size_t to,
+                                    std::size_t fast, double limit) {
+  double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to), budget_);
+  if (!budget_.complete()) {
+    speed = tool_speed_bound(arm_, samples_between(trajectory_, fast, fast + 1));
+  }
+  return fail_too_fast(move, from, speed, limit);
 }
 
 bool ProgramVerifier::fail_too_fast(std::size_t move, std::size_t k, double speed, double limit) {

@@ -78,10 +78,13 @@ class ProgramVerifier {
   bool check_stop(std::size_t i);
   bool check_dwell(std::size_t move);
   bool check_rest(std::size_t move);
-  bool exceeds_speed(std::size_t from, std::size_t to, const std::optional<double>& limit);
+  std::optional<std::size_t> fast_interval(std::size_t from, std::size_t to,
+                                           const std::optional<double>& limit);
   bool check_speed(std::size_t move, std::size_t from, std::size_t to,
                    const std::optional<double>& limit);
   bool check_speed(std::size_t move, std::size_t k, const Trajectory& part);
+  bool fail_too_fast(std::size_t move, std::size_t from, std::size_t to, std::size_t fast,
+                     double limit);
   bool fail_too_fast(std::size_t move, std::size_t k, double speed, double limit);
   std::size_t speed_from() const { return now_.speed_from.value_or(now_.begin); }
   void return_to(Progress saved);
@@ -96,6 +99,7 @@ class ProgramVerifier {
   bool stops_in(const Move& move, const Passage& passage) const;
   static std::vector<std::size_t> passages_before(const PassageLayer& layer, double at);
   bool add_layers(const JointRun& run, std::vector<PassageLayer>& layers);
+  void add_arrivals(std::span<const Passage> passed);
   bool fail_to_pass(std::size_t move, std::size_t first);
   std::vector<std::size_t> joint_rests(std::size_t part, std::size_t first) const;
   bool check_passages(const JointRun& run, std::size_t next, const std::vector<Passage>& passed);
@@ -121,10 +125,11 @@ class ProgramVerifier {
   /// Tries the candidates for the end of a move one after the other until one passes. If none does,
   /// what failed is the attempt that passed most moves, the first of them.
   template <class Check>
-  bool check_candidates(std::span<const std::size_t> candidates, const Check& check) {
+  bool check_candidates(std::span<const std::size_t> candidates, const Check& check,
+                        std::size_t most = max_candidates) {
     const Progress before = now_;
     std::optional<Progress> failed;
-    for (const std::size_t end : candidates.first(std::min(candidates.size(), max_candidates))) {
+    for (const std::size_t end : candidates.first(std::min(candidates.size(), most))) {
       return_to(before);
       if (check(end)) return true;
       if (now_.result.ending != Ending::complete) return false;

@@ -36,6 +36,11 @@ std::optional<std::size_t> last_stop_until(const PassageLayer& layer, double at)
   return std::nullopt;
 }
 
+/// A passage that is too fast: the samples between which, and the first interval.
+struct FastPassage {
+  std::size_t from = 0, to = 0, fast = 0;
+};
+
 /// The motion between samples k and k + 1 from one fraction of this interval to another.
 Trajectory part_of_interval(const Trajectory& trajectory, std::size_t k, double from, double to) {
   Trajectory part = samples_between(trajectory, k, k + 1);
@@ -106,6 +111,10 @@ bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first) {
   return fail(Fault::not_through, nearest, std::move(reason));
 }
 
+void ProgramVerifier::add_arrivals(std::span<const Passage> passed) {
+  for (const Passage& passage : passed) now_.result.arrivals.push_back(passage.nearest());
+}
+
 /// Whether the arm stops at the waypoint of a move in a passage.
 bool ProgramVerifier::stops_in(const Move& move, const Passage& passage) const {
   const std::size_t k = passage.before();
@@ -130,15 +139,15 @@ bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>&
   for (const std::size_t move : run.passed) {
     const auto& limit = program_.moves[move].speed;
     PassageLayer layer;
-    std::optional<std::pair<std::size_t, std::size_t>> too_fast;
+    std::optional<FastPassage> too_fast;
     for (const Passage& passage : passages_.passages(program_.moves[move], first, max_candidates)) {
       const auto candidates =
           layers.empty() ? std::vector<std::size_t>{0} : passages_before(layers.back(), passage.at);
       for (const std::size_t before : candidates) {
         const std::size_t from =
             layers.empty() ? speed_from() : layers.back().passages[before].after();
-        if (exceeds_speed(from, passage.before(), limit)) {
-          if (!too_fast) too_fast = {from, passage.before()};
+        if (const auto fast = fast_interval(from, passage.before(), limit)) {
+          if (!too_fast) too_fast = {from, passage.before(), *fast};
           continue;
         }
         layer.passages.push_back(passage);
@@ -149,7 +158,8 @@ bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>&
     }
     if (!budget_.complete()) return end(budget_.ending(), {});
     if (layer.passages.empty()) {
-      return too_fast ? check_speed(move, too_fast->first, too_fast->second, limit)
+      if (!layers.empty()) add_arrivals(chain_of(layers, layers.back().passages.size() - 1));
+      return too_fast ? fail_too_fast(move, too_fast->from, too_fast->to, too_fast->fast, *limit)
                       : fail_to_pass(move, static_cast<std::size_t>(first));
     }
     first = layer.passages.front().at;
@@ -168,7 +178,7 @@ bool ProgramVerifier::check_passages(const JointRun& run, std::size_t next,
     return check_speed(move, begin, part_of_interval(trajectory_, begin, from, to));
   };
   for (std::size_t i = 0; i < passed.size();) {
-    const std::size_t begin = passed[i].before(), end = passed[i].after();
+    const std::size_t first = i, begin = passed[i].before(), end = passed[i].after();
     double from = 0;
     for (; i < passed.size() && passed[i].before() == begin; ++i) {
       const double at = passed[i].at - static_cast<double>(begin);
@@ -178,8 +188,8 @@ bool ProgramVerifier::check_passages(const JointRun& run, std::size_t next,
       from = to;
     }
     if (begin < end && from < 1 && !check_part(i, begin, from, 1)) return false;
+    add_arrivals(std::span(passed).subspan(first, i - first));
   }
-  for (const Passage& passage : passed) now_.result.arrivals.push_back(passage.nearest());
   return true;
 }
 
@@ -227,7 +237,7 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
       last.push_back(passage);
     }
   }
-  return check_candidates(candidates, [&](std::size_t i) {
+  const auto check = [&](std::size_t i) {
     const std::size_t end = ends[i];
     std::size_t from = speed_from();
     if (!layers.empty()) {
@@ -244,7 +254,8 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
     now_.part = run.next;
     if (now_.part == parts_.size()) return check_rest(move);
     return parts_[now_.part].joint || check_path();
-  });
+  };
+  return check_candidates(candidates, check, 2 * max_candidates);  // two passages of each rest
 }
 
 /// The samples after a passage from which the tool may follow a line that begins at its waypoint:

@@ -89,7 +89,8 @@ std::vector<std::size_t> ProgramVerifier::line_ends(const Line& line, std::size_
     stop.reset();
   };
   std::size_t k = passages_.next_near(line.to, blend, now_.begin);
-  for (; k < trajectory_.size(); k = passages_.next_near(line.to, blend, k + 1)) {
+  for (; k < trajectory_.size() && !budget_.ended();
+       k = passages_.next_near(line.to, blend, k + 1)) {
     double fraction = 0;
     if (!is_on(line, k, fraction) || fraction < 1 - blended_fraction) continue;
     if (first && k > *last + 1) end_stay();
@@ -119,6 +120,7 @@ bool ProgramVerifier::check_section(const ProgramPart& part, std::size_t first, 
   }
   const std::vector<std::size_t> ends =
       leaves ? line_ends(std::get<Line>(whole), move) : path_rests(route);
+  if (!budget_.complete()) return end(budget_.ending(), {});
   if (ends.empty()) return leaves ? fail_to_pass(move, now_.begin) : fail_to_reach(move);
   // At the end of the program the path is checked to the last sample from any of them.
   return check_candidates(std::span(ends).first(to_end ? 1 : ends.size()), [&](std::size_t end) {

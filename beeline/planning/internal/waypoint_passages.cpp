@@ -56,8 +56,8 @@ std::size_t WaypointPassages::next_near(const Pose& waypoint, const Deviation& b
     return boxes_.next_near(waypoint.translation(), blend.position, k);
   };
   std::size_t k = next(first);
-  while (k < tool_.size() && !is_near(waypoint, blend, k)) {
-    if (k % batch == 0 && budget_.ended()) return tool_.size();
+  for (std::size_t looks = 1; k < tool_.size() && !is_near(waypoint, blend, k); ++looks) {
+    if (looks % batch == 0 && budget_.ended()) return tool_.size();
     k = next(k + 1);
   }
   return k;
