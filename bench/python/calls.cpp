@@ -21,8 +21,8 @@ double seconds(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The CPU time of call(i) for every i. Each is called once before: one that finds nothing may prepare
-/// more of the arm.
+/// The CPU time of call(i) for every i. Each is called once before: one that finds nothing may
+/// prepare more of the arm.
 template <class Call>
 double time_of(long count, Call call) {
   for (long i = 0; i < count; ++i) call(i);
