@@ -27,7 +27,7 @@ export interface LineAnswer extends Reasoned {
   /** Proved bound of the tool's distance from the path, m, between the samples too. */
   deviation_bound: number | null;
   samples: number;
-  /** s */
-  duration: number;
+  /** s; null if the path is not reached. */
+  duration: number | null;
   [more: string]: unknown;
 }

@@ -2,7 +2,15 @@ import type { Trajectory } from "../src/core/trajectory.js";
 import { answer } from "../src/core/command.js";
 import type { Commands } from "../src/core/commands.js";
 import type { Core } from "../src/core/core.js";
-import type { ChainEnds, CommandResult, Files, Frame, Manipulability, Matrix } from "../src/core/types.js";
+import {
+  frames,
+  type ChainEnds,
+  type CommandResult,
+  type Files,
+  type Frame,
+  type Manipulability,
+  type Matrix,
+} from "../src/core/types.js";
 import type { IkAnswer, LineAnswer } from "./answers.js";
 import { Arm } from "./arm.js";
 import {
@@ -35,13 +43,11 @@ export interface InverseOptions {
   ignoreLimits?: boolean;
 }
 
-const frames: readonly string[] = ["base", "tool", "space"] satisfies Frame[];
-
 /** Kinematics and motion of serial arms. Radians, metres, seconds. A pose is a column-major 4 x 4 matrix, as in three.js and
- * WebGL; where one is asked for, x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz and, of a planar arm, x,y,theta will do. Invalid
- * input throws a CoreError; a negative answer is an answer. */
+ * WebGL; x,y,z,roll,pitch,yaw and x,y,z,qw,qx,qy,qz, for a planar arm also x,y,theta, are accepted too. Invalid input throws a
+ * CoreError. An unreachable pose is no error: the answer has a status. */
 export class Beeline {
-  private whole: Promise<Commands> | null = null;
+  private commands: Promise<Commands> | null = null;
 
   /** @internal */
   constructor(
@@ -71,7 +77,7 @@ export class Beeline {
   }
 
   /** The arm of a Denavit-Hartenberg table. There is no default convention: the numbers do not say which it is. */
-  armFromDh(name: string, convention: "standard" | "modified", rows: readonly DhRow[]): Arm {
+  armFromDh(name: string, rows: readonly DhRow[], convention: "standard" | "modified"): Arm {
     return this.armFromJson(JSON.stringify({ name, dh: { convention, rows } }));
   }
 
@@ -96,21 +102,22 @@ export class Beeline {
   }
 
   /** Manipulability, condition number and singular values of the Jacobian: of x, y and theta for a planar arm. */
-  manipulability(arm: Arm, q: Numbers): Manipulability {
+  manipulabilityMeasures(arm: Arm, q: Numbers): Manipulability {
     return arm.core.manipulability(configuration("q", arm, q));
   }
 
   /** The joint values with this pose of the tool, nearest to the seed first. The list is empty if there are none; ik() says
    * why. */
   inverseKinematics(arm: Arm, pose: Numbers, { seed, ...options }: InverseOptions = {}): Float64Array[] {
-    const near = seed === undefined ? new Float64Array(arm.dof) : configuration("seed", arm, seed);
-    return arm.core.inverse(matrixOf("pose", arm, pose), near, options);
+    const seedValues = seed === undefined ? new Float64Array(arm.dof) : configuration("seed", arm, seed);
+    return arm.core.inverse(matrixOf("pose", arm, pose), seedValues, options);
   }
 
   /** `beeline ik`: the solutions with status, residual and reason. Options are the command's. */
-  ik(arm: Arm, pose: Numbers, { seed, ...options }: Options & InverseOptions = {}): Promise<IkAnswer> {
-    const near = seed === undefined ? {} : { seed: configuration("seed", arm, seed) };
-    return this.verb("ik", arm, { pose: typedPose("pose", pose), ...near, ...options });
+  async ik(arm: Arm, pose: Numbers, options: Options & InverseOptions = {}): Promise<IkAnswer> {
+    const { seed } = options;
+    this.inverseKinematics(arm, pose, seed === undefined ? {} : { seed }); // refuses both with the same error
+    return this.verb("ik", arm, { ...options, pose: typedPose("pose", arm, pose) });
   }
 
   /** `beeline line`: moves the tool from the joint values `from` in straight lines through poses, with a proved bound of the
@@ -121,22 +128,22 @@ export class Beeline {
     through: readonly Numbers[],
     options: Options = {},
   ): Promise<LineAnswer & { trajectory: Trajectory | null }> {
-    const files = { "poses.csv": posesFile("through", through) };
-    const own = { from: configuration("from", arm, from), through: "poses.csv", out: "line.csv" };
-    const result = await this.runVerb("line", arm, { ...own, ...options }, files);
+    const files = { "poses.csv": posesFile("through", arm, through) };
+    const task = { from: configuration("from", arm, from), through: "poses.csv", out: "line.csv" };
+    const result = await this.runVerb("line", arm, { ...options, ...task }, files);
+    const found = answer<LineAnswer>(result);
     const text = result.files["line.csv"];
-    const trajectory = text === undefined ? null : arm.core.trajectory("line.csv", text);
-    return { ...answer<LineAnswer>(result), trajectory };
+    return { ...found, trajectory: text === undefined ? null : arm.core.trajectory("line.csv", text) };
   }
 
   /** Runs `beeline ARGS` with these files in its folder. */
   async run(args: readonly string[], files: Files = {}): Promise<CommandResult> {
-    this.whole ??= this.loadCommands();
-    const commands = await this.whole.catch((error: unknown) => {
-      this.whole = null; // the next call tries again
+    this.commands ??= this.loadCommands();
+    const loaded = await this.commands.catch((error: unknown) => {
+      this.commands = null; // the next call tries again
       throw error;
     });
-    return commands.run([...args], files);
+    return loaded.run([...args], files);
   }
 
   /** What `beeline VERB ARM --json` prints, with options of the command in camel case: {maxSamples: 9} is --max-samples=9. */
@@ -144,8 +151,9 @@ export class Beeline {
     return answer<Answer>(await this.runVerb(verb, arm, options, files));
   }
 
-  private runVerb(verb: string, { source }: Arm, options: Options, files: Files): Promise<CommandResult> {
-    const args = [verb, source.arm, ...typedOptions({ ...source.ends, ...options }), "--json"];
-    return this.run(args, { ...source.files, ...files });
+  private async runVerb(verb: string, { core, source }: Arm, options: Options, files: Files): Promise<CommandResult> {
+    core.requireUnreleased();
+    const args = [verb, source.arm, ...typedOptions({ ...options, ...source.ends }), "--json"];
+    return this.run(args, { ...files, ...source.files });
   }
 }

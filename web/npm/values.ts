@@ -28,7 +28,7 @@ export function configuration(what: string, arm: Arm, q: Numbers): number[] {
 
 const forms = "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or the 16 numbers of a matrix, of a planar arm also x,y,theta";
 
-const maxLengthError = 1e-3; // of the command
+const maxLengthError = 1e-3; // of a quaternion, as in the core
 
 /** A pose in one of its forms as a column-major 4 x 4 matrix. */
 export function matrixOf(what: string, arm: Arm, pose: Numbers): number[] {
@@ -44,16 +44,17 @@ export function matrixOf(what: string, arm: Arm, pose: Numbers): number[] {
 }
 
 /** A pose as the command reads it, which knows its form by the count of its numbers. */
-export function typedPose(what: string, pose: Numbers): string {
-  const numbers = finite(what, pose, forms);
+export function typedPose(what: string, arm: Arm, pose: Numbers): string {
+  matrixOf(what, arm, pose); // refuses what is no pose of the arm
+  const numbers = Array.from(pose);
   if (numbers.length !== 16) return numbers.join(",");
   return numbers.map((_, i) => numbers[4 * (i % 4) + Math.floor(i / 4)]).join(","); // row by row
 }
 
 /** The file of poses that the command reads. */
-export function posesFile(what: string, poses: readonly Numbers[]): string {
+export function posesFile(what: string, arm: Arm, poses: readonly Numbers[]): string {
   if (!Array.isArray(poses)) throw invalid(`${what} is ${String(poses)}; it must be a list of poses`);
-  return poses.map((pose, i) => `${typedPose(`${what}[${i}]`, pose as Numbers)}\n`).join("");
+  return poses.map((pose, i) => `${typedPose(`${what}[${i}]`, arm, pose as Numbers)}\n`).join("");
 }
 
 /** Options of the command in camel case: {maxSamples: 9, all: true} is --max-samples=9 --all. */

@@ -1,5 +1,9 @@
 /** The modules of the folder wasm/ of the package. */
-declare module "#wasm/*.js" {
-  const factory: (options: object) => Promise<unknown>;
+declare module "#wasm/core.js" {
+  const factory: import("../src/core/load.js").Factory<import("../src/core/module.js").CoreModule>;
+  export default factory;
+}
+declare module "#wasm/beeline.js" {
+  const factory: import("../src/core/load.js").Factory<import("../src/core/module.js").CommandModule>;
   export default factory;
 }

@@ -1,13 +1,17 @@
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { readFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import type { Arm } from "../npm/arm.js";
 import type { Beeline } from "../npm/beeline.js";
+import type { Numbers } from "../npm/values.js";
 import type * as Vite from "vite";
+import { compile } from "../src/core/load.js";
 import { executablePath } from "./browser.js";
 import { json, module, run } from "./native.js";
 
@@ -32,7 +36,7 @@ const node = (...args: string[]) => execFileSync("node", args, { cwd: folder, en
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), "beeline-npm-"));
-  cpSync(at("../npm/trial"), folder, { recursive: true });
+  cpSync(at("npm_project"), folder, { recursive: true });
   writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }');
   const packed = given ?? join(folder, "packed");
   if (given === undefined) execFileSync(at("../../scripts/npm.sh"), [module, packed]);
@@ -108,8 +112,8 @@ test.each([
 ])("types for module %s, resolution %s, without types of browsers and of Node", (kind, resolution) => {
   const tsc = at("../node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--exactOptionalPropertyTypes", "--target", "es2022", "--lib", "es2023"];
-  const done = [...options, "--types", "", "--module", kind, "--moduleResolution", resolution, "types.ts"];
-  expect(execFileSync(tsc, done, { cwd: folder, encoding: "utf8" })).toBe("");
+  const args = [...options, "--types", "", "--module", kind, "--moduleResolution", resolution, "types.ts"];
+  expect(execFileSync(tsc, args, { cwd: folder, encoding: "utf8" })).toBe("");
 });
 
 test.each(["../../docs/howto/javascript.md", "../../docs/install.md"])("the session of %s", (page) => {
@@ -119,7 +123,7 @@ test.each(["../../docs/howto/javascript.md", "../../docs/install.md"])("the sess
   expect(node("session.mjs")).toBe(block("text"));
 });
 
-const urdf = `<robot name="own"><link name="a"/><link name="b"/><link name="c"/>
+const urdf = `<robot name="one_joint"><link name="a"/><link name="b"/><link name="c"/>
 <joint name="turn" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><origin xyz="0 0 0.5"/>
 <limit lower="-1" upper="1"/></joint>
 <joint name="end" type="fixed"><parent link="b"/><child link="c"/><origin xyz="1 0 0"/></joint></robot>`;
@@ -130,17 +134,16 @@ test("arms from texts", async () => {
     { a: 3.5, alpha: 0 },
     { a: 2, type: "revolute" as const, d: 0 },
   ];
-  const own = beeline.armFromUrdf(urdf);
-  const table = beeline.armFromDh("table", "standard", rows);
+  const fromUrdf = beeline.armFromUrdf(urdf);
+  const table = beeline.armFromDh("table", rows, "standard");
   const string = beeline.readArm("RRR:3.5,3.5,2");
   const again = beeline.armFromJson(table.toJson());
   const q = [0.5, -0.2, 0.1];
   const poses = [table, string, again].map((arm) => beeline.forwardKinematics(arm, q));
   for (const pose of poses) expect(difference([...pose], [...(poses[0] ?? [])])).toBeLessThan(1e-14);
-  expect(difference([...beeline.forwardKinematics(own, [0.5])].slice(12), [Math.cos(0.5), Math.sin(0.5), 0.5, 1])).toBe(
-    0,
-  );
-  expect(await beeline.verb("fk", own, { q: [0.5] })).toEqual(
+  const position = [...beeline.forwardKinematics(fromUrdf, [0.5])].slice(12);
+  expect(difference(position, [Math.cos(0.5), Math.sin(0.5), 0.5, 1])).toBe(0);
+  expect(await beeline.verb("fk", fromUrdf, { q: [0.5] })).toEqual(
     json(["fk", "arm.urdf", "--q=0.5"], { "arm.urdf": urdf }),
   );
   const { solutions } = await beeline.ik(table, poses[0] ?? [], { seed: q });
@@ -154,8 +157,11 @@ test("refuses invalid input with a code and what is accepted", async () => {
   const arm = beeline.readArm("rrr");
   const refusals: [() => unknown, RegExp][] = [
     [() => beeline.readArm("ur55"), /^invalid_arm: unknown arm "ur55"; did you mean "ur5"\?.*RRR:3.5,3.5,2/],
+    [() => beeline.readArm("a.urdf", { "folder/a.urdf": "" }), /^invalid_argument: "folder\/a.urdf" is not the name/],
+    [() => beeline.readArm("a.urdf", { ".a.urdf": "" }), /^invalid_argument: "\.a\.urdf" .* no leading dot$/],
+    [() => beeline.run(["arms"], { "../a.csv": "" }), /^invalid_argument: "\.\.\/a\.csv" is not the name/],
     [() => beeline.armFromUrdf("<robot>"), /^invalid_arm: arm\.urdf:1: /],
-    [() => beeline.armFromDh("own", "standard", [{ a: NaN }]), /^invalid_arm: arm\.json.*number/],
+    [() => beeline.armFromDh("table", [{ a: NaN }], "standard"), /^invalid_arm: arm\.json.*number/],
     [
       () => beeline.forwardKinematics(arm, [1, 2]),
       /^invalid_argument: q has 2 numbers; rrr has 3 joint values: joint1, /,
@@ -172,12 +178,6 @@ test("refuses invalid input with a code and what is accepted", async () => {
       () => beeline.jacobian(arm, [0, 0, 0], { frame: "world" as never }),
       /^invalid_argument: frame is "world"; .*tool/,
     ],
-    [() => beeline.inverseKinematics(arm, [1, 2]), /^invalid_argument: pose has 2 numbers; it must be x,y,z/],
-    [
-      () => beeline.inverseKinematics(arm, [1, 2, 0, 2, 0, 0, 0]),
-      /^invalid_argument: pose: the quaternion 2,0,0,0 has length 2/,
-    ],
-    [() => beeline.inverseKinematics(arm, new Float64Array(16)), /^invalid_argument: .*rigid/],
     [() => beeline.inverseKinematics(arm, [1, 2, 0], { seed: [1] }), /^invalid_argument: seed has 1 numbers/],
     [() => beeline.ik(arm, [1, 2, 0], { allSolutions: true }), /^invalid_usage: .*--all-solutions/],
     [() => beeline.ik(arm, [1, 2, 0], { "--all": true }), /^invalid_argument: "--all" is no option; .*camel case/],
@@ -187,6 +187,67 @@ test("refuses invalid input with a code and what is accepted", async () => {
     [() => beeline.verb("fly", arm), /^invalid_usage: .*fly/],
   ];
   for (const [work, expected] of refusals) expect(await refusal(work)).toMatch(expected);
+});
+
+test("inverseKinematics and ik refuse the same poses with the same code", async () => {
+  const [rrr, ur5] = [beeline.readArm("rrr"), beeline.readArm("ur5")];
+  const refusals: [Arm, Numbers, RegExp][] = [
+    [rrr, [1, 2], /^invalid_argument: pose has 2 numbers; it must be x,y,z/],
+    [ur5, [1, 2, 0], /^invalid_argument: pose has 3 numbers/],
+    [rrr, [1, 2, 0, 2, 0, 0, 0], /^invalid_argument: pose: the quaternion 2,0,0,0 has length 2/],
+    [rrr, new Float64Array(16), /^invalid_argument: .*rigid/],
+  ];
+  for (const [arm, pose, expected] of refusals) {
+    const one = await refusal(() => beeline.inverseKinematics(arm, pose));
+    expect(one).toMatch(expected);
+    expect(await refusal(() => beeline.ik(arm, pose))).toBe(one);
+  }
+});
+
+test("a quaternion's length is accepted as the command accepts it", async () => {
+  const arm = beeline.readArm("ur5");
+  for (const [length, accepted] of [
+    [1.0009, true],
+    [1.0011, false],
+    [0.9991, true],
+    [0.9989, false],
+  ] as const) {
+    const pose = [0.3, 0.2, 0.4, length, 0, 0, 0];
+    expect(run(["ik", "ur5", `--pose=${pose.join(",")}`]).code < 2, `${length}`).toBe(accepted);
+    expect((await refusal(() => beeline.inverseKinematics(arm, pose))) === "no error", `${length}`).toBe(accepted);
+  }
+});
+
+test("options of a method's own are not replaced", async () => {
+  const arm = beeline.readArm("rrr");
+  const options = { out: "other.csv", from: [0, 0, 0], through: "none.csv" };
+  const { status, trajectory } = await beeline.line(arm, [1.95, -0.9, -1.05], [[4.5, 5.2, 0]], options);
+  expect(status).toBe("reached");
+  expect(trajectory?.row(0)).toEqual([1.95, -0.9, -1.05]);
+  trajectory?.release();
+});
+
+test("a line that is not reached has no duration", async () => {
+  const line = await beeline.line(beeline.readArm("rrr"), [1.95, -0.9, -1.05], [[4.5, 9.2, 0]]);
+  expect(line.status).not.toBe("reached");
+  expect(line.duration).toBeNull();
+});
+
+test("a module that cannot be read or compiled has a code", async () => {
+  const sources: [() => Promise<Uint8Array<ArrayBuffer> | Response>, RegExp][] = [
+    [
+      () => Promise.reject(new TypeError("Failed to fetch")),
+      /^not_loaded: The core cannot be loaded: Failed to fetch$/,
+    ],
+    [() => readFile(join(folder, "none.wasm")).then((bytes) => Uint8Array.from(bytes)), /^not_loaded: .*ENOENT/],
+    [() => Promise.resolve(Uint8Array.of(1, 2, 3)), /^not_loaded: .*compile/i],
+    [() => Promise.resolve(new Response("", { status: 404 })), /^not_loaded: .*404/],
+  ];
+  for (const [read, expected] of sources) expect(await refusal(() => compile(read()))).toMatch(expected);
+});
+
+test("arms and trajectories refuse after release()", async () => {
+  const arm = beeline.readArm("rrr");
   const { trajectory } = await beeline.line(arm, [1.95, -0.9, -1.05], [[4.5, 5.2, 0]]);
   trajectory?.release();
   trajectory?.release();
@@ -195,6 +256,15 @@ test("refuses invalid input with a code and what is accepted", async () => {
   arm.release();
   expect(beeline.forwardKinematics(beeline.readArm("rp"), [0, 0]).length).toBe(16); // the memory is as it was
   expect(await refusal(() => beeline.forwardKinematics(arm, [0, 0, 0]))).toBe("released: the arm was released");
+  const later: (() => unknown)[] = [
+    () => beeline.ik(arm, [4.5, 5.2, 0]),
+    () => beeline.line(arm, [1.95, -0.9, -1.05], [[4.5, 5.2, 0]]),
+    () => beeline.verb("fk", arm, { q: [0, 0, 0] }),
+  ];
+  for (const work of later) expect(await refusal(work)).toBe("released: the arm was released");
+});
+
+test("an unreachable pose is an answer with a status", async () => {
   const far = await beeline.ik(beeline.readArm("rrr"), [90, 90, 0]);
   expect([far.status, far.solutions.length, far.code === null]).toEqual(["unreachable", 0, false]);
   expect(far.reason).not.toBe("");

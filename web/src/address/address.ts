@@ -6,11 +6,11 @@ import {
   type PageState,
   type Section,
 } from "../state/page_state.js";
+import { frames, type Frame } from "../core/types.js";
 import { noObstacles, sceneOf } from "../core/scene.js";
 import { compressed, decompressed } from "./compression.js";
 import { reachOf, reachWords, writeReach } from "./reach_address.js";
 
-const frames = ["base", "tool", "space"] as const;
 const gains = ["gain", "ki", "kd"] as const;
 /** Characters of an address that are read; a longer one is not written either. A saved page has no such bound. */
 export const longestAddress = 200_000;
@@ -86,7 +86,7 @@ export async function stateOf(hash: string, longest = longestAddress): Promise<P
   const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longest));
   const given = words.get("section") ?? "";
   const section = (Object.hasOwn(formerSections, given) ? formerSections[given] : given) as Section;
-  const frame = words.get("frame") as (typeof frames)[number];
+  const frame = words.get("frame") as Frame;
   const gainOf = (name: (typeof gains)[number]): number => {
     const value = Number(words.get(name) || NaN);
     return Number.isFinite(value) ? value : initialState[name];

@@ -2,6 +2,7 @@ import { checked, readText, writeText, type CoreModule } from "./module.js";
 import { Trajectory } from "./trajectory.js";
 import {
   CoreError,
+  frames,
   type ChainEnds,
   type Frame,
   type Gains,
@@ -11,7 +12,6 @@ import {
   type Skeleton,
 } from "./types.js";
 
-const frames: Frame[] = ["base", "tool", "space"];
 const kinds: JointKind[] = ["revolute", "prismatic", "helical"];
 const maxSolutions = 64;
 
@@ -74,6 +74,11 @@ export class Arm {
     this.released = true;
     for (const buffer of [this.q, this.other, this.result]) this.module._beeline_release(buffer);
     checked(this.module, this.module._beeline_arm_release(this.handle));
+  }
+
+  /** Throws CoreError if the arm was released. */
+  requireUnreleased(): void {
+    if (this.released) throw new CoreError("the arm was released", "released");
   }
 
   /** The poses of all links and, last, of the tool. */
@@ -154,7 +159,7 @@ export class Arm {
 
   /** A trajectory of this arm, from the text of a file; joints are matched by name. */
   trajectory(name: string, text: string): Trajectory {
-    if (this.released) throw new CoreError("the arm was released", "released");
+    this.requireUnreleased();
     return new Trajectory(this.module, this.handle, this.dof, name, text);
   }
 
@@ -165,7 +170,7 @@ export class Arm {
   }
 
   private check(q: ArrayLike<number>): void {
-    if (this.released) throw new CoreError("the arm was released", "released");
+    this.requireUnreleased();
     if (q.length !== this.dof) throw new CoreError(`the arm has ${this.dof} joint values, not ${q.length}`);
   }
 

@@ -1,3 +1,4 @@
+import { requireFileNames } from "./files.js";
 import { instantiateCommand, type Factory } from "./load.js";
 import { readText, writeText, type CommandModule } from "./module.js";
 import { CoreError, type CommandResult, type Files, type InputFiles } from "./types.js";
@@ -18,13 +19,10 @@ class Collected {
 const folder = "/work";
 
 function prepare(module: CommandModule, files: InputFiles): void {
+  requireFileNames(files);
   module.FS.mkdir(folder);
   module.FS.chdir(folder);
-  for (const [name, content] of Object.entries(files)) {
-    if (!/^[^/\0]+$/.test(name) || name.startsWith("."))
-      throw new CoreError(`"${name}" is not the name of a file`, "invalid_usage");
-    module.FS.writeFile(name, content);
-  }
+  for (const [name, content] of Object.entries(files)) module.FS.writeFile(name, content);
 }
 
 function written(module: CommandModule, given: InputFiles): Files {

@@ -1,5 +1,5 @@
 import { answer, command } from "./command.js";
-import { compile, type Factory } from "./load.js";
+import { compile, type Bytes, type Factory } from "./load.js";
 import type { CommandModule } from "./module.js";
 import type { CommandResult, Files } from "./types.js";
 
@@ -10,10 +10,7 @@ export class Commands {
     private readonly wasm: WebAssembly.Module,
   ) {}
 
-  static async load(
-    factory: Factory<CommandModule>,
-    wasm: BufferSource | Response | PromiseLike<Response>,
-  ): Promise<Commands> {
+  static async load(factory: Factory<CommandModule>, wasm: Bytes | PromiseLike<Bytes>): Promise<Commands> {
     return new Commands(factory, await compile(wasm));
   }
 

@@ -23,15 +23,32 @@ export function missingFeature(): string | null {
   return `This browser's WebAssembly has no ${names}; Firefox 100, Chrome 95, Safari 16.4 and later have.`;
 }
 
-/** Compiles the module once; instantiate() makes instances of it. */
-export async function compile(wasm: BufferSource | Response | PromiseLike<Response>): Promise<WebAssembly.Module> {
+/** The bytes of a WebAssembly module, or the response of a server with them. */
+export type Bytes = BufferSource | Response;
+
+/** What `work` resolves to. An error becomes a CoreError with the code not_loaded. */
+export async function loaded<T>(work: T | PromiseLike<T>): Promise<T> {
+  try {
+    return await work;
+  } catch (error) {
+    if (error instanceof CoreError) throw error;
+    const why = error instanceof Error ? error.message : String(error);
+    throw new CoreError(`The core cannot be loaded: ${why}`, "not_loaded");
+  }
+}
+
+/** Compiles the module once; instantiate() makes instances of it. Throws CoreError with the code not_loaded. */
+export function compile(bytes: Bytes | PromiseLike<Bytes>): Promise<WebAssembly.Module> {
+  return loaded(compiled(bytes));
+}
+
+async function compiled(bytes: Bytes | PromiseLike<Bytes>): Promise<WebAssembly.Module> {
   const missing = missingFeature();
   if (missing !== null) throw new CoreError(missing, "not_loaded");
-  if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm as BufferSource);
-  const response = await (wasm as Response | PromiseLike<Response>);
-  if (!response.ok)
-    throw new CoreError(`The core cannot be loaded: ${response.status} for ${response.url}`, "not_loaded");
-  return WebAssembly.compile(await response.arrayBuffer());
+  const wasm = await bytes;
+  if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
+  if (!wasm.ok) throw new CoreError(`The core cannot be loaded: ${wasm.status} for ${wasm.url}`, "not_loaded");
+  return WebAssembly.compile(await wasm.arrayBuffer());
 }
 
 /** Makes an instance with memory of its own. */

@@ -1,7 +1,9 @@
 /** A 4 x 4 homogeneous matrix, column-major as in three.js, metres. */
 export type Matrix = Float64Array;
 
-export type Frame = "base" | "tool" | "space";
+/** The frames of a Jacobian, in the order of the core. */
+export const frames = ["base", "tool", "space"] as const;
+export type Frame = (typeof frames)[number];
 
 export type JointKind = "revolute" | "prismatic" | "helical";
 
@@ -48,16 +50,16 @@ export interface CommandResult {
   files: Files;
 }
 
-/** Which input was refused. */
+/** Why a call failed. */
 export type ErrorCode =
   | "invalid_argument" // of a function
   | "invalid_arm" // a name, a joint string or the text of a file
   | "invalid_trajectory" // the text of a file
-  | "invalid_usage" // of the command: exit code 2
-  | "invalid_file" // of the command: exit code 3
-  | "released" // an arm that was released
-  | "no_memory"
-  | "not_loaded"; // the module, or this browser lacks what it needs
+  | "invalid_usage" // the command's exit code 2: its words and options
+  | "invalid_file" // the command's exit code 3: a file that it reads
+  | "released" // an arm or a trajectory was released
+  | "no_memory" // for the numbers and texts of a call
+  | "not_loaded"; // a WebAssembly module cannot be read or compiled, or this browser lacks what it needs
 
 /** The message of the core, in the words of the command line. */
 export class CoreError extends Error {

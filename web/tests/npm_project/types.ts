@@ -12,6 +12,6 @@ export const all = [rows, times, poseNumbers(pose).quaternion];
 // @ts-expect-error there is no such frame
 beeline.jacobian(arm, [], { frame: "world" });
 // @ts-expect-error there is no default convention
-beeline.armFromDh("own", []);
+beeline.armFromDh("table", []);
 // @ts-expect-error load() makes it
 new CoreError(2);

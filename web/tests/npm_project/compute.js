@@ -7,8 +7,8 @@ export async function compute(load) {
     const q = arm.description.joints
       .filter(({ mimic }) => mimic === undefined)
       .map(({ limits: { lower, upper } }, i) => {
-        const share = 0.3 + 0.07 * i;
-        return (1 - share) * (lower ?? -1) + share * (upper ?? 1);
+        const fraction = 0.3 + 0.07 * i;
+        return (1 - fraction) * (lower ?? -1) + fraction * (upper ?? 1);
       });
     const pose = beeline.forwardKinematics(arm, q);
     const inverse = arm.dof <= 6 ? beeline.inverseKinematics(arm, pose, { seed: q }).map((found) => [...found]) : null;
