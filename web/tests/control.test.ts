@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { stepResponse } from "../src/core/step_response.js";
 import { chooseArm, drag, jointValues, pages, toWorld } from "./browser.js";
 import { json, loadCore, random, run } from "./native.js";
+import { stepsOfCommand, stepsOfProportional } from "./settling.js";
 
 const from = [0, 0.3, 0.5];
 const to = [1.73, -1.2, -0.53];
@@ -46,9 +47,13 @@ test("gains too small, good, too large, and unstable are seen in the step respon
     await kp.fill(value);
     await kp.press("Enter");
   };
-  await expect.poll(() => words.textContent()).toBe("The errors stay below 2 % from step 38 on.");
+  await expect
+    .poll(() => words.textContent())
+    .toBe(`The errors stay below 2 % from step ${stepsOfProportional(0.1)} on.`);
   await type("0.02");
-  await expect.poll(() => words.textContent()).toContain("It crawls: the errors stay below 2 % from step 194 on.");
+  await expect
+    .poll(() => words.textContent())
+    .toContain(`It crawls: the errors stay below 2 % from step ${stepsOfProportional(0.02)} on.`);
   await type("1.5");
   const native = json<{ overshoot: number }>([
     "move",
@@ -66,9 +71,9 @@ test("gains too small, good, too large, and unstable are seen in the step respon
   await page.getByLabel("Kd, derivative gain", { exact: true }).fill("0.2");
   await page.getByLabel("Kd, derivative gain", { exact: true }).press("Enter");
   await expect.poll(() => words.textContent()).toContain("overshoots by 20.5 %");
-  await page
-    .getByText(/Joint space, PID: within 2 % of the way after \d+ steps, and arrives, overshoot 20\.5 %/)
-    .waitFor();
+  const steps = stepsOfCommand("rrr", from, to, { kp: 0.5, ki: 0.1, kd: 0.2 });
+  const outcome = `Joint space, PID: error below 2 % after ${steps} steps, and the goal is reached, overshoot 20.5 %`;
+  await page.getByText(outcome).waitFor();
   await page.getByText("Step response in joint space, PID control: errors of the joints").waitFor(); // no longer eq. 1.3
   await expect.poll(() => page.url()).toContain("gain=0.5&ki=0.1&kd=0.2");
   await page.context().close();
@@ -76,8 +81,9 @@ test("gains too small, good, too large, and unstable are seen in the step respon
 
 test("near the goal the steps are counted by the same criterion, and it is said that hardly anything moves", async () => {
   const page = await opened("#arm=rrr&q=0,0.3,0.5&goal=0,0.3,0.50001&section=control");
+  const steps = stepsOfProportional(0.1);
   for (const title of ["Joint space, eq. 1.3", "Cartesian space, eq. 1.6"])
-    await page.getByText(`${title}: within 2 % of the way after 38 steps, and arrives.`).waitFor();
+    await page.getByText(`${title}: error below 2 % after ${steps} steps, and the goal is reached.`).waitFor();
   await page.getByText("so near the goal that hardly anything moves").waitFor();
   await page.context().close();
 });
@@ -85,14 +91,14 @@ test("near the goal the steps are counted by the same criterion, and it is said 
 test("at the goal there is nothing to start, and the page says why", async () => {
   const page = await opened("#arm=rrr&q=0,0.3,0.5&goal=1,0.3,0.5&section=control");
   const go = page.getByRole("button", { name: /^Go in/ });
-  await page.getByText(/^Joint space, eq. 1.3: .* and arrives/).waitFor();
+  await page.getByText(/^Joint space, eq. 1.3: .* and the goal is reached/).waitFor();
   await page.getByRole("button", { name: "Make this the goal" }).click();
   await page.getByText("The arm is at the goal: drag the arm or the goal elsewhere.").waitFor();
   expect(await go.evaluateAll((all) => all.map((one) => (one as HTMLButtonElement).disabled))).toEqual([true, true]);
   expect(await page.locator(".runs").isVisible()).toBe(false);
   await page.locator("#joint-0").fill("40");
   await page.keyboard.press("Enter");
-  await page.getByText(/^Joint space, eq. 1.3: .* and arrives/).waitFor();
+  await page.getByText(/^Joint space, eq. 1.3: .* and the goal is reached/).waitFor();
   expect(await go.first().isEnabled()).toBe(true);
   await page.context().close();
 });
@@ -100,8 +106,8 @@ test("at the goal there is nothing to start, and the page says why", async () =>
 test("the controllers are named with their equations, and the chart says which of them it shows", async () => {
   const page = await opened(section);
   await page.getByText("Step response in joint space (eq. 1.3): errors of the joints").waitFor();
-  await page.getByText(/^Joint space, eq. 1.3: .* and arrives\./).waitFor();
-  await page.getByText(/^Cartesian space, eq. 1.6: .* and arrives\./).waitFor();
+  await page.getByText(/^Joint space, eq. 1.3: .* and the goal is reached\./).waitFor();
+  await page.getByText(/^Cartesian space, eq. 1.6: .* and the goal is reached\./).waitFor();
 });
 
 /** The path of a trail, its last point's pixels. */
@@ -127,7 +133,7 @@ test("trails, chart and words follow the gain while it moves; they come back wit
 
 test("the dots are the steps of the command", async () => {
   const page = await opened(section);
-  await page.getByText(/Cartesian space, eq. 1.6: .* and arrives\./).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* and the goal is reached\./).waitFor();
   const arm = (await loadCore()).arm("rrr");
   const goal = json<{ pose: { planar: Record<string, number> } }>(["fk", "rrr", `--q=${to.join(",")}`]).pose.planar;
   const files = { "goal.csv": `x,y,theta\n${goal["x"]},${goal["y"]},${goal["theta"]}\n` };
@@ -217,7 +223,7 @@ test("the default goal moves each joint by another amount: three curves are seen
 
 test("a second Go glides back to the start, and nothing below moves", async () => {
   const page = await opened(section);
-  await page.getByText(/Joint space, eq. 1.3: .* and arrives\./).waitFor();
+  await page.getByText(/Joint space, eq. 1.3: .* and the goal is reached\./).waitFor();
   const go = page.getByRole("button", { name: "Go in joint space" });
   const gains = page.locator(".gains").first();
   const place = async (): Promise<number> => (await gains.boundingBox())?.y ?? NaN;
@@ -245,7 +251,7 @@ test("a second Go glides back to the start, and nothing below moves", async () =
 test("the arm goes to the goal and stays there; the goal is dragged; back to the start", async () => {
   const page = await opened(section);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.getByText(/Cartesian space, eq. 1.6: .* and arrives\./).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* and the goal is reached\./).waitFor();
   await page.getByRole("button", { name: "Go in joint space" }).click();
   const degrees = to.map((value) => (value * 180) / Math.PI);
   await expect.poll(async () => Math.abs(((await jointValues(page))[0] ?? 0) - (degrees[0] ?? 0))).toBeLessThan(0.5);

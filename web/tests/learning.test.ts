@@ -129,8 +129,22 @@ test("the matrices of Figure 1.4 follow the arm RP too, and of an arm in space t
   await expect.poll(() => numbers(2)).toContain(`0.83 −0.56 ${c} 0.56 0.83 ${s} 0.00 0.00 1.00`);
   await page.getByRole("group", { name: "Motion" }).getByRole("button", { name: "Play" }).waitFor();
   await chooseArm(page, "panda");
-  await page.getByText("The numbers here are of planar arms alone.").waitFor();
+  await page.getByText("The numbers here are only of planar arms without mimic joints.").waitFor();
   await expect.poll(() => matrices.count()).toBe(0);
+});
+
+test("of a planar arm with a mimic joint there are no matrices", async () => {
+  const joint = (k: number, more = ""): string =>
+    `<link name="link${k}"/><joint name="joint${k}" type="revolute"><parent link="link${k - 1}"/><child link="link${k}"/>
+    <axis xyz="0 0 1"/><origin xyz="1 0 0"/><limit lower="-2" upper="2"/>${more}</joint>`;
+  const urdf = `<robot name="coupled"><link name="link0"/>${joint(1)}${joint(2, '<mimic joint="joint1"/>')}${joint(3)}</robot>`;
+  const page = await opened("#section=lessons&lesson=forward");
+  const matrices = page.locator("article .matrices math");
+  await expect.poll(() => matrices.count()).toBe(3);
+  await page.setInputFiles("#arm-file", { name: "coupled.urdf", mimeType: "text/xml", buffer: Buffer.from(urdf) });
+  await expect.poll(() => shownArm(page)).toBe("coupled");
+  await page.getByText("The numbers here are only of planar arms without mimic joints.").waitFor();
+  expect(await matrices.count()).toBe(0);
 });
 
 test("a verdict on the arm or the gain goes when these change", async () => {

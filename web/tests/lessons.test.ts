@@ -4,6 +4,7 @@ import { checkConstantJacobian, checkReach } from "../src/lessons/checks.js";
 import { allPages } from "../src/lessons/lessons.js";
 import { axe, chooseArm, jointValues, open, shownArm, visit, type Visit } from "./browser.js";
 import { loadCore, random } from "./native.js";
+import { stepsOfProportional } from "./settling.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
@@ -128,25 +129,27 @@ test("a lesson opens with its figure: control in both spaces follows the gain, a
   const { page, complaints } = await open(there, "#arm=ur5&section=lessons");
   await turnTo(page, "10 The two controllers compared");
   await expect.poll(() => shownArm(page)).toBe("rrr");
-  const joint = page.getByText(/Joint space, eq. 1.3: within 2 % of the way after/);
-  const says = page.getByText(/Cartesian space, eq. 1.6: within 2 % of the way after 18 steps, and arrives/); // one criterion for both
-  await page.getByText(/Joint space, eq. 1.3: within 2 % of the way after 38 steps, and arrives/).waitFor();
+  const joint = page.getByText(/Joint space, eq. 1.3: error below 2 % after/);
+  const [slow, fast] = [0.1, 0.2].map(
+    (kp) => `error below 2 % after ${stepsOfProportional(kp)} steps, and the goal is reached`,
+  );
+  await page.getByText(`Joint space, eq. 1.3: ${slow}`).waitFor();
   const motion = page.getByRole("group", { name: "Motion" });
   await motion.getByText("eq. 1.3: 0 / 66").waitFor();
   await motion.getByLabel("Step", { exact: true }).fill("133");
-  await motion.getByText("eq. 1.6: 66 / 66").waitFor(); // drawn until the same part is left
+  await motion.getByText("eq. 1.6: 66 / 66").waitFor(); // the same fraction of both errors is left
   await page.getByRole("link", { name: "from the start again" }).click();
   const slider = page.getByLabel("Gain Kp");
   await slider.focus();
   for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
-  await page.getByText(/Joint space, eq. 1.3: within 2 % of the way after 18 steps, and arrives/).waitFor();
+  await page.getByText(`Joint space, eq. 1.3: ${fast}`).waitFor();
   expect(await joint.count()).toBe(1);
-  await says.waitFor();
+  await page.getByText(`Cartesian space, eq. 1.6: ${fast}`).waitFor(); // one criterion for both
 
   await turnTo(page, "6 Joint-space control");
   await page.getByRole("heading", { name: "Joint-space motion control" }).waitFor();
   await page.getByRole("button", { name: "Check" }).click();
-  await page.getByText("Not yet: 38 steps are needed.").waitFor(); // the lesson begins with its own gain
+  await page.getByText(`Not yet: ${stepsOfProportional(0.1)} steps are needed.`).waitFor(); // the lesson begins with its own gain
   await page.getByLabel("Gain Kp").fill("0.5");
   await page.getByRole("button", { name: "Check" }).click();
   await page.getByText("Right: 6 steps, and no overshoot.").waitFor();
@@ -221,12 +224,12 @@ test("Figure 1.7 starts from rest, also where the gain changes while the motion 
   await motion.getByText("0 / 66").waitFor();
   const start = (): Promise<string> =>
     page.locator(".trail.joint .line").evaluate((path) => path.getAttribute("d")?.split("L")[0] ?? "");
-  await page.getByText("within 2 % of the way after 38 steps").waitFor();
+  await page.getByText(`error below 2 % after ${stepsOfProportional(0.1)} steps`).waitFor();
   const before = await start();
   for (let i = 0; i < 3; ++i) await motion.getByRole("button", { name: "Step" }).click();
   await motion.getByText("3 / 66").waitFor();
   await page.getByLabel("Gain Kp").fill("0.2");
-  await page.getByText("within 2 % of the way after 18 steps").waitFor();
+  await page.getByText(`error below 2 % after ${stepsOfProportional(0.2)} steps`).waitFor();
   expect(await start()).toBe(before);
   await page.getByRole("link", { name: "from the start again" }).click();
   await expect.poll(() => jointValues(page)).toEqual([0, 0, 0]);

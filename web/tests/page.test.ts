@@ -4,6 +4,7 @@ import { dirname, join } from "node:path";
 import { expect, test } from "vitest";
 import { axe, chooseArm, frames, pages, shared, shownArm } from "./browser.js";
 import { json } from "./native.js";
+import { stepsOfProportional } from "./settling.js";
 
 interface Fk {
   pose: { translation: number[]; quaternion: number[] | Record<string, number> };
@@ -126,8 +127,9 @@ test("a truncated URDF and a wrong name give a reason, and the page lives on", a
 
 test("joint-space and Cartesian control both reach the goal", async () => {
   const page = await opened("#arm=rrr&q=0.4,0.9,0.6&section=control&goal=1.4,-0.6,0.9&gain=0.1");
+  const steps = stepsOfProportional(0.1);
   for (const title of ["Joint space, eq. 1.3", "Cartesian space, eq. 1.6"])
-    await page.getByText(`${title}: within 2 % of the way after 38 steps, and arrives.`).waitFor();
+    await page.getByText(`${title}: error below 2 % after ${steps} steps, and the goal is reached.`).waitFor();
 });
 
 test("a line is planned, proved and played, with its branches", async () => {
@@ -283,7 +285,7 @@ test("the saved page opens from a disk, without a network, and computes", async 
 test.each([
   ["#arm=ur5", { width: 1200, height: 900 }, /8 solutions/],
   ["#arm=panda", { width: 360, height: 740 }, /Infinitely many solutions/],
-  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space, eq. 1.6: .* and arrives/],
+  ["#arm=rrr&section=control", { width: 360, height: 740 }, /Cartesian space, eq. 1.6: .* and the goal is reached/],
   ["#arm=ur5&section=line", { width: 1200, height: 900 }, "Drag the tool to a pose"],
 ])("%s is accessible and no wider than the screen", async (hash, size, complete) => {
   const page = await opened(hash, size);

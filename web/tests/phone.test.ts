@@ -84,7 +84,7 @@ async function panel(page: Page): Promise<{ top: number; bottom: number }> {
 test("on a phone a gain and why it diverges are on the screen at once; the slider stays under the finger", async () => {
   const page = await phone("#arm=rrr&section=control&gain=0.1");
   const slider = page.getByLabel("Kp, proportional gain, slider");
-  await page.getByText(/Cartesian space, eq. 1.6: .* and arrives/).waitFor();
+  await page.getByText(/Cartesian space, eq. 1.6: .* and the goal is reached/).waitFor();
   const before = await slider.boundingBox();
   const [x, y] = [before?.x ?? NaN, (before?.y ?? NaN) + (before?.height ?? NaN) / 2];
   expect(y).toBeLessThan((await panel(page)).bottom);

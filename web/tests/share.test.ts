@@ -121,7 +121,7 @@ test("units and appearance are in the settings; the page says that it is in Engl
 
 test.each([
   ["#arm=rrr", "light", /2 solutions/],
-  ["#arm=rrr&section=control", "dark", /Cartesian space, eq. 1.6: .* and arrives/],
+  ["#arm=rrr&section=control", "dark", /Cartesian space, eq. 1.6: .* and the goal is reached/],
   ["#arm=ur5&frames=1", "dark", /8 solutions/],
   ["#arm=rrr&section=line&waypoints=4,3,0,1,0,0,0;3,4,0,1,0,0,0", "dark", "From the first waypoint"],
 ] as const)("%s in %s is accessible", async (hash, colorScheme, complete) => {

@@ -51,14 +51,13 @@ test("the exercise about the wrist brings the Puma whose wrist is singular, and 
   const numbers = (): Promise<string[]> =>
     pose.evaluateAll((all) => all.map((one) => Number((one as HTMLInputElement).value).toFixed(2)));
   const before = await numbers();
-  for (const [id, value] of [
-    ["#joint-3", "30"],
-    ["#joint-5", "-30"],
-  ] as const) {
-    expect(id === "#joint-3" || (await numbers()).join() !== before.join()).toBe(true);
-    await page.locator(id).fill(value);
+  const turn = async (id: string, degrees: string): Promise<void> => {
+    await page.locator(id).fill(degrees);
     await page.keyboard.press("Enter");
-  }
+  };
+  await turn("#joint-3", "30");
+  await expect.poll(numbers).not.toEqual(before);
+  await turn("#joint-5", "-30");
   await expect.poll(numbers).toEqual(before);
 });
 

@@ -1,4 +1,4 @@
-"""A program of somebody else's finds the package and runs."""
+"""Builds and runs a program that uses the package."""
 
 from pathlib import Path
 

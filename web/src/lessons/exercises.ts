@@ -49,13 +49,13 @@ function question(
   input.addEventListener("input", () => says.show(none));
   const row = element("p", { class: "formula" }, element("label", { for: id }, label), input);
   const answer = (): string => before() + input.value;
-  let judgedBehind = "";
+  let judgedPrefix = "";
   const check = (): void => {
-    judgedBehind = before();
+    judgedPrefix = before();
     says.show(judged(context, name, answer()));
   };
   const update = (): void => {
-    if (before() !== judgedBehind) says.show(none);
+    if (before() !== judgedPrefix) says.show(none);
   };
   return { root: exercise(check, row, checkButton(), says.root), answer, update };
 }

@@ -11,7 +11,7 @@ const lessonsOfArms: Record<string, { lesson: string; words: string }> = {
   RRR: { lesson: "worked", words: "Find this arm’s formula" },
 };
 
-/** The way from an arm in numbers to the lesson that finds its formula. */
+/** A link to the lesson about the arm that is shown. */
 export class ArmLesson {
   readonly root = element("p", { class: "quiet", hidden: true });
 

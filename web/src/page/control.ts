@@ -14,7 +14,7 @@ const duration = 2000; // milliseconds of a run, at most
 const glide = 500; // milliseconds from where the arm is to where it starts
 const frame = 30; // milliseconds of a step, at least
 const longest = 0.2; // of a motion, from picture to picture
-const hardly = 0.01; // rad or m: such a motion is not seen
+const smallestVisibleMotion = 0.01; // rad or m
 
 /** Joint-space and Cartesian control to the same goal: Figures 1.7 and 1.9 of the chapter. All that is shown follows the
  * gains while they move. */
@@ -129,7 +129,7 @@ export class Control implements PageSection {
     const distance = Math.max(...task.goal.map((value, k) => Math.abs(value - (task.from[k] ?? NaN))));
     for (const button of this.go) button.disabled = distance === 0;
     this.near.textContent =
-      distance > 0 && distance < hardly
+      distance > 0 && distance < smallestVisibleMotion
         ? "The arm is so near the goal that hardly anything moves: drag the arm or the goal elsewhere."
         : "";
     if (distance === 0) {

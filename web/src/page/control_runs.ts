@@ -35,10 +35,10 @@ export interface ControlTask {
 
 const responseSteps = 400;
 const maxSteps = 2000; // of a controller that crawls
-const arrived = 1e-3; // of the first errors: what is drawn ends here, of both controllers
-const noError = 1e-6; // m and rad, the tolerance of the command's simulations: there is nothing to go
+const drawnUntil = 1e-3; // relative to the first errors: the drawn steps end below it
+const noError = 1e-6; // m and rad: smaller errors count as zero
 
-/** Both controllers on the way to a goal: their trails and step response at once, in the core; the outcome in the words
+/** Both controllers to one goal: their trails and step response at once, in the core; the outcome in the words
  * of the command, once the gains rest. */
 export class ControlRuns {
   readonly root = element("ul", { class: "runs", "aria-live": "polite" });
@@ -78,7 +78,7 @@ export class ControlRuns {
     this.root.hidden = true;
   }
 
-  /** Computes both ways and returns their trails. Throws where the core refuses the gains. */
+  /** Computes both motions and returns their trails. Throws where the core refuses the gains. */
   update(shown: Shown, task: ControlTask): Trail[] {
     this.stop();
     const { turn } = this;
@@ -119,11 +119,11 @@ export class ControlRuns {
         : null;
     if (left !== null || grows !== null) return `${title}: ${[left, grows].filter((one) => one !== null).join("; ")}`;
     const after = this.settled(kind, rows, shown, task);
-    if (after !== null) return `${title}: within 2 % of the way after ${after} steps`;
+    if (after !== null) return `${title}: error below 2 % after ${after} steps`;
     return diverged === null || task.gains.kp < 2 ? `${title}:` : `${title}: ${rows.length - 1} steps are drawn`;
   }
 
-  /** The steps after which what is controlled stays within 2 % of the way; null: it does not. */
+  /** The steps after which the errors stay below 2 % of the first ones; null: they do not. */
   private settled(kind: ControlKind, rows: number[][], shown: Shown, task: ControlTask): number | null {
     return kind === "joint" ? (this.response?.settled ?? null) : settledTool(rows, shown, task);
   }
@@ -176,7 +176,9 @@ function inWords(
   const over = overshoot > 1e-3 ? `, overshoot ${text(100 * overshoot, 1)} %` : "";
   if (status === "reached") {
     if (steps === 0) return `${title}: the arm is at the goal.`;
-    return early.endsWith(":") ? `${early} ${status} after ${steps} steps${over}.` : `${early}, and arrives${over}.`;
+    return early.endsWith(":")
+      ? `${early} ${status} after ${steps} steps${over}.`
+      : `${early}, and the goal is reached${over}.`;
   }
   if (response?.diverged != null) return `${early}.`; // the chart says why
   return `${early}${early.endsWith(":") ? " " : "; "}${clauseOf(outcome, wording) || `${status} after ${steps} steps`}.`;
@@ -191,11 +193,12 @@ function leaving(response: StepResponse | null, { description }: Shown): string 
   return `${description.joints[k]?.name ?? ""} leaves its limits after ${step} ${step === 1 ? "step" : "steps"}`;
 }
 
-/** The rows of the joints, within their limits, until they have arrived or the errors have grown too far. */
+/** The rows of the joints, within their limits, until the largest error is at most 0.1 % of the largest first error, or the
+ * errors have grown too far. */
 function jointRows({ rows, errors, diverged }: StepResponse, { description }: Shown): number[][] {
   const first = Math.max(...errors.map((values) => Math.abs(values[0] ?? 0)));
   const error = (t: number): number => Math.max(...errors.map((values) => Math.abs(values[t] ?? 0)));
-  const end = rows.findLastIndex((_, t) => error(t) > arrived * first) + 2;
+  const end = rows.findLastIndex((_, t) => error(t) > drawnUntil * first) + 2;
   return rows.slice(0, diverged === null ? end : diverged + 1).map((row) => clamped(row, description.joints));
 }
 
@@ -211,13 +214,14 @@ function toolErrors(rows: number[][], { arm }: Shown, { goal }: ControlTask): nu
   });
 }
 
-/** The rows of Cartesian control until the tool has arrived; where the gain is too large, as many steps as of the joints
- * from where it first moves away from the goal. */
+/** The rows of Cartesian control until the tool's errors in position and in orientation are each at most 0.1 % of their
+ * first value. If the gain is too large: as many steps as of the joints from where the tool first moves away from the goal. */
 function toolRows({ diverged }: StepResponse, shown: Shown, task: ControlTask): number[][] {
   const { arm, description } = shown;
   const { from, goal, gains } = task;
   const pose = Array.from(toolPose(arm, goal));
-  const options = { gain: gains.kp, tolerance: arrived * noError, maxSteps: responseSteps };
+  // A first error that counts is above noError, so the rows do not end before 0.1 % of it is left.
+  const options = { gain: gains.kp, tolerance: drawnUntil * noError, maxSteps: responseSteps };
   const rows = [from, ...cartesianRows(arm, description.joints, from, [pose], options)];
   if (gains.kp >= 2 && diverged !== null) {
     const errors = rows.map((q) => Math.hypot(...poseError(toolPose(arm, q), pose)));
@@ -225,10 +229,10 @@ function toolRows({ diverged }: StepResponse, shown: Shown, task: ControlTask): 
     return turn < 0 ? rows : rows.slice(0, turn + diverged + 1);
   }
   const relative = toolErrors(rows, shown, task);
-  return rows.slice(0, rows.findLastIndex((_, t) => relative.some((values) => (values[t] ?? 0) > arrived)) + 2);
+  return rows.slice(0, rows.findLastIndex((_, t) => relative.some((values) => (values[t] ?? 0) > drawnUntil)) + 2);
 }
 
-/** The steps after which position and orientation of the tool stay within 2 % of what they were off at the start. */
+/** The steps after which the tool's errors in position and in orientation stay below 2 % of the first ones. */
 function settledTool(rows: number[][], shown: Shown, task: ControlTask): number | null {
   return settledAfter(toolErrors(rows, shown, task), rows.length - 1);
 }

@@ -31,7 +31,7 @@ interface Scenes {
   isStill?: boolean;
   /** The arm that motion and numbers are about; without it any. */
   arm?: string;
-  /** The numbers can be computed of any planar arm. */
+  /** The numbers can be computed of any planar arm without mimic joints. */
   ofPlanarArms?: boolean;
   /** The configurations that the motion passes; without it each joint moves to and fro. */
   through?: number[][];
@@ -92,15 +92,16 @@ class SceneFigure implements LessonFigure {
   update(shown: Shown, q: number[]): void {
     const { arm, rows, numbers, ofPlanarArms = false } = this.what;
     const isAbout = arm === undefined || arm === shown.description.name;
-    const fits = isAbout || (ofPlanarArms && shown.arm.planar);
+    const hasOwnJoints = shown.arm.links === q.length + 1; // no joint follows another
+    const fits = isAbout || (ofPlanarArms && shown.arm.planar && hasOwnJoints);
     if (shown.arm !== this.arm && !this.what.isStill) {
       this.arm = shown.arm;
       if (isAbout) this.player.take(rows?.(shown, q) ?? through(this.what.through ?? sweep(shown)));
       else this.player.take(fits ? through(sweep(shown)) : []);
     }
     if (!numbers) return;
-    const kind = ofPlanarArms ? "planar arms" : `the arm ${arm ?? ""}`;
-    const instead = (): HTMLElement => element("p", { class: "quiet" }, `The numbers here are of ${kind} alone.`);
+    const kind = ofPlanarArms ? "planar arms without mimic joints" : `the arm ${arm}`;
+    const instead = (): HTMLElement => element("p", { class: "quiet" }, `The numbers here are only of ${kind}.`);
     this.numbers.replaceChildren(fits ? numbers(shown, q) : instead());
   }
 

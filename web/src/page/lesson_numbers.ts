@@ -48,15 +48,15 @@ function between(before: ArrayLike<number>, after: ArrayLike<number>): Rows {
   return planar(headingOf(after) - angle, c * dx + s * dy, c * dy - s * dx);
 }
 
-/** The link transforms of a planar arm and their product, eq. 1.1: Figure 1.4. */
+/** The link transforms of a planar arm and their product, the pose of the last link, eq. 1.1: Figure 1.4. */
 export function transforms({ arm }: Shown, q: number[]): HTMLElement {
   const frames = arm.forward(q);
   const links = q.map((_, k): [string, Rows] => {
     return [indexed("T", String(k + 1), String(k)), between(frames[k] ?? [], frames[k + 1] ?? [])];
   });
   const names = links.map(([name]) => name).join("");
-  const tool = links.map(([, rows]) => rows).reduce(product, planar(0, 0, 0));
-  return equations([...links, [`${indexed("T", String(q.length), "0")}<mo>=</mo>${names}`, tool]]);
+  const last = links.map(([, rows]) => rows).reduce(product, planar(0, 0, 0));
+  return equations([...links, [`${indexed("T", String(q.length), "0")}<mo>=</mo>${names}`, last]]);
 }
 
 /** The exponentials of the joints' screws at rest and the rest pose M: T = e^[S1]θ1 … e^[Sn]θn M. */
@@ -88,14 +88,13 @@ export function jacobians({ arm }: Shown, q: number[]): HTMLElement {
   ]);
 }
 
-/** The columns of the Jacobian as numbers, beside the arrows at the tool: Figure 1.8. */
+/** The columns of a planar arm's Jacobian, their x and y as numbers, beside the arrows at the tool: Figure 1.8. */
 export function columns({ arm }: Shown, q: number[]): HTMLElement {
   const all = arm.jacobian(q);
-  const rows = arm.planar ? [0, 1] : [0, 1, 2];
   const items = q.map((_, k) => {
     const style = `background: ${jointColour(k)}`;
     const swatch = element("span", { class: "swatch", "aria-hidden": "true", style });
-    const column = rows.map((i) => text(all[6 * k + i] ?? 0, 2)).join(", ");
+    const column = [0, 1].map((i) => text(all[6 * k + i] ?? 0, 2)).join(", ");
     return element("li", {}, swatch, `joint ${k + 1}: (${column}) m/s`);
   });
   return element("ul", { class: "columns" }, ...items);

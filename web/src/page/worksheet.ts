@@ -1,43 +1,23 @@
 import { element } from "../elements/element.js";
 import { emptyBoard } from "../lessons/drawing_board.js";
 import { lessons } from "../lessons/lessons.js";
+import { allTasks, type Task } from "../lessons/tasks.js";
 import { drawingOf } from "./figure_drawing.js";
 import type { Services } from "./section.js";
 
-/** An exercise of a lesson, as the lesson's text has it. */
-export interface Task {
-  lesson: string;
-  name: string;
-  block: HTMLElement;
-}
-
 const linesToWrite = 4;
 
-/** All exercises in the order of the lessons, from the texts of the lessons. */
-export async function allTasks(): Promise<Task[]> {
-  const texts = await Promise.all(lessons.map((lesson) => lesson.load()));
-  return texts.flatMap(({ default: html }, i) => {
-    const holder = element("template");
-    holder.innerHTML = html; // ours, made when the page was built
-    const blocks = [...holder.content.querySelectorAll<HTMLElement>("[data-check]")];
-    return blocks.map((block) => ({
-      lesson: lessons[i]?.title ?? "",
-      name: block.dataset["check"] ?? "",
-      block,
-    }));
-  });
-}
-
-const drawnBy = ({ block }: Task): string | undefined =>
+/** What `draw:` of an exercise names: a board, or what a command draws. */
+const drawingNameOf = ({ block }: Task): string | undefined =>
   block.querySelector<HTMLElement>("[data-draw]")?.dataset["draw"];
 /** Whether an exercise is answered by a drawing on its board. */
-const drawnOn = (task: Task): boolean => drawnBy(task) === "board";
+const isAnsweredByDrawing = (task: Task): boolean => drawingNameOf(task) === "board";
 
 /** What the worksheet draws for an exercise: a board to draw on, or what a command draws. */
 async function drawnFor(task: Task, services: Services): Promise<Element[]> {
-  const wanted = drawnBy(task);
+  const wanted = drawingNameOf(task);
   if (wanted === undefined) return [];
-  return [drawnOn(task) ? emptyBoard() : await drawingOf(services, wanted.split(" "), "")];
+  return [isAnsweredByDrawing(task) ? emptyBoard() : await drawingOf(services, wanted.split(" "), "")];
 }
 
 /** A copy of a part of the exercise's block; null: it has none. */
@@ -60,7 +40,7 @@ function firstSentence(task: Task): Node[] {
 
 async function question(task: Task, number: number, services: Services): Promise<HTMLElement> {
   const text = part(task, ".paper") ?? part(task, ".task") ?? element("p");
-  const count = drawnOn(task) ? 0 : linesToWrite;
+  const count = isAnsweredByDrawing(task) ? 0 : linesToWrite;
   const lines = Array.from({ length: count }, () => element("div", { class: "line" }));
   const title = element("h2", {}, `${number}. `, element("span", {}, `Lesson ${task.lesson}`));
   return element("section", {}, title, text, ...(await drawnFor(task, services)), ...lines);
@@ -136,7 +116,7 @@ export function worksheet(services: Services): HTMLElement {
       says.textContent = `The sheets cannot be made: ${(error as Error).message}`;
     }
   };
-  void show();
+  show().catch(() => (says.textContent = "The exercises cannot be loaded: reload the page."));
   return element(
     "div",
     { class: "tool" },

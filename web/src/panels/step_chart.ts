@@ -114,7 +114,7 @@ function options(count: number, range: [number, number], width: number): uPlot.O
 /** What one should see. */
 function inWords({ errors, overshoot, settled, left, diverged, factor }: StepResponse, gains: Gains): string {
   const steps = (errors[0]?.length ?? 1) - 1;
-  const over = overshoot > 0.001 ? `It overshoots by ${shown(100 * overshoot, 1)} % of the way. ` : "";
+  const over = overshoot > 0.001 ? `It overshoots by ${shown(100 * overshoot, 1)} % of the first error. ` : "";
   const why = becauseOf(factor, gains);
   if (diverged !== null)
     return `Unstable: the errors grow from step to step, beyond ${divergence} times the first after ${diverged} steps. ${why}`;
