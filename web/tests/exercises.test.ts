@@ -6,7 +6,7 @@ import { lineBound, lineRows, linkLengths, sampledDeviation } from "../src/core/
 import { poseOfRpy } from "../src/core/pose.js";
 import { checkAngle, checkConstantJacobian, checkLost, checkString } from "../src/lessons/checks.js";
 import { checkDrawing, movedParts, type Part } from "../src/lessons/drawn_arm.js";
-import { exercises, figureOf } from "../src/lessons/exercises.js";
+import { exercises, figureOf, wristStart } from "../src/lessons/exercises.js";
 import { anglesText, judges } from "../src/lessons/judges.js";
 import { codesIn } from "../src/lessons/handed_in.js";
 import { codeOf, codeOfContent, resultsOf } from "../src/lessons/results.js";
@@ -272,9 +272,12 @@ test("reach is judged alike in the page and in a code, to the hundredth of a mil
 test("at the wrist singularity of the Puma only the sum of joints 4 and 6 counts, as the exercise says", () => {
   const arm = core.arm("puma560");
   const degree = Math.PI / 180;
-  const q = [0.3, 0.5, 0.3, 0.4, 0, 0];
+  const q = wristStart;
   const turned = q.map((value, k) => value + (k === 3 ? 30 : k === 5 ? -30 : 0) * degree);
   const [before, after] = [arm.forward(q).at(-1) ?? [], arm.forward(turned).at(-1) ?? []];
   for (let i = 0; i < 16; ++i) expect(after[i]).toBeCloseTo(before[i] ?? NaN, 12);
   arm.release();
+  const text = readFileSync(fileURLToPath(new URL("../src/lessons/text/14_failures.md", import.meta.url)), "utf8");
+  const links = [...text.matchAll(/wrist singularity[^]*?#arm=puma560&q=([-\d.,]+)/gi)].map(([, values]) => values);
+  expect(links).toEqual([q.join(","), q.join(",")]);
 });

@@ -265,6 +265,20 @@ test("a code that a student hands in is decoded, and its answers are checked aga
   expect(await axe(page)).toEqual([]);
 });
 
+test("a lesson that cannot be loaded is said where all exercises are needed", async () => {
+  const context = await there().browser.newContext();
+  await context.route(/15_redundant/, (route) => route.abort());
+  const page = await context.newPage();
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(`${there().address}#section=lessons&lesson=teachers`);
+  await page.getByText("The exercises cannot be loaded: reload the page.").waitFor();
+  await page.getByRole("button", { name: "Read the codes" }).click();
+  await page.getByText("The lessons cannot be loaded: read the codes again, or reload the page.").waitFor();
+  expect(errors).toEqual([]);
+  await context.close();
+});
+
 test("Remove results forgets them", async () => {
   const page = await opened("#section=lessons&lesson=redundant");
   await page.getByLabel("Joints", { exact: true }).fill("seven");

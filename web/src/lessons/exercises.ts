@@ -98,7 +98,7 @@ function gain(context: ExerciseContext): Exercise {
 }
 
 /** The Puma with its wrist singular: joint 5 is at 0. */
-const wristStart = [0.3, 0.5, 0.3, 0, 0, 0];
+export const wristStart = [0.3, 0.5, 0.3, 0, 0, 0];
 
 const one =
   (name: string, label: string, placeholder = "") =>
