@@ -2,27 +2,22 @@ import type { Trajectory } from "../src/core/trajectory.js";
 import { answer } from "../src/core/command.js";
 import type { Commands } from "../src/core/commands.js";
 import type { Core } from "../src/core/core.js";
+import { requireFiles } from "../src/core/files.js";
+import { inWords } from "../src/core/words.js";
 import {
   frames,
   type ChainEnds,
   type CommandResult,
-  type Files,
+  type InputFiles,
   type Frame,
   type Manipulability,
   type Matrix,
 } from "../src/core/types.js";
 import type { IkAnswer, LineAnswer } from "./answers.js";
 import { Arm } from "./arm.js";
-import {
-  configuration,
-  invalid,
-  matrixOf,
-  posesFile,
-  typedOptions,
-  typedPose,
-  type Numbers,
-  type Options,
-} from "./values.js";
+import { invalid, lengthOf, requireArm, requireOptions, requireType, type Numbers } from "./checks.js";
+import { typedOptions, type Options } from "./options.js";
+import { configuration, matrixOf, posesFile, requireInPlane, typedPose } from "./values.js";
 
 /** A row of a Denavit-Hartenberg table, m and rad. */
 export interface DhRow {
@@ -43,6 +38,8 @@ export interface InverseOptions {
   ignoreLimits?: boolean;
 }
 
+const maxJoints = 100; // as in beeline/model/internal/ranges.h
+
 /** Kinematics and motion of serial arms. Radians, metres, seconds. A pose is a column-major 4 x 4 matrix, as in three.js and
  * WebGL; x,y,z,roll,pitch,yaw and x,y,z,qw,qx,qy,qz, for a planar arm also x,y,theta, are accepted too. Invalid input throws a
  * CoreError. An unreachable pose is no error: the answer has a status. */
@@ -62,22 +59,27 @@ export class Beeline {
 
   /** The arm of a built-in name ("ur5"), a joint string with lengths ("RRR:3.5,3.5,2"), or the name of one of `files`:
    * .urdf, .xml (MJCF), .json. */
-  readArm(arm: string, files: Files = {}, ends: ChainEnds = {}): Arm {
-    return new Arm(this.core.arm(arm, files, ends), { arm, files, ends });
+  readArm(arm: string, files: InputFiles = {}, ends: ChainEnds = {}): Arm {
+    requireOptions("ends", ends, ["base", "tip"]);
+    for (const name of ["base", "tip"] as const) requireType(name, ends[name], "string");
+    const core = this.core.arm(arm, files, ends);
+    return new Arm(core, { arm, files: { ...files }, ends: { ...ends } });
   }
 
   /** The arm of a URDF file's text, from the link `base` to the link `tip` where the tree has several ends. */
-  armFromUrdf(text: string, ends: ChainEnds = {}): Arm {
+  armFromUrdf(text: string | Uint8Array, ends: ChainEnds = {}): Arm {
     return this.readArm("arm.urdf", { "arm.urdf": text }, ends);
   }
 
   /** The arm of Arm.toJson(). */
-  armFromJson(text: string): Arm {
+  armFromJson(text: string | Uint8Array): Arm {
     return this.readArm("arm.json", { "arm.json": text });
   }
 
   /** The arm of a Denavit-Hartenberg table. There is no default convention: the numbers do not say which it is. */
   armFromDh(name: string, rows: readonly DhRow[], convention: "standard" | "modified"): Arm {
+    const count = lengthOf("rows", rows, "rows");
+    if (count > maxJoints) throw invalid(`rows has ${count} rows; an arm has at most ${maxJoints} joints`);
     return this.armFromJson(JSON.stringify({ name, dh: { convention, rows } }));
   }
 
@@ -88,13 +90,17 @@ export class Beeline {
 
   /** The poses of all links, the base first, and last of the tool. */
   linkPoses(arm: Arm, q: Numbers): Matrix[] {
+    requireArm(arm);
     return arm.core.forward(configuration("q", arm, q));
   }
 
   /** The Jacobian, rows vx vy vz wx wy wz with a number for each joint: the velocity of the tool's origin in the axes of
    * the base ("base"), in its own axes ("tool"), or the spatial twist ("space"). */
-  jacobian(arm: Arm, q: Numbers, { frame = "base" }: { frame?: Frame } = {}): number[][] {
-    if (!frames.includes(frame)) throw invalid(`frame is "${String(frame)}"; it must be base, tool or space`);
+  jacobian(arm: Arm, q: Numbers, options: { frame?: Frame } = {}): number[][] {
+    requireArm(arm);
+    requireOptions("options", options, ["frame"]);
+    const { frame = "base" } = options;
+    if (!frames.includes(frame)) throw invalid(`frame is ${inWords(frame)}; it must be base, tool or space`);
     const columns = arm.core.jacobian(configuration("q", arm, q), frame);
     return Array.from({ length: 6 }, (_, row) =>
       Array.from({ length: arm.dof }, (_, k) => columns[6 * k + row] as number),
@@ -103,41 +109,65 @@ export class Beeline {
 
   /** Manipulability, condition number and singular values of the Jacobian: of x, y and theta for a planar arm. */
   manipulabilityMeasures(arm: Arm, q: Numbers): Manipulability {
+    requireArm(arm);
     return arm.core.manipulability(configuration("q", arm, q));
   }
 
   /** The joint values with this pose of the tool, nearest to the seed first. The list is empty if there are none; ik() says
    * why. */
-  inverseKinematics(arm: Arm, pose: Numbers, { seed, ...options }: InverseOptions = {}): Float64Array[] {
+  inverseKinematics(arm: Arm, pose: Numbers, options: InverseOptions = {}): Float64Array[] {
+    requireArm(arm);
+    requireOptions("options", options, ["seed", "all", "ignoreLimits"]);
+    const { seed, all, ignoreLimits } = options;
+    requireType("all", all, "boolean");
+    requireType("ignoreLimits", ignoreLimits, "boolean");
+    const matrix = matrixOf("pose", arm, pose);
     const seedValues = seed === undefined ? new Float64Array(arm.dof) : configuration("seed", arm, seed);
-    return arm.core.inverse(matrixOf("pose", arm, pose), seedValues, options);
+    const found = arm.core.inverse(matrix, seedValues, { all: all === true, ignoreLimits: ignoreLimits === true });
+    requireInPlane("pose", arm, matrix); // after the core has refused what is not rigid
+    return found;
   }
 
   /** `beeline ik`: the solutions with status, residual and reason. Options are the command's. */
-  async ik(arm: Arm, pose: Numbers, options: Options & InverseOptions = {}): Promise<IkAnswer> {
-    const { seed } = options;
-    this.inverseKinematics(arm, pose, seed === undefined ? {} : { seed }); // refuses both with the same error
-    return this.verb("ik", arm, { ...options, pose: typedPose("pose", arm, pose) });
+  async ik<T extends Options<T> = Options>(
+    arm: Arm,
+    pose: Numbers,
+    options: T & InverseOptions = {} as T,
+  ): Promise<IkAnswer> {
+    requireArm(arm);
+    requireOptions("options", options);
+    const { seed, all, ignoreLimits } = options as InverseOptions;
+    requireType("all", all, "boolean");
+    requireType("ignoreLimits", ignoreLimits, "boolean");
+    const near = seed === undefined ? {} : { seed: configuration("seed", arm, seed) };
+    if (!("task" in options)) this.inverseKinematics(arm, pose, near); // refuses a pose with the same error
+    return this.verb("ik", arm, { ...(options as Options), pose: typedPose("pose", arm, pose) });
   }
 
   /** `beeline line`: moves the tool from the joint values `from` in straight lines through poses, with a proved bound of the
    * deviation. `trajectory` is the motion, to be released; null if there is none. */
-  async line(
+  async line<T extends Options<T> = Options>(
     arm: Arm,
     from: Numbers,
     through: readonly Numbers[],
-    options: Options = {},
+    options: T = {} as T,
   ): Promise<LineAnswer & { trajectory: Trajectory | null }> {
+    requireArm(arm);
+    requireOptions("options", options);
     const files = { "poses.csv": posesFile("through", arm, through) };
     const task = { from: configuration("from", arm, from), through: "poses.csv", out: "line.csv" };
-    const result = await this.runVerb("line", arm, { ...options, ...task }, files);
+    const result = await this.runVerb("line", arm, { ...(options as Options), ...task }, files);
     const found = answer<LineAnswer>(result);
     const text = result.files["line.csv"];
     return { ...found, trajectory: text === undefined ? null : arm.core.trajectory("line.csv", text) };
   }
 
   /** Runs `beeline ARGS` with these files in its folder. */
-  async run(args: readonly string[], files: Files = {}): Promise<CommandResult> {
+  async run(args: readonly string[], files: InputFiles = {}): Promise<CommandResult> {
+    if (!Array.isArray(args)) throw invalid(`args is ${inWords(args)}; it must be a list of texts`);
+    for (const [i, word] of args.entries()) {
+      if (typeof word !== "string") throw invalid(`args[${i}] is ${inWords(word)}; it must be a text`);
+    }
     this.commands ??= this.loadCommands();
     const loaded = await this.commands.catch((error: unknown) => {
       this.commands = null; // the next call tries again
@@ -147,12 +177,19 @@ export class Beeline {
   }
 
   /** What `beeline VERB ARM --json` prints, with options of the command in camel case: {maxSamples: 9} is --max-samples=9. */
-  async verb<Answer>(verb: string, arm: Arm, options: Options = {}, files: Files = {}): Promise<Answer> {
-    return answer<Answer>(await this.runVerb(verb, arm, options, files));
+  async verb<Answer, T extends Options<T> = Options>(
+    verb: string,
+    arm: Arm,
+    options: T = {} as T,
+    files: InputFiles = {},
+  ): Promise<Answer> {
+    requireArm(arm);
+    requireOptions("options", options);
+    return answer<Answer>(await this.runVerb(verb, arm, options as Options, files));
   }
 
-  private async runVerb(verb: string, { core, source }: Arm, options: Options, files: Files): Promise<CommandResult> {
-    core.requireUnreleased();
+  private async runVerb(verb: string, { source }: Arm, options: Options, files: InputFiles): Promise<CommandResult> {
+    requireFiles(files);
     const args = [verb, source.arm, ...typedOptions({ ...options, ...source.ends }), "--json"];
     return this.run(args, { ...files, ...source.files });
   }

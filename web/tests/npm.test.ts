@@ -9,11 +9,12 @@ import { chromium } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import type { Arm } from "../npm/arm.js";
 import type { Beeline } from "../npm/beeline.js";
-import type { Numbers } from "../npm/values.js";
+import type { Numbers } from "../npm/checks.js";
 import type * as Vite from "vite";
 import { compile } from "../src/core/load.js";
 import { executablePath } from "./browser.js";
 import { json, module, run } from "./native.js";
+import { refusal } from "./refusal.js";
 
 /** NPM_TRIAL: the package to try, in a project with Vite from npm; otherwise it is packed here, and Vite is the page's. */
 const given = process.env["NPM_TRIAL"];
@@ -57,18 +58,6 @@ const entry = (): string => pathToFileURL(join(folder, "node_modules/beeline-arm
 function difference(a: number[], b: number[]): number {
   expect(a.length).toBe(b.length);
   return Math.max(...a.map((value, i) => Math.abs(value - (b[i] ?? NaN))));
-}
-
-/** A promise's or a function's error as code and message. */
-async function refusal(work: () => unknown): Promise<string> {
-  try {
-    await work();
-  } catch (error) {
-    expect(error).toBeInstanceOf(Error);
-    const { code, message } = error as Error & { code: string };
-    return `${code}: ${message}`;
-  }
-  return "no error";
 }
 
 test("computes as the command does", () => {
@@ -181,7 +170,7 @@ test("refuses invalid input with a code and what is accepted", async () => {
     [() => beeline.inverseKinematics(arm, [1, 2, 0], { seed: [1] }), /^invalid_argument: seed has 1 numbers/],
     [() => beeline.ik(arm, [1, 2, 0], { allSolutions: true }), /^invalid_usage: .*--all-solutions/],
     [() => beeline.ik(arm, [1, 2, 0], { "--all": true }), /^invalid_argument: "--all" is no option; .*camel case/],
-    [() => beeline.line(arm, [0, 0, 1], [[1, 2, "x" as never]]), /^invalid_argument: through\[0\]\[2\] is x; /],
+    [() => beeline.line(arm, [0, 0, 1], [[1, 2, "x" as never]]), /^invalid_argument: through\[0\]\[2\] is "x"; /],
     [() => beeline.line(arm, [0, 0, 1], 7 as never), /^invalid_argument: through is 7; it must be a list of poses$/],
     [() => beeline.line(arm, [0, 0, 1], []), /^invalid_(file|usage): .*poses/],
     [() => beeline.verb("fly", arm), /^invalid_usage: .*fly/],

@@ -1,4 +1,4 @@
-import { checked, readText, writeText, type CoreModule } from "./module.js";
+import { checked, readText, withTexts, type CoreModule } from "./module.js";
 import { Trajectory } from "./trajectory.js";
 import {
   CoreError,
@@ -32,18 +32,17 @@ export class Arm {
   /** What `beeline show --json` prints. */
   readonly description: object;
 
-  /** Without a text, `name` is a built-in arm or a joint string; with one, a file's name, .urdf or .json. */
+  /** Without a text, `name` is a built-in arm or a joint string and no file's name, as the module has no files; with one, a
+   * file's name, .urdf or .json. */
   constructor(
     private readonly module: CoreModule,
     name: string,
     text: string | null,
     { base = "", tip = "" }: ChainEnds,
   ) {
-    const texts = [name, base, tip].map((word) => writeText(module, word));
-    const content = text === null ? 0 : writeText(module, text);
-    const [first = 0, second = 0, third = 0] = texts;
-    const handle = module._beeline_arm(first, content, second, third);
-    for (const pointer of [...texts, content]) module._free(pointer);
+    const handle = withTexts(module, [name, text, base, tip], (first = 0, content = 0, second = 0, third = 0) =>
+      module._beeline_arm(first, content, second, third),
+    );
     this.handle = checked(module, handle, "invalid_arm");
     const buffers: number[] = [];
     const allocate = (count: number): number => {
@@ -85,8 +84,7 @@ export class Arm {
   forward(q: ArrayLike<number>): Matrix[] {
     this.put(q);
     checked(this.module, this.module._beeline_forward(this.handle, this.q, this.result));
-    const all = this.take(0, 16 * (this.links + 1));
-    return Array.from({ length: this.links + 1 }, (_, i) => all.subarray(16 * i, 16 * i + 16));
+    return Array.from({ length: this.links + 1 }, (_, i) => this.take(16 * i, 16));
   }
 
   /** A configuration that shows the arm well, far from singularities. */

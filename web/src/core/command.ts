@@ -1,7 +1,8 @@
-import { requireFileNames } from "./files.js";
+import { requireFiles } from "./files.js";
 import { instantiateCommand, type Factory } from "./load.js";
 import { readText, writeText, type CommandModule } from "./module.js";
 import { CoreError, type CommandResult, type Files, type InputFiles } from "./types.js";
+import { inWords } from "./words.js";
 
 /** Collects a stream's bytes. */
 class Collected {
@@ -19,7 +20,7 @@ class Collected {
 const folder = "/work";
 
 function prepare(module: CommandModule, files: InputFiles): void {
-  requireFileNames(files);
+  requireFiles(files);
   module.FS.mkdir(folder);
   module.FS.chdir(folder);
   for (const [name, content] of Object.entries(files)) module.FS.writeFile(name, content);
@@ -61,8 +62,14 @@ export async function command(
   return { code, stdout: stdout.text(), stderr: stderr.text(), refusal, files: written(module, files) };
 }
 
-/** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused. */
+/** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused, or that has
+ * printed something else, as with --help. */
 export function answer<T = unknown>(result: CommandResult): T {
   if (result.code > 1) throw new CoreError(result.refusal, result.code === 3 ? "invalid_file" : "invalid_usage");
-  return JSON.parse(result.stdout) as T;
+  try {
+    return JSON.parse(result.stdout) as T;
+  } catch {
+    const first = result.stdout.slice(0, Math.max(0, result.stdout.indexOf("\n")));
+    throw new CoreError(`the command printed ${inWords(first)} in place of JSON`, "invalid_usage");
+  }
 }

@@ -1,4 +1,5 @@
 import { CoreError, type ErrorCode } from "./types.js";
+import { inWords } from "./words.js";
 
 /** What each of Emscripten's modules has of what we use, and the functions of web/core/memory.h. */
 export interface Module {
@@ -84,15 +85,28 @@ export interface FileSystem {
   readFile(path: string, options: { encoding: "utf8" }): string;
 }
 
-/** Copies a text into the module's memory, with a zero byte behind it; free it with _free(). Throws CoreError where there
- * is no memory for it. */
+/** Copies a text into the module's memory, with a zero byte behind it; free it with _free(). Throws CoreError for a text
+ * with a zero character, which would end it, and where there is no memory for it. */
 export function writeText(module: Module, text: string): number {
+  if (typeof text !== "string") throw new CoreError(`${inWords(text)} is not a text`);
+  if (text.includes("\0")) throw new CoreError(`the text ${inWords(text)} has a NUL character`);
   const bytes = new TextEncoder().encode(text);
   const pointer = module._malloc(bytes.length + 1);
   if (pointer === 0) throw new CoreError(`the core has no memory for a text of ${bytes.length} bytes`, "no_memory");
   module.HEAPU8.set(bytes, pointer);
   module.HEAPU8[pointer + bytes.length] = 0;
   return pointer;
+}
+
+/** Calls `work` with copies of texts, null as 0, and frees them. */
+export function withTexts<T>(module: Module, texts: (string | null)[], work: (...pointers: number[]) => T): T {
+  const pointers: number[] = [];
+  try {
+    for (const text of texts) pointers.push(text === null ? 0 : writeText(module, text));
+    return work(...pointers);
+  } finally {
+    for (const pointer of pointers) module._free(pointer);
+  }
 }
 
 export function readText(module: Module, pointer: number): string {

@@ -1,4 +1,4 @@
-import { checked, writeText, type CommandModule } from "./module.js";
+import { checked, withTexts, type CommandModule } from "./module.js";
 import {
   measures,
   positionCount,
@@ -37,16 +37,13 @@ export class ReachModule {
 
   private begin({ arm, resolution, directions, rolls, orientation }: ReachPlan): number {
     const { module } = this;
-    const text = writeText(module, arm);
-    try {
-      return this.withNumbers(9, (matrix) => {
+    return withTexts(module, [arm], (text = 0) =>
+      this.withNumbers(9, (matrix) => {
         module.HEAPF64.set(orientation ?? [], matrix / 8);
         const one = orientation ? matrix : 0;
         return checked(module, module._beeline_reach(text, resolution, directions, rolls, one));
-      });
-    } finally {
-      module._free(text);
-    }
+      }),
+    );
   }
 
   private grid(map: number): ReachGrid {

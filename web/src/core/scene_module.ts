@@ -1,4 +1,4 @@
-import { checked, readText, writeText, type CommandModule } from "./module.js";
+import { checked, readText, withTexts, type CommandModule } from "./module.js";
 import type {
   ArmBodies,
   ArmWithShapes,
@@ -35,7 +35,7 @@ export class SceneModule {
     if (this.handle !== null) module._beeline_scene_release(this.handle);
     this.handle = null; // where the arm is refused
     this.write(files);
-    const handle = this.withTexts([argument, "", tip], ([arm = 0, base = 0, end = 0]) =>
+    const handle = withTexts(module, [argument, "", tip], (arm = 0, base = 0, end = 0) =>
       checked(module, module._beeline_scene(arm, base, end, clearance)),
     );
     [this.handle, this.obstacles] = [handle, ""];
@@ -50,7 +50,7 @@ export class SceneModule {
     const name = this.files.includes(given) ? `scene_${given}` : given; // the arm's files stay
     this.module.FS.writeFile(name, content);
     try {
-      return this.withTexts([name], ([path = 0]) => this.text(this.module._beeline_scene_read(this.arm, path)));
+      return withTexts(this.module, [name], (path = 0) => this.text(this.module._beeline_scene_read(this.arm, path)));
     } finally {
       this.module.FS.unlink(name);
     }
@@ -61,7 +61,7 @@ export class SceneModule {
     const { module } = this;
     if (scene === this.obstacles) return;
     const text = scene === "" ? '{"obstacles": []}' : scene;
-    this.withTexts([text], ([at = 0]) => checked(module, module._beeline_scene_obstacles(this.arm, at)));
+    withTexts(module, [text], (at = 0) => checked(module, module._beeline_scene_obstacles(this.arm, at)));
     this.obstacles = scene;
   }
 
@@ -122,15 +122,6 @@ export class SceneModule {
       return work(begins, 8 * begin, () => Array.from(module.HEAPF64.subarray(begin, begin + count)));
     } finally {
       module._beeline_release(buffer);
-    }
-  }
-
-  private withTexts<T>(texts: string[], work: (pointers: number[]) => T): T {
-    const pointers = texts.map((text) => writeText(this.module, text));
-    try {
-      return work(pointers);
-    } finally {
-      for (const pointer of pointers) this.module._free(pointer);
     }
   }
 }

@@ -1,8 +1,14 @@
-import { checked, readText, writeText, type CoreModule } from "./module.js";
+import { checked, readText, withTexts, type CoreModule } from "./module.js";
 import { CoreError } from "./types.js";
+import { inWords } from "./words.js";
 
 export type Quantity = "position" | "velocity" | "acceleration";
 export const quantities: Quantity[] = ["position", "velocity", "acceleration"];
+
+function checkIndex(what: string, index: number, count: number): void {
+  if (Number.isInteger(index) && index >= 0 && index < count) return;
+  throw new CoreError(`the ${what} is ${inWords(index)}; it must be a whole number from 0 to ${count - 1}`);
+}
 
 /** A trajectory in the core's memory, of one arm. Release it when it is not needed any more. */
 export class Trajectory {
@@ -24,9 +30,9 @@ export class Trajectory {
     name: string,
     text: string,
   ) {
-    const texts = [writeText(module, name), writeText(module, text)] as const;
-    const handle = module._beeline_trajectory(arm, ...texts);
-    for (const pointer of texts) module._free(pointer);
+    const handle = withTexts(module, [name, text], (first = 0, second = 0) =>
+      module._beeline_trajectory(arm, first, second),
+    );
     this.handle = checked(module, handle, "invalid_trajectory");
     try {
       this.size = checked(module, module._beeline_trajectory_size(this.handle));
@@ -44,6 +50,7 @@ export class Trajectory {
 
   /** The joint values of a sample. */
   row(index: number): number[] {
+    checkIndex("sample", index, this.size);
     const begin = index * this.stride + 1;
     return Array.from(this.values.subarray(begin, begin + this.dof));
   }
@@ -55,7 +62,12 @@ export class Trajectory {
 
   /** A quantity of a joint at all samples. */
   column(quantity: Quantity, joint: number): Float64Array {
-    const offset = 1 + this.dof * this.quantities.indexOf(quantity) + joint;
+    const place = this.quantities.indexOf(quantity);
+    if (place < 0) {
+      throw new CoreError(`the quantity is ${inWords(quantity)}; the trajectory has ${this.quantities.join(", ")}`);
+    }
+    checkIndex("joint", joint, this.dof);
+    const offset = 1 + this.dof * place + joint;
     return Float64Array.from({ length: this.size }, (_, i) => this.values[i * this.stride + offset] as number);
   }
 
@@ -70,9 +82,9 @@ export class Trajectory {
   /** The content of a file with this name, .csv or .json. */
   text(name: string): string {
     this.check();
-    const pointer = writeText(this.module, name);
-    const content = this.module._beeline_trajectory_text(this.handle, pointer);
-    this.module._free(pointer);
+    const content = withTexts(this.module, [name], (pointer = 0) =>
+      this.module._beeline_trajectory_text(this.handle, pointer),
+    );
     checked(this.module, content === 0 ? -1 : 0);
     return readText(this.module, content);
   }

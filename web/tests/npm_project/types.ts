@@ -9,6 +9,17 @@ const answer: IkAnswer = await beeline.ik(arm, pose, { maxSamples: 100, all: tru
 const { trajectory } = await beeline.line(arm, answer.solutions[0] ?? [], [pose], { speed: 0.5 });
 const times: Float64Array | undefined = trajectory?.times;
 export const all = [rows, times, poseNumbers(pose).quaternion];
+interface OwnOptions {
+  all?: boolean;
+}
+const own: OwnOptions = { all: true };
+export const found: IkAnswer[] = [
+  await beeline.ik(arm, pose, own),
+  await beeline.verb<IkAnswer>("ik", arm, { pose, all: true }),
+];
+beeline.readArm("a.urdf", { "a.urdf": new Uint8Array() });
+// @ts-expect-error an option is no object
+await beeline.ik(arm, pose, { all: { yes: true } });
 // @ts-expect-error there is no such frame
 beeline.jacobian(arm, [], { frame: "world" });
 // @ts-expect-error there is no default convention
