@@ -9,6 +9,7 @@ import { checkDrawing, movedParts, type Part } from "../src/lessons/drawn_arm.js
 import { exercises, figureOf, wristStart } from "../src/lessons/exercises.js";
 import { anglesText, judges } from "../src/lessons/judges.js";
 import { codesIn } from "../src/lessons/handed_in.js";
+import { itemsOf } from "../src/lessons/typed_answer.js";
 import { codeOf, codeOfContent, resultsOf } from "../src/lessons/results.js";
 import { figureNames } from "../src/page/lesson_figures.js";
 import { answers } from "./exercise_answers.js";
@@ -17,11 +18,13 @@ import { loadCore, random } from "./native.js";
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
 
+const bench = { arm: (text: string) => core.arm(text), random: next };
+
 /** The verdict of the judge of an exercise. */
 function solved(name: string, answer: string): boolean {
   const judge = judges[name];
   if (!judge) throw new Error(`no judge of ${name}`);
-  return judge(answer, { arm: (text) => core.arm(text), random: next }).solved;
+  return judge(answer, bench).solved;
 }
 
 /** The parts of a drawing, as R 0 0, P 1 0, tool 2 0. */
@@ -56,8 +59,7 @@ test("the verdict on a wrong answer names the mistake", () => {
   expect(checkDrawing(drawing("P 0 0, R 1 0, tool 2 0")).says).toBe(
     "Not yet: at θ1 = 90°, d2 = 1.0 m your tool is at (1.00, 1.00, 90°), and the tool of RP at (0.00, 2.00, 90°).",
   );
-  const says = (answer: string): string | undefined =>
-    judges["describe"]?.(answer, { arm: (text) => core.arm(text), random: next }).says;
+  const says = (answer: string): string | undefined => judges["describe"]?.(answer, bench).says;
   expect(says("RRP:1,2,0.5")).toBe("Not yet: link 1 does not end where it should.");
   expect(says("RRP:2,1,5")).toBe("Not yet: the tool is not where it should be.");
   expect(says("RRR:2,1,0.5")).toBe("Not yet: joint 3 is revolute there.");
@@ -214,6 +216,59 @@ test("codes are found as they arrive", async () => {
     { whose: "Ada", code: code.slice(0, 40) },
     { whose: "Grace", code: other },
   ]);
+});
+
+test("a line without a code names the code below it, and no cut code takes it for its rest", async () => {
+  const code = await codeOf([{ name: "rp", answer: `(1+d2)cosθ1; ${next()}`, time: 60_000 }]);
+  const cut = code.slice(0, 50);
+  expect(codesIn(`${cut}\nAnna\n${code}\nBob\n${code}`)).toEqual([
+    { whose: "Code 1", code: cut },
+    { whose: "Anna", code },
+    { whose: "Bob", code },
+  ]);
+  expect(codesIn(`Anna Lind:\n\n${code.slice(0, 50)}\n> ${code.slice(50)}\nBob\nCleo\n${code}\nDora`)).toEqual([
+    { whose: "Anna Lind", code },
+    { whose: "Bob", code: "" },
+    { whose: "Cleo", code },
+    { whose: "Dora", code: "" },
+  ]);
+  const rest = code.slice(20, 70);
+  expect(codesIn(`Anna ${code.slice(0, 20)}\n${rest}\n${code}`)).toEqual([
+    { whose: "Anna", code: code.slice(0, 20) },
+    { whose: `${rest.slice(0, 40)} …`, code: "" },
+    { whose: "Code 3", code },
+  ]);
+});
+
+test("reading codes takes time in proportion to the text: this test ends", async () => {
+  const code = await codeOf([{ name: "rp", answer: "1", time: 60_000 }]);
+  for (const filler of [" ", ":", "> ", "a\n", "a b\n", "> a\n", "beeline1-\n", "beeline1-a\nb\n", '"<']) {
+    const text = filler.repeat(500_000 / filler.length);
+    for (const all of [`${text}x`, `x${text}x`, `${code}${text}x`, `beeline1-${text}x ${code}`, `beeline1-x\n${text}`])
+      expect(codesIn(all).length).toBeGreaterThan(0);
+  }
+  for (const sign of ["(", ")", "]", "} "]) expect(itemsOf(`1${sign.repeat(200_000)}2`).length).toBeGreaterThan(0);
+});
+
+test("a name of a file is no answer, and leaves the arms as they are", () => {
+  for (const name of ["describe", "constant-jacobian"]) {
+    for (const answer of ["my.urdf", "a.json", "x.xml", "./x", "a.b/c"]) {
+      const { solved, says } = judges[name]?.(answer, bench) ?? {};
+      expect([solved, says]).toEqual([false, `"${answer}" is no joint string and no name of an arm.`]);
+    }
+  }
+});
+
+test.each([
+  ["steps", "18", "7"],
+  ["spare", "7", "18"],
+  ["ominus", "110", "7"],
+  ["screw", "-7", "7"],
+  ["body-column", "(0, 2, 1)", "7"],
+  ["elbow", "90", "30°"],
+])("a number is no name for another one: %s", (name, right, other) => {
+  expect(solved(name, `n = ${right}`)).toBe(true);
+  expect(solved(name, `${other} = ${right}`)).toBe(false);
 });
 
 test("between samples no tool leaves the bound, which is near the truth, and falls to a quarter", () => {

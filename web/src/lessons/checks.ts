@@ -3,7 +3,15 @@ import type { StepResponse } from "../core/step_response.js";
 import { shown } from "../elements/element.js";
 import { valueOf } from "./expression.js";
 import { readFormula, type Names } from "./formula.js";
-import { angleTyped, anglesTyped, armTyped, line, numberInWords, numbersTyped } from "./typed_answer.js";
+import {
+  angleTyped,
+  anglesTyped,
+  armTyped,
+  line,
+  numberInWords,
+  numbersBeforeSign,
+  numbersTyped,
+} from "./typed_answer.js";
 
 /** What a check answers: whether the exercise is solved, and a sentence; `at`: the joint values that it speaks of. */
 export interface Verdict {
@@ -72,10 +80,14 @@ type AskedAngle = [wanted: number, turn: number, names: Names, q: number[], tole
 export function checkAngle(text: string, ...[wanted, turn, names, q, tolerance = sameAngle]: AskedAngle): Verdict {
   if (text.trim() === "") return { solved: false, says: "Type an angle, such as 30 or 30°." };
   try {
-    const typed = angleTyped(text, names, q);
-    const away = typed - wanted;
-    const solved = Math.abs(turn === 0 ? away : away - turn * Math.round(away / turn)) <= tolerance;
-    return { solved, says: solved ? "Right." : `Not yet: it is not ${shown(typed, 1).replace(".0", "")}°.` };
+    const isRight = (typed: number): boolean => {
+      const away = typed - wanted;
+      return Math.abs(turn === 0 ? away : away - turn * Math.round(away / turn)) <= tolerance;
+    };
+    const typed = [...numbersBeforeSign(text), text].map((one) => angleTyped(one, names, q));
+    const wrong = typed.find((one) => !isRight(one));
+    if (wrong === undefined) return { solved: true, says: "Right." };
+    return { solved: false, says: `Not yet: it is not ${shown(wrong, 1).replace(".0", "")}°.` };
   } catch (error) {
     return { solved: false, says: `The angle cannot be read: ${(error as Error).message}.` };
   }
@@ -131,9 +143,11 @@ export function checkNumbers(text: string, wanted: number[], names: Names, label
   const count = wanted.length === 1 ? "a number" : `${wanted.length} numbers`;
   try {
     const items = wanted.length === 1 ? [typed] : numbersTyped(typed, labels);
+    const others = numbersBeforeSign(typed);
+    if (wanted.length > 1 && others.length > 0) return { solved: false, says: `Type ${count}.` };
     if (typed === "" || items.length !== wanted.length) return { solved: false, says: `Type ${count}.` };
-    const values = items.map((item) => valueOf(readFormula(item, names), []));
-    const wrong = values.findIndex((value, i) => !(Math.abs(value - (wanted[i] ?? NaN)) < 1e-6));
+    const values = [...items, ...others].map((item) => valueOf(readFormula(item, names), []));
+    const wrong = values.findIndex((value, i) => !(Math.abs(value - (wanted[i] ?? wanted[0] ?? NaN)) < 1e-6));
     if (wrong < 0) return { solved: true, says: "Right." };
     const place = wanted.length === 1 ? "it" : `number ${wrong + 1}`;
     return { solved: false, says: `Not yet: ${place} is not ${shown(values[wrong] ?? NaN, 2).replace(/\.00$/, "")}.` };

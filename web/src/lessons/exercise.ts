@@ -1,6 +1,7 @@
 import { element } from "../elements/element.js";
 import type { Services, Shown } from "../page/section.js";
 import type { Verdict } from "./checks.js";
+import { longestFormula } from "./formula.js";
 import { judges } from "./judges.js";
 
 /** What an exercise needs of the page. */
@@ -36,6 +37,9 @@ export function verdict(): { root: HTMLElement; show(verdict: Verdict): void } {
     },
   };
 }
+
+/** Attributes of a field in which an answer is typed. */
+export const typedText = { spellcheck: "false", autocomplete: "off", autocapitalize: "off", maxlength: longestFormula };
 
 /** A form: Enter checks as the button does. */
 export function exercise(check: () => void, ...children: HTMLElement[]): HTMLElement {

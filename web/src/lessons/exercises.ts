@@ -3,7 +3,7 @@ import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
 import { drawingExercise } from "./drawing_board.js";
 import type { Verdict } from "./checks.js";
-import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
+import { checkButton, exercise, judged, typedText, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { formulaExercise } from "./formula_exercise.js";
 import { anglesText, formulaTasks, reachGoal } from "./judges.js";
 
@@ -45,7 +45,7 @@ function question(
 ): Exercise {
   const says = verdict();
   const id = `answer-${++fields}`;
-  const input = element("input", { id, spellcheck: "false", autocomplete: "off", autocapitalize: "off", placeholder });
+  const input = element("input", { ...typedText, id, placeholder });
   input.addEventListener("input", () => says.show(none));
   const row = element("p", { class: "formula" }, element("label", { for: id }, label), input);
   const answer = (): string => before() + input.value;

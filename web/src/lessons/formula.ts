@@ -8,14 +8,14 @@ export interface Names {
 }
 
 const deepest = 100; // brackets in brackets
-const longest = 1000; // characters
+export const longestFormula = 1000; // characters
 const letters = { revolute: "θ", prismatic: "d" };
 
 /** Reads a formula as people write it: numbers, + - * / ^, ·, ×, − and no sign for a product; brackets; sin, cos, tan,
  * sqrt, π and degrees; joints as q1, θ_1, θ₁, th1, theta1, d2; c12 or c(θ1+θ2) for a cosine; lengths L1 or a1; for an
  * arm RRR α = θ1 + θ2 and β = θ1 + θ2 + θ3; also as LaTeX. Throws an Error that says what is wrong. */
 export function readFormula(text: string, names: Names): Expression {
-  if (text.length > longest) throw new Error(`a formula has at most ${longest} characters`);
+  if (text.length > longestFormula) throw new Error(`a formula has at most ${longestFormula} characters`);
   return new Reader(tokensOf(text), names).whole();
 }
 

@@ -1,7 +1,7 @@
 import { poseOfRpy } from "../core/pose.js";
 import { element } from "../elements/element.js";
 import { sameArm } from "../state/page_state.js";
-import { checkButton, exercise, judged, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
+import { checkButton, exercise, judged, typedText, verdict, type Exercise, type ExerciseContext } from "./exercise.js";
 import { mathOf, valueOf, type Expression } from "./expression.js";
 import { readFormula } from "./formula.js";
 import { planarPose } from "./formula_checks.js";
@@ -20,7 +20,7 @@ let made = 0;
 function field(name: string, { names, example }: FormulaTask, changed: () => void): Field {
   const id = `formula-${++made}`;
   const placeholder = `e.g. ${example}`;
-  const input = element("input", { id, spellcheck: "false", autocomplete: "off", autocapitalize: "off", placeholder });
+  const input = element("input", { ...typedText, id, placeholder });
   const typeset = element("output", { class: "typeset", for: id, "aria-live": "off" });
   const root = element("p", { class: "formula" }, element("label", { for: id }, `${name} =`), input, typeset);
   const one: Field = { root, input, formula: null };

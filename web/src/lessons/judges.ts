@@ -1,5 +1,7 @@
 import type { Arm } from "../core/arm.js";
+import { namesFile } from "../core/files.js";
 import { stepResponse } from "../core/step_response.js";
+import { inWords } from "../core/words.js";
 import {
   about,
   atLeast,
@@ -77,6 +79,7 @@ const anglesOf = (text: string): number[] => text.split(",").map((value) => Numb
 
 /** Makes the arm of a text, judges with it, and releases it. */
 function withArm({ arm }: Bench, text: string, judge: (made: Arm) => Verdict): Verdict {
+  if (namesFile(text)) return { solved: false, says: `${inWords(text)} is no joint string and no name of an arm.` };
   try {
     const made = arm(text);
     try {

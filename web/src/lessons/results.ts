@@ -54,11 +54,16 @@ function keep(all: Result[]): void {
   }
 }
 
+const sumLetters = 4;
+const emptyHash = 0x811c9dc5; // FNV-1a
+const hashed = (hash: number, letter: string): number => Math.imul(hash ^ letter.charCodeAt(0), 0x01000193) >>> 0;
+const sumOfHash = (hash: number): string => (hash % 36 ** sumLetters).toString(36).padStart(sumLetters, "0");
+
 /** Four letters that a code of other content rarely has: a mistyped or cut code is noticed. It is no signature. */
 function sumOf(text: string): string {
-  let hash = 0x811c9dc5; // FNV-1a
-  for (const letter of text) hash = Math.imul(hash ^ (letter.codePointAt(0) ?? 0), 0x01000193) >>> 0;
-  return (hash % 36 ** 4).toString(36).padStart(4, "0");
+  let hash = emptyHash;
+  for (const letter of text) hash = hashed(hash, letter);
+  return sumOfHash(hash);
 }
 
 /** Content as a code: letters, digits, - and _. */
@@ -75,9 +80,24 @@ export function codeOf(all: Result[]): Promise<string> {
   );
 }
 
+/** How many of the pieces that follow a cut code make it whole; 0: they do not. */
+export function piecesToWhole(code: string, pieces: string[]): number {
+  const counts = new Map<number, number>(); // of pieces, by where the last one ends
+  let end = code.length;
+  for (const [i, piece] of pieces.entries()) counts.set((end += piece.length), i + 1);
+  const text = [code, ...pieces].join("").slice(0, longestCode);
+  let hash = emptyHash;
+  for (let at = mark.length; at < text.length && code.startsWith(mark); ++at) {
+    const count = counts.get(at + sumLetters);
+    if (count !== undefined && sumOfHash(hash) === text.slice(at, at + sumLetters)) return count;
+    hash = hashed(hash, text[at] ?? "");
+  }
+  return 0;
+}
+
 /** Whether a code is neither cut off nor mistyped. */
 export function isWhole(code: string): boolean {
-  return code.startsWith(mark) && sumOf(code.slice(mark.length, -4)) === code.slice(-4);
+  return code.startsWith(mark) && sumOf(code.slice(mark.length, -sumLetters)) === code.slice(-sumLetters);
 }
 
 /** The result of a row of a code. Throws where it is none. */
@@ -96,7 +116,7 @@ export async function resultsOf(code: string): Promise<Result[]> {
   if (text.length > longestCode) throw new Error("the code is longer than any that the page makes");
   if (!isWhole(text)) throw new Error("the code is cut off or changed");
   try {
-    const content = await decompressed(text.slice(mark.length, -4), longestContent);
+    const content = await decompressed(text.slice(mark.length, -sumLetters), longestContent);
     const rows = JSON.parse(new TextDecoder().decode(content)) as unknown[];
     if (rows.length > most) throw new Error("other content");
     return rows.map(resultOf);

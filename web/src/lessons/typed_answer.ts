@@ -1,6 +1,7 @@
 import { valueOf } from "./expression.js";
 import { readFormula, type Names } from "./formula.js";
 import { behindSign, withoutEnd } from "./formula_tokens.js";
+import { trimmed } from "./trimming.js";
 
 /** A typed line with single blanks and without its end. What follows it takes time in proportion to its length. */
 export function line(text: string): string {
@@ -49,9 +50,7 @@ export function anglesTyped(text: string): string[] {
 /** The numbers of a row or a column: (0, 2, 1), [0; 2; 1]^T, 0 2 1; with decimal commas where semicolons or blanks stand
  * between them. */
 export function itemsOf(typed: string): string[] {
-  const inner = line(typed)
-    .replace(/(?:\^ ?T|[ᵀ⊤]|(?<=[)\]}] ?)T)$/, "")
-    .replace(/^[ ([{]+|[ )\]}]+$/g, "");
+  const inner = trimmed(line(typed).replace(/(?:\^ ?T|[ᵀ⊤]|(?<=[)\]}] ?)T)$/, ""), "([{", ")]}");
   const items = inner.split(/ ?[;|] ?|, | /);
   return items.length === 1 ? inner.split(",") : items;
 }
@@ -68,6 +67,12 @@ export function numbersTyped(text: string, labels: string[]): string[] {
   if (values.size !== labels.length || found.includes(undefined))
     throw new Error(`write the numbers of ${labels.join(", ")}, one after the other`);
   return found as string[];
+}
+
+/** The numbers in front of the signs = of an answer, where a name may stand: 7 = 18 is true for no answer. */
+export function numbersBeforeSign(text: string): string[] {
+  const sides = text.split("=").slice(0, -1);
+  return sides.map((side) => side.trim()).filter((side) => /^[-+−–]?[\d.,]+ ?°?$/.test(side));
 }
 
 const below20 =

@@ -1,5 +1,5 @@
 import { element, table } from "../elements/element.js";
-import { codesIn, type HandedIn } from "../lessons/handed_in.js";
+import { codesIn, longestText, type HandedIn } from "../lessons/handed_in.js";
 import { judges, type Bench } from "../lessons/judges.js";
 import { resultsOf, type Result } from "../lessons/results.js";
 import { allTasks } from "../lessons/tasks.js";
@@ -33,12 +33,16 @@ async function shownCode({ whose, code }: HandedIn, bench: Bench, numbers: Map<s
   }
 }
 
-/** Reads codes that students hand in, one a line; words beside a code name whose it is. */
+/** Reads codes that students hand in, one a line; words beside a code or above it name whose it is. */
 export function resultsReader(bench: Bench): HTMLElement {
   const input = element("textarea", { id: "handed-in", rows: 5, spellcheck: "false" });
   const out = element("div", { role: "status", class: "handed-in" });
   const read = async (): Promise<void> => {
     try {
+      if (input.value.length > longestText) {
+        out.textContent = `Paste at most ${longestText} characters at once: read the codes in several parts.`;
+        return;
+      }
       const numbers = new Map((await allTasks()).map(({ name, number }) => [name, number]));
       out.replaceChildren(...(await Promise.all(codesIn(input.value).map((one) => shownCode(one, bench, numbers)))));
     } catch {
@@ -49,7 +53,7 @@ export function resultsReader(bench: Bench): HTMLElement {
   return element(
     "div",
     { class: "tool" },
-    element("label", { for: "handed-in" }, "Codes, one a line; words beside a code name it"),
+    element("label", { for: "handed-in" }, "Codes, one a line; words beside a code or above it name it"),
     input,
     element("p", { class: "pair" }, button),
     out,
