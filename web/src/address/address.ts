@@ -1,5 +1,6 @@
 import {
   formerSections,
+  gainRanges,
   initialState,
   sections,
   type ArmSource,
@@ -89,7 +90,8 @@ export async function stateOf(hash: string, longest = longestAddress): Promise<P
   const frame = words.get("frame") as Frame;
   const gainOf = (name: (typeof gains)[number]): number => {
     const value = Number(words.get(name) || NaN);
-    return Number.isFinite(value) ? value : initialState[name];
+    const { min, max } = gainRanges[name];
+    return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : initialState[name];
   };
   return {
     arm: await sourceOf(words).catch(() => ({ json: "" })), // which is refused with a reason

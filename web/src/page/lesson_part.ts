@@ -24,12 +24,14 @@ export function partsOf(text: HTMLElement): LessonPart[] {
 }
 
 /** Leaves the title and one exercise or figure in a lesson's text, with the figure that the exercise is answered with. Where
- * there is no such part the text stays. */
-export function keepPart(text: HTMLElement, name: string): void {
+ * there is no such part the text stays, and it is false. */
+export function keepPart(text: HTMLElement, name: string): boolean {
   const wanted = [figureOf[name], name];
   const kept = blocks(text).filter((block) => wanted.includes(nameOf(block)));
   const heading = [...text.querySelectorAll("h1")];
-  if (kept.some((block) => nameOf(block) === name)) text.replaceChildren(...heading, ...kept);
+  const isThere = kept.some((block) => nameOf(block) === name);
+  if (isThere) text.replaceChildren(...heading, ...kept);
+  return isThere;
 }
 
 /** Links in what is shown alone: those that lead to another section or lesson open the whole page, without help where the

@@ -26,6 +26,9 @@ function armOf({ arm, q, goal, gain, showFrames, showColumns, showSolutions, sho
 type Opened = Pick<PageState, "lesson" | "only" | "help">;
 const isSame = (a: Opened, b: Opened): boolean => a.lesson === b.lesson && a.only === b.only && a.help === b.help;
 
+/** Whether an exercise or a figure is shown alone. */
+const isPart = ({ only }: Opened): boolean => only !== "" && only !== "lesson";
+
 /** The chapter as lessons: text, equations, figures, links that set the arm, exercises that are checked. */
 export class LessonsSection implements PageSection {
   readonly root = element("div", { class: "panel lessons" });
@@ -45,6 +48,8 @@ export class LessonsSection implements PageSection {
   private readonly other = element("p", { class: "other-arm", hidden: true });
   /** Said where the lesson's arm has replaced the one that was shown before. */
   private readonly replacing = element("p", { class: "other-arm", hidden: true });
+  /** Said where the address asks for a part that the lesson does not have. */
+  private readonly missing = element("p", { class: "refusal", role: "status" });
   private shown: Shown | null = null;
   private opened: Opened | null = null;
   /** The opened lesson could not be loaded: choosing it again tries again. */
@@ -73,6 +78,7 @@ export class LessonsSection implements PageSection {
     this.replacing.append("The lesson’s arm has replaced the one before. ", restore);
     this.root.append(
       this.contents.root,
+      this.missing,
       this.replacing,
       this.other,
       this.text,
@@ -94,12 +100,12 @@ export class LessonsSection implements PageSection {
   update(q: number[]): void {
     const { lesson, arm, only, help } = this.services.store.get();
     if (!this.shown) return;
+    const wanted = { lesson: lessonOf(lesson).id, only, help };
+    if (!this.opened || !isSame(wanted, this.opened)) void this.load(wanted);
     for (const figure of this.figures) figure.update(this.shown, q);
     for (const exercise of this.exercises) exercise.update?.();
     this.other.hidden = this.arms.length === 0 || this.arms.some((one) => sameArm(one, arm));
     this.replacing.hidden = !this.replaced || !this.other.hidden || sameArm(this.replaced.state.arm, arm);
-    const wanted = { lesson: lessonOf(lesson).id, only, help };
-    if (!this.opened || !isSame(wanted, this.opened)) void this.load(wanted);
   }
 
   leave(): void {
@@ -129,26 +135,32 @@ export class LessonsSection implements PageSection {
     return section === "lessons" && replaced && sameArm(replaced.by, arm) ? replaced.state : {};
   }
 
-  private async load(opened: Opened): Promise<void> {
-    const lesson = lessonOf(opened.lesson);
+  private async load(wanted: Opened): Promise<void> {
+    const lesson = lessonOf(wanted.lesson);
+    let opened = wanted;
     this.opened = opened;
     this.hasFailed = false;
+    this.leaveFigures(); // before the lesson is there: a motion that is played would leave its start
+    this.figures = [];
+    this.exercises = [];
+    this.player.take([]);
+    this.missing.textContent = "";
     const failed = { default: "<p>This lesson cannot be loaded: choose it again, or reload the page.</p>" };
     const [loaded, scene] = await Promise.all([lesson.load().catch(() => failed), stateOf(lesson.scene)]);
     if (this.opened !== opened) return;
     this.hasFailed = loaded === failed;
     const html = loaded.default;
-    this.leaveFigures();
-    this.figures = [];
-    this.player.take([]);
     this.services.draw({ waypoints: [], extent: [] });
     this.text.innerHTML = html; // ours, made when the page was built
     if (!opened.help) for (const hint of this.text.querySelectorAll("[data-check] details")) hint.remove();
-    if (opened.only !== "" && opened.only !== "lesson") keepPart(this.text, opened.only);
+    if (isPart(opened) && !keepPart(this.text, opened.only) && !this.hasFailed) {
+      this.missing.textContent = `This lesson has no part ${opened.only.slice(0, 40)}: it is shown as a whole.`;
+      opened = this.opened = { ...opened, only: "lesson" };
+      this.services.store.set({ only: "lesson" });
+    }
     if (opened.only !== "") openElsewhere(this.text, opened.help);
     this.whole.textContent = `Lesson ${lesson.title}, in the whole page`;
     this.whole.href = `#section=lessons&lesson=${lesson.id}${helpWord(opened.help)}`;
-    this.exercises = [];
     this.arms = [scene.arm];
     this.showFoot(lesson);
     if (lessons.includes(lesson)) this.text.querySelector("h1")?.after(headOf(lesson, this.open));
@@ -199,7 +211,7 @@ export class LessonsSection implements PageSection {
 
   /** An exercise or a figure that is shown alone brings its arm, where that is not the lesson's. */
   private async bringArm(opened: Opened): Promise<void> {
-    if (opened.only === "" || opened.only === "lesson") return;
+    if (!isPart(opened)) return;
     const links = [...this.text.querySelectorAll<HTMLAnchorElement>("a.scene")];
     const [first, ...others] = await Promise.all(links.map((link) => partOf(link.getAttribute("href") ?? "")));
     if (this.opened !== opened) return;
@@ -244,6 +256,7 @@ export class LessonsSection implements PageSection {
     const again = this.hasFailed;
     if (again) this.opened = null;
     this.takesFocus = takesFocus && id !== this.opened?.lesson;
+    this.player.pause();
     store.set({ ...armOf(scene), arm: now, lesson: id, section: "lessons" });
     if (again && this.opened === null) void this.load({ lesson: id, only: before.only, help: before.help }); // nothing else
   }
@@ -278,8 +291,8 @@ export class LessonsSection implements PageSection {
   /** An exercise is solved: with the last one of a lesson, the lesson is done. */
   private solve(exercise: HTMLElement): void {
     exercise.closest("[data-check]")?.classList.add("is-solved");
-    const isPart = !["", "lesson", undefined].includes(this.opened?.only);
-    if (!isPart && !this.text.querySelector("[data-check]:not(.is-solved)")) this.tick();
+    const isAlone = this.opened !== null && isPart(this.opened);
+    if (!isAlone && !this.text.querySelector("[data-check]:not(.is-solved)")) this.tick();
   }
 
   /** A link in a lesson sets what its address holds, and leaves the lesson open unless it names a section. */

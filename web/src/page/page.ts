@@ -1,18 +1,18 @@
 import factory from "beeline-module/core.js";
 import listedArms from "virtual:arms";
-import { longestAddress, partOf, sceneFault, stateOf } from "../address/address.js";
+import { longestAddress } from "../address/address.js";
 import type { Arm } from "../core/arm.js";
 import { CoreWorker } from "../core/client.js";
 import { Core } from "../core/core.js";
 import { describe, type ArmDescription } from "../core/description.js";
 import { compile, type Factory } from "../core/load.js";
 import type { CoreModule } from "../core/module.js";
+import { clamped } from "../core/nearest.js";
 import { iconButton } from "../elements/button.js";
 import { element } from "../elements/element.js";
 import { fading } from "../elements/fading.js";
 import { icon } from "../elements/icons.js";
 import { selectNumbers } from "../elements/select_numbers.js";
-import { allPages } from "../lessons/lessons.js";
 import { follow, sessionOf } from "../live/live.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { MeshList } from "../panels/mesh_list.js";
@@ -34,6 +34,7 @@ import { Holding } from "./holding.js";
 import { LessonsSection } from "./lessons.js";
 import { LineSection } from "./line.js";
 import { Obstacles } from "./obstacles.js";
+import { faultOf, stateAt } from "./opened_state.js";
 import { Opening } from "./opening.js";
 import { Overlays } from "./overlays.js";
 import { sceneAmong } from "./scene_files.js";
@@ -58,15 +59,6 @@ const titles: Record<Section, string> = {
   lessons: "Lessons",
 };
 const idle = 1000; // milliseconds until the worker is loaded, which plans and proves
-
-/** The state of an address; a lesson begins with its figure where the address has no arm. `longest`: the characters that
- * are read. */
-async function stateAt(hash: string, longest?: number): Promise<PageState> {
-  const state = await stateOf(hash, longest);
-  const scene = allPages.find(({ id }) => id === state.lesson)?.scene;
-  if (scene === undefined || state.section !== "lessons") return state;
-  return { ...state, ...(await partOf(scene)), ...(await partOf(hash, longest)) };
-}
 
 /** The page: its state, the arm that it shows, and a panel for each section. */
 export class Page {
@@ -184,8 +176,10 @@ export class Page {
     const page = new Page(document, core, worker, scenes, new Store(state));
     page.chooser.acceptDrops(document.body);
     page.welcome.hidden = !fresh;
-    page.address.read(page.store.get(), sceneFault(hash, state));
+    const fault = faultOf(hash, state);
+    page.address.read(page.store.get(), fault);
     await page.takeArm(page.store.get().arm);
+    if (fault !== "") void page.address.write(page.store.get());
     if (session) page.goLive();
     const trajectory = session ? session.trajectory : await savedTrajectory();
     if (trajectory !== null) page.line.recording.open("motion.csv", trajectory);
@@ -303,6 +297,7 @@ export class Page {
     ])
       taker.take(this.shown);
     this.document.title = `${description.name} – Beeline`;
+    this.store.set(this.withinLimits(this.store.get()));
     const { q, goal, waypoints } = this.store.get();
     this.valid = { arm: source, q, goal, waypoints };
     if (q === null || q.length !== arm.dof) this.store.set({ q: arm.displayConfiguration() });
@@ -336,6 +331,12 @@ export class Page {
       else link.removeAttribute("aria-current");
     }
     this.armPanel.arrange(section);
+  }
+
+  /** The goal of a state within the limits of the arm that is shown, as its fields keep it. */
+  private withinLimits({ goal }: Readonly<PageState>): Partial<PageState> {
+    const joints = this.shown?.description.joints ?? [];
+    return goal?.length === joints.length ? { goal: clamped(goal, joints) } : {};
   }
 
   /** Takes files that were dropped or chosen: a scene, or an arm with its meshes. */
@@ -375,10 +376,12 @@ export class Page {
     const state = await stateAt(hash);
     if (turn !== this.reading) return;
     const { arm } = this.store.get();
-    if (sameArm(state.arm, arm)) state.arm = arm;
-    this.address.read(state, sceneFault(hash, state));
+    if (sameArm(state.arm, arm)) Object.assign(state, { arm, ...this.withinLimits(state) });
+    this.address.read(state, faultOf(hash, state));
     this.holding.forget();
+    this.sections.get(this.store.get().section)?.interrupt?.(); // it would move the arm that the address has placed
     this.store.set(state);
+    void this.address.write(this.store.get()); // where the state differs from the address
   }
 }
 

@@ -1,5 +1,6 @@
 import type { Gains } from "../core/types.js";
 import { element } from "../elements/element.js";
+import { gainRanges } from "../state/page_state.js";
 import { slide, slider } from "./slider.js";
 
 interface Gain {
@@ -11,9 +12,9 @@ interface Gain {
 }
 
 const all: Gain[] = [
-  { key: "kp", letter: "p", name: "proportional", min: 0.01, max: 2.5 },
-  { key: "ki", letter: "i", name: "integral", min: 0, max: 0.5 },
-  { key: "kd", letter: "d", name: "derivative", min: 0, max: 1 },
+  { key: "kp", letter: "p", name: "proportional", ...gainRanges.gain },
+  { key: "ki", letter: "i", name: "integral", ...gainRanges.ki },
+  { key: "kd", letter: "d", name: "derivative", ...gainRanges.kd },
 ];
 
 /** A slider and a number for each gain of a PID controller. */

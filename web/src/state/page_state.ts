@@ -103,6 +103,13 @@ export function sameArm(a: ArmSource, b: ArmSource): boolean {
   return "text" in a ? "text" in b && a.text === b.text : "json" in b && a.json === b.json;
 }
 
+/** The range of each gain, in its field and in an address. */
+export const gainRanges = {
+  gain: { min: 0.01, max: 2.5 },
+  ki: { min: 0, max: 0.5 },
+  kd: { min: 0, max: 1 },
+};
+
 /** What can be chosen for reachCells and reachDirections. */
 export const cellChoices = [8, 12, 16, 20, 30, 40];
 export const directionChoices = [90, 60, 45, 30, 0];
