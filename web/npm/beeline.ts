@@ -38,6 +38,11 @@ export interface InverseOptions {
   ignoreLimits?: boolean;
 }
 
+function requireInverse({ all, ignoreLimits }: InverseOptions): void {
+  requireType("all", all, "boolean");
+  requireType("ignoreLimits", ignoreLimits, "boolean");
+}
+
 const maxJoints = 100; // as in beeline/model/internal/ranges.h
 
 /** Kinematics and motion of serial arms. Radians, metres, seconds. A pose is a column-major 4 x 4 matrix, as in three.js and
@@ -118,9 +123,8 @@ export class Beeline {
   inverseKinematics(arm: Arm, pose: Numbers, options: InverseOptions = {}): Float64Array[] {
     requireArm(arm);
     requireOptions("options", options, ["seed", "all", "ignoreLimits"]);
+    requireInverse(options);
     const { seed, all, ignoreLimits } = options;
-    requireType("all", all, "boolean");
-    requireType("ignoreLimits", ignoreLimits, "boolean");
     const matrix = matrixOf("pose", arm, pose);
     const seedValues = seed === undefined ? new Float64Array(arm.dof) : configuration("seed", arm, seed);
     const found = arm.core.inverse(matrix, seedValues, { all: all === true, ignoreLimits: ignoreLimits === true });
@@ -136,11 +140,10 @@ export class Beeline {
   ): Promise<IkAnswer> {
     requireArm(arm);
     requireOptions("options", options);
-    const { seed, all, ignoreLimits } = options as InverseOptions;
-    requireType("all", all, "boolean");
-    requireType("ignoreLimits", ignoreLimits, "boolean");
-    const near = seed === undefined ? {} : { seed: configuration("seed", arm, seed) };
-    if (!("task" in options)) this.inverseKinematics(arm, pose, near); // refuses a pose with the same error
+    requireInverse(options);
+    const { seed } = options as InverseOptions;
+    const seedValues = seed === undefined ? {} : { seed: configuration("seed", arm, seed) };
+    if (!("task" in options)) this.inverseKinematics(arm, pose, seedValues); // refuses a pose with the same error
     return this.verb("ik", arm, { ...(options as Options), pose: typedPose("pose", arm, pose) });
   }
 

@@ -92,7 +92,7 @@ test("computes as the command does", () => {
 });
 
 test("by import() in CommonJS", () => {
-  expect(node("common.cjs")).toBe(computed);
+  expect(node("in_commonjs.cjs")).toBe(computed);
 });
 
 test.each([

@@ -34,6 +34,12 @@ struct PassageLayer {
   std::vector<bool> stops = {};  ///< whether the arm stops at the waypoint there
 };
 
+/// Where the motion of a run may end: at a rest, or where the line after it begins.
+struct RunEnd {
+  std::size_t sample = 0;
+  std::size_t passage = 0;  ///< the one of the last waypoint that the run passes
+};
+
 /// Proves the parts of a program one after the other. Each begins at the sample at which the one
 /// before it ends.
 class ProgramVerifier {
@@ -97,7 +103,8 @@ class ProgramVerifier {
   bool check_rests(const JointRun& run, const std::vector<PassageLayer>& layers);
   bool check_line_begins(const JointRun& run, const std::vector<PassageLayer>& layers);
   bool stops_in(const Move& move, const Passage& passage) const;
-  static std::vector<std::size_t> passages_before(const PassageLayer& layer, double at);
+  static std::vector<std::size_t> passages_before(const std::vector<PassageLayer>& layers,
+                                                  double at);
   bool add_layers(const JointRun& run, std::vector<PassageLayer>& layers);
   void add_arrivals(std::span<const Passage> passed);
   bool fail_to_pass(std::size_t move, std::size_t first);
@@ -124,14 +131,14 @@ class ProgramVerifier {
 
   /// Tries the candidates for the end of a move one after the other until one passes. If none does,
   /// what failed is the attempt that passed most moves, the first of them.
-  template <class Check>
-  bool check_candidates(std::span<const std::size_t> candidates, const Check& check,
+  template <class Candidates, class Check>
+  bool check_candidates(const Candidates& candidates, const Check& check,
                         std::size_t most = max_candidates) {
     const Progress before = now_;
     std::optional<Progress> failed;
-    for (const std::size_t end : candidates.first(std::min(candidates.size(), most))) {
+    for (std::size_t i = 0; i < std::min(candidates.size(), most); ++i) {
       return_to(before);
-      if (check(end)) return true;
+      if (check(candidates[i])) return true;
       if (now_.result.ending != Ending::complete) return false;
       if (!failed || now_.result.arrivals.size() > failed->result.arrivals.size()) failed = now_;
     }

@@ -1,5 +1,3 @@
-#include <numeric>
-
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/path/internal/nearest_on_line.h>
@@ -121,13 +119,16 @@ bool ProgramVerifier::stops_in(const Move& move, const Passage& passage) const {
   return k == passage.after() && rests_.rests_at(k) && rests_.offset(move, k) <= 1;
 }
 
-/// The passages of a waypoint up to a time from which the motion to the next may continue, in the
-/// order in which they are tried: the last one in which the arm stops, as it does where its blend
-/// is no better, and the latest one, as less of the motion is between them.
-std::vector<std::size_t> ProgramVerifier::passages_before(const PassageLayer& layer, double at) {
+/// The passages of the last waypoint up to a time from which the motion to the next may continue,
+/// in the order in which they are tried: the last one in which the arm stops, as it does where its
+/// blend is no better, and the latest one, as less of the motion is between them. 0 if there is no
+/// waypoint before.
+std::vector<std::size_t> ProgramVerifier::passages_before(const std::vector<PassageLayer>& layers,
+                                                          double at) {
+  if (layers.empty()) return {0};
   std::vector<std::size_t> before;
-  if (const auto stop = last_stop_until(layer, at)) before.push_back(*stop);
-  const auto last = last_until(layer, at);
+  if (const auto stop = last_stop_until(layers.back(), at)) before.push_back(*stop);
+  const auto last = last_until(layers.back(), at);
   if (last && (before.empty() || before.front() != *last)) before.push_back(*last);
   return before;
 }
@@ -141,9 +142,7 @@ bool ProgramVerifier::add_layers(const JointRun& run, std::vector<PassageLayer>&
     PassageLayer layer;
     std::optional<FastPassage> too_fast;
     for (const Passage& passage : passages_.passages(program_.moves[move], first, max_candidates)) {
-      const auto candidates =
-          layers.empty() ? std::vector<std::size_t>{0} : passages_before(layers.back(), passage.at);
-      for (const std::size_t before : candidates) {
+      for (const std::size_t before : passages_before(layers, passage.at)) {
         const std::size_t from =
             layers.empty() ? speed_from() : layers.back().passages[before].after();
         if (const auto fast = fast_interval(from, passage.before(), limit)) {
@@ -227,27 +226,22 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
     if (!passed) return fail_to_reach(move);
     rests.push_back(*passed);
   }
-  std::vector<std::size_t> ends, last, candidates;  // of each candidate: its rest and last passage
+  std::vector<RunEnd> ends;
   for (const std::size_t rest : rests) {
-    const auto before = layers.empty() ? std::vector<std::size_t>{0}
-                                       : passages_before(layers.back(), static_cast<double>(rest));
-    for (const std::size_t passage : before) {
-      candidates.push_back(ends.size());
-      ends.push_back(rest);
-      last.push_back(passage);
+    for (const std::size_t passage : passages_before(layers, static_cast<double>(rest))) {
+      ends.push_back({rest, passage});
     }
   }
-  const auto check = [&](std::size_t i) {
-    const std::size_t end = ends[i];
+  const auto check = [&](const RunEnd& end) {
     std::size_t from = speed_from();
     if (!layers.empty()) {
-      const std::vector<Passage> passed = chain_of(layers, last[i]);
+      const std::vector<Passage> passed = chain_of(layers, end.passage);
       if (!check_passages(run, move, passed)) return false;
       from = passed.back().after();
     }
     now_.leaving.reset();
-    now_.result.arrivals.push_back(end);
-    if (!check_speed(move, from, end, program_.moves[move].speed) || !check_stop(move) ||
+    now_.result.arrivals.push_back(end.sample);
+    if (!check_speed(move, from, end.sample, program_.moves[move].speed) || !check_stop(move) ||
         !check_dwell(move)) {
       return false;
     }
@@ -255,7 +249,7 @@ bool ProgramVerifier::check_rests(const JointRun& run, const std::vector<Passage
     if (now_.part == parts_.size()) return check_rest(move);
     return parts_[now_.part].joint || check_path();
   };
-  return check_candidates(candidates, check, 2 * max_candidates);  // two passages of each rest
+  return check_candidates(ends, check, 2 * max_candidates);  // two passages of each rest
 }
 
 /// The samples after a passage from which the tool may follow a line that begins at its waypoint:
@@ -288,26 +282,23 @@ bool ProgramVerifier::check_line_begins(const JointRun& run,
   const ProgramPart& path = parts_[run.next];
   const Line line = std::get<Line>(path.route.path.segments.front());
   const std::vector<Passage>& passages = layers.back().passages;
-  std::vector<std::size_t> begins, last;  // of each candidate, with its passage
+  std::vector<RunEnd> ends;
   for (std::size_t i = 0; i < passages.size(); ++i) {
     for (const std::size_t begin : line_begins(line, move, passages[i])) {
-      begins.push_back(begin);
-      last.push_back(i);
+      ends.push_back({begin, i});
     }
   }
-  if (begins.empty()) {
+  if (ends.empty()) {
     Reason reason = deviation_reason(
         ReasonCode::off_path, deviation_from(line, tool_at(passages.front().after()), task_));
     reason.set(ReasonField::segment_name, move_name(program_, path.first));
     return fail(Fault::deviation, passages.front().nearest(), std::move(reason));
   }
-  std::vector<std::size_t> candidates(begins.size());
-  std::iota(candidates.begin(), candidates.end(), std::size_t{0});
-  return check_candidates(candidates, [&](std::size_t i) {
-    const std::vector<Passage> passed = chain_of(layers, last[i]);
+  return check_candidates(ends, [&](const RunEnd& end) {
+    const std::vector<Passage> passed = chain_of(layers, end.passage);
     if (!check_passages(run, path.first, passed)) return false;
     now_.leaving.reset();
-    now_.begin = begins[i];
+    now_.begin = end.sample;
     now_.speed_from = passed.back().after();
     now_.part = run.next;
     return check_path();
