@@ -14,11 +14,16 @@ namespace {
 using SixAngles = Eigen::Matrix<double, 6, 1>;
 
 // More trials improve the choice of the eliminations and take longer. These take a few
-// milliseconds. The choice affects the time of a solve; the solutions are checked in any case.
-constexpr int trials_of_all = 24;        // for each elimination
-constexpr int trials_of_selected = 100;  // for each of the selected
-constexpr int trials_together = 300;     // for the selected together: reliable() is 1 % of these
-constexpr int trials_of_similar = 32;    // for the eliminations chosen for a similar arm
+// milliseconds, as bad eliminations, which take longest, are left out early. The choice affects the
+// time of a solve; the solutions are checked in any case.
+struct Round {
+  int trials;    ///< for each elimination that is left
+  int selected;  ///< number of eliminations that are left then, of each hidden joint
+};
+constexpr Round rounds[] = {{1, 2}, {3, 1}};
+constexpr int trials_of_selected = 48;  // for each of the selected
+constexpr int trials_together = 300;    // for the selected together, if they miss one of the first
+constexpr int first_together = 32;
 constexpr std::size_t max_selected = std::tuple_size_v<decltype(EliminationChoice::chosen)>;
 
 /// Returns the product of all links, from frame 0 to the last.
@@ -105,7 +110,8 @@ class Sampler {
 /// The results of an elimination on random configurations.
 struct Trial {
   Elimination elimination;
-  int missed = 0;        ///< number of configurations that were not found
+  int goals = 0;         ///< number of random configurations
+  int missed = 0;        ///< number of those that were not found
   int inconsistent = 0;  ///< number of goals that need a second elimination
   int double_zeros = 0;  ///< number of goals with zeros that may be double
   double digits = 0;     ///< sum of the logarithms of the corrections
@@ -120,6 +126,7 @@ bool better(const Trial& a, const Trial& b) {
 void run_trial(const RevoluteLinks& links, const Sample& sample, Trial& trial) {
   RaghavanRothSolutions solutions;
   add_solutions(links, trial.elimination, sample.goal, sample.closure, solutions);
+  ++trial.goals;
   if (!solutions.consistent) ++trial.inconsistent;
   if (solutions.double_zeros) ++trial.double_zeros;
   if (const auto index = find_solution(sample.q.data(), solutions)) {
@@ -156,17 +163,13 @@ std::vector<Trial> all_eliminations(const Chain& chain, Sampler& sampler) {
   return trials;
 }
 
-/// Returns the best elimination of each hidden joint, up to max_selected. If one elimination
-/// determines a solution badly, another one of the same hidden joint does too.
-std::vector<Trial> best_by_hidden_joint(const std::vector<Trial>& trials) {
-  std::vector<Trial> selected;
-  for (const Trial& trial : trials) {
-    const bool known = std::any_of(selected.begin(), selected.end(), [&](const Trial& other) {
-      return other.elimination.hidden == trial.elimination.hidden;
-    });
-    if (!known && selected.size() < max_selected) selected.push_back(trial);
-  }
-  return selected;
+/// Keeps the best eliminations of each hidden joint, up to `most` of each, in the order of
+/// `trials`. If one elimination determines a solution badly, another one of the same hidden joint
+/// does too.
+void keep_best(std::vector<Trial>& trials, int most) {
+  int kept[6] = {};
+  std::erase_if(trials,
+                [&](const Trial& trial) { return ++kept[trial.elimination.hidden] > most; });
 }
 
 /// Solves by successive eliminations until the solutions are complete.
@@ -207,15 +210,21 @@ EliminationChoice choose_eliminations(const Chain& chain) {
   const Links links(chain);
   Sampler sampler(links);
   std::vector<Trial> trials = all_eliminations(chain, sampler);
-  compare(links.links, trials_of_all, sampler, trials);
-  trials = best_by_hidden_joint(trials);
+  for (const Round& round : rounds) {
+    compare(links.links, round.trials, sampler, trials);
+    keep_best(trials, round.selected);
+  }
+  if (trials.size() > max_selected) trials.resize(max_selected);
   compare(links.links, trials_of_selected, sampler, trials);
   std::vector<Elimination> selected;
   for (Trial& trial : trials) {
-    trial.elimination.double_zeros = 2 * trial.double_zeros > trials_of_all + trials_of_selected;
+    trial.elimination.double_zeros = 2 * trial.double_zeros > trial.goals;
     selected.push_back(trial.elimination);
   }
-  const int missed = missed_by_all(links.links, selected, trials_together, sampler);
+  int missed = missed_by_all(links.links, selected, first_together, sampler);
+  if (missed > 0 && missed < first_together / 2) {
+    missed += missed_by_all(links.links, selected, trials_together - first_together, sampler);
+  }
   return choice_of(selected, 100 * missed <= trials_together);
 }
 
@@ -230,7 +239,7 @@ EliminationChoice choose_eliminations(const Chain& chain, const EliminationChoic
     elimination.double_zeros = chosen.double_zeros;
     set_degree(sample, elimination);
   }
-  return choice_of(selected, missed_by_all(links.links, selected, trials_of_similar, sampler) == 0);
+  return choice_of(selected, missed_by_all(links.links, selected, first_together, sampler) == 0);
 }
 
 EliminationChoice EliminationChoice::make(const Arm& arm, const Key&,

@@ -125,13 +125,17 @@ void search_quickly(SolverState& state, const Request& request, StageResult& fou
   constexpr int first_restarts = 16, few_restarts = 64;
   const Search within = search_within_bounds(state);
   const bool seven = !state.family && has_revolute_joints(state, 7);
-  const bool closed = !state.family && state.fallback && state.fallback->applies(state);
+  const bool six = !state.family && state.fallback && has_revolute_joints(state, 6);
   const bool limited = any_finite(request.bounds);
-  const int restarts = closed || (seven && limited) ? first_restarts
-                       : seven                      ? open_restarts
-                                                    : few_restarts;
+  const int restarts = six || (seven && limited) ? first_restarts
+                       : seven                   ? open_restarts
+                                                 : few_restarts;
   search(state, request, within, restarts, false, found);
   const auto none = [&] { return found.solutions->empty() && request.budget.complete(); };
+  // Whether the closed form applies takes milliseconds to find out for a new arm.
+  if (six && none() && !state.fallback->applies(state)) {
+    search(state, request, within, few_restarts, false, found);
+  }
   if (!seven || !none()) return;
   if (limited) search_without_limits(state, request, open_restarts, false, found);
   found.unconstrained.far = none() && ended_far(state, request);
