@@ -1,8 +1,8 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include <beeline/inverse/internal/nearest_search.h>
+#include <beeline/inverse/numerical/error_minimum.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/damped_least_squares.h>
 #include <beeline/math/minimum_norm.h>
@@ -10,65 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-// Newton's method converges in about ten steps; Gauss-Newton at a stretched arm converges linearly.
-constexpr int max_steps = 100;
-
-double half_square(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
-  return 0.5 * task_error(task, goal, forward_kinematics(arm, q)).squaredNorm();
-}
-
-/// Returns the gradient -J^T e of half_square(): exact for the position, and for the orientation to
-/// first order in e.
-Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
-  const Eigen::VectorXd error = task_error(task, goal, forward_kinematics(arm, q));
-  return -task_jacobian(arm, q, task).transpose() * error;
-}
-
-Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
-                        const Configuration& q) {
-  // Step of central differences: truncation error h^2 and rounding error 1e-16 / h, both about
-  // 1e-10.
-  constexpr double h = 1e-5;  // radians or metres
-  Eigen::MatrixXd matrix(q.size(), q.size());
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    Configuration below = q, above = q;
-    below[k] -= h;
-    above[k] += h;
-    matrix.col(k) = (gradient(arm, goal, task, above) - gradient(arm, goal, task, below)) / (2 * h);
-  }
-  return 0.5 * (matrix + matrix.transpose());
-}
-
-/// Moves q to a local minimum of |e|^2 / 2 by Newton's method with Levenberg's damping. e is the
-/// task's error in metres and radians. Limits are ignored. Returns whether it converges.
-bool minimise_error(const Arm& arm, const Pose& world_T_tool, const Task& task, Configuration& q) {
-  // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
-  // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
-  // short to change the cost.
-  constexpr double first_damping = 1e-3, min_damping = 1e-12, max_damping = 1e6;
-  constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
-  double smallest = half_square(arm, world_T_tool, task, q), damping = first_damping;
-  for (int step = 0; step < max_steps && damping < max_damping; ++step) {
-    const Configuration slope = gradient(arm, world_T_tool, task, q);
-    Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, q);
-    matrix.diagonal().array() += damping;
-    const Eigen::LDLT<Eigen::MatrixXd> factor(matrix);
-    const Configuration next = q - factor.solve(slope);
-    const double cost = factor.isPositive() && next.allFinite()
-                            ? half_square(arm, world_T_tool, task, next)
-                            : smallest;
-    if (!(cost < smallest)) {
-      damping *= 10;
-      continue;
-    }
-    const bool done = smallest - cost < converged * smallest;
-    q = next;
-    smallest = cost;
-    damping = std::max(damping / 10, min_damping);
-    if (done) return true;
-  }
-  return damping >= max_damping;  // no step reduces the cost
-}
+constexpr int max_steps = 100;  // Gauss-Newton at a stretched arm converges linearly
 
 /// Minimises the orientation error from q subject to the position, to a local minimum, by
 /// Gauss-Newton steps in the null space of the position's Jacobian. Requires that q satisfies the
@@ -171,15 +113,14 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
                           const ConfigurationRef& start) {
   Configuration q = nearest_of_searches(request, task, state, start);
   if (state.search().nearest.converged || request.arm.dof() > max_refined) return q;
-  minimise_error(request.arm, goal_within_digits(request), task, q);
+  minimise_error(request.arm, goal_within_digits(request), task, no_bounds(request.arm), 0, q);
   return q;
 }
 
 bool is_minimum_above(const Request& request, Configuration q, double least) {
-  if (request.arm.dof() > max_refined) return false;
-  if (!minimise_error(request.arm, goal_within_digits(request), request.task, q)) return false;
-  const Deviation error = deviation_at(request, q);
-  return std::max(error.position / unit_of_length(request.arm), error.orientation) > least;
+  return request.arm.dof() <= max_refined &&
+         minimise_error(request.arm, goal_within_digits(request), request.task,
+                        no_bounds(request.arm), least, q);
 }
 
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/error.h>
+#include <beeline/inverse/numerical/error_minimum.h>
 #include <beeline/inverse/numerical/multi_start.h>
 #include <beeline/inverse/numerical/posture_index.h>
 #include <beeline/inverse/numerical/representative.h>
@@ -224,12 +225,17 @@ class Run {
     return converges_at_singularity();
   }
 
-  /// Continues any lane from q_ in the same way.
+  /// Continues any lane from q_ in the same way, unless a minimum of the error is near it.
   bool converges_at_singularity() {
     const NumericalOptions options{.tolerance = options_.tolerance,
                                    .max_iterations = slow_convergence * options_.max_iterations,
                                    .budget = options_.budget};
     const Eigen::Map<const Configuration> start(q_.data(), start_.size());
+    constexpr double clear = 1e-5;  // units of length and radians
+    Configuration minimum = start;
+    if (minimise_error(arm_, world_T_tool_, problem_.task, problem_.bounds, clear, minimum)) {
+      return false;
+    }
     const NumericalResult run =
         singular_solution(arm_, world_T_tool_, problem_.task, problem_.bounds, start, options);
     result_.iterations += run.iterations;
