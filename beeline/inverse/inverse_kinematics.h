@@ -184,10 +184,10 @@ struct InverseResult {
   /// Deviation of the tool from the pose, with options.pose_tolerance, in the order of that option
   /// and within it. `residual` is then the error beyond this deviation.
   std::optional<Eigen::VectorXd> deviation;
-  /// Configuration nearest to the pose, if there are no solutions. The status is often known
-  /// without it; then it is searched for when it is asked for: in Python by the first use of
-  /// `nearest`, `residual` or `reason`, or by a pickle, a copy or a comparison; in C++ see
-  /// `unexplained`. That takes 1 to 20 ms for seven joints.
+  /// Configuration nearest to the pose, if there are no solutions, which may exceed the limits: see
+  /// NearestMiss. The status is often known without it; then it is searched for when it is asked
+  /// for: in Python by the first use of `nearest`, `residual` or `reason`, or by a pickle, a copy
+  /// or a comparison; in C++ see `unexplained`. That takes 1 to 20 ms for seven joints.
   std::optional<NearestMiss> nearest;
   /// Why; none if solved and not singular. Its values are found with the nearest miss.
   Reason reason = {};
