@@ -4,15 +4,9 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_loop.h>
-#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 namespace {
-
-/// Axes count as intersecting or parallel up to this sine of an angle, or distance over size.
-/// Models read from text with ten digits pass. The resulting error of the solutions is below their
-/// tolerance.
-constexpr double special = 1e-10;
 
 bool parallel(const JointAxis& a, const JointAxis& b) {
   return a.direction.cross(b.direction).norm() < special;
@@ -37,12 +31,6 @@ std::optional<Vector3> intersection(const JointAxis& a, const JointAxis& b, cons
   const auto ab = intersection(a, b, size), bc = intersection(b, c, size);
   if (!ab || !bc || (*ab - *bc).norm() > special * size) return std::nullopt;
   return ab;
-}
-
-double size_of(const std::vector<JointAxis>& axes, const Pose& tool) {
-  double size = tool.translation().norm();
-  for (std::size_t i = 1; i < axes.size(); ++i) size += (axes[i].point - axes[i - 1].point).norm();
-  return size > 0 ? size : 1;
 }
 
 /// Sets the combination weight[0] (1) + weight[1] (2) of the two equations that is free of an
@@ -171,6 +159,12 @@ bool solvable(const PieperLoop& loop) {
 }
 
 }  // namespace
+
+double size_of(const std::vector<JointAxis>& axes, const Pose& tool) {
+  double size = tool.translation().norm();
+  for (std::size_t i = 1; i < axes.size(); ++i) size += (axes[i].point - axes[i - 1].point).norm();
+  return size > 0 ? size : 1;
+}
 
 std::optional<PieperLoop> pieper_loop(const Chain& chain, const Pose* world_T_tool) {
   const std::vector<JointAxis> axes = axes_of(chain);

@@ -3,9 +3,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <beeline/inverse/analytic/rigid_motion.h>
-#include <beeline/model/internal/chain.h>
+#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 
@@ -42,6 +43,14 @@ struct PieperLoop {
   double weight[2] = {0, 0};
   int second = 0;
 };
+
+/// Axes count as intersecting or parallel up to this sine of an angle, or distance over size.
+/// Models read from text with ten digits pass. The resulting error of the solutions is below their
+/// tolerance.
+inline constexpr double special = 1e-10;
+
+/// Returns the extent of an arm with these axes, metres: lengths are compared with it.
+double size_of(const std::vector<JointAxis>& axes, const Pose& tool);
 
 /// Returns the loop of a chain of six links, or nothing if no three consecutive axes intersect or
 /// are parallel. Each link is revolute or prismatic and has a coordinate of its own. With

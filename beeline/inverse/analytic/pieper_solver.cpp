@@ -3,8 +3,6 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
-#include <beeline/model/internal/chain.h>
-#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 namespace {
@@ -89,12 +87,10 @@ std::optional<int> undetermined_axis(const Task& task) {
 
 /// Whether the last joint rotates the tool about this axis of the tool, at the tool's origin.
 bool rotates_about(const Chain& chain, const Vector3& axis) {
-  constexpr double special = 1e-10;  // see pieper_loop.cpp
   const Vector3 direction = chain.tool.linear().row(2);
-  const Vector3& origin = chain.tool.translation();
-  double size = origin.norm();
-  for (const Chain::Link& link : chain.links) size += link.translation.norm();
-  return direction.cross(axis).norm() < special && origin.head<2>().norm() <= special * size;
+  const double distance = chain.tool.translation().head<2>().norm();
+  return direction.cross(axis).norm() < special &&
+         distance <= special * size_of(axes_of(chain), chain.tool);
 }
 
 /// A rotation without special directions.
@@ -185,14 +181,15 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
   return std::nullopt;
 }
 
-std::optional<PieperSolver> PieperSolver::for_goal(const Chain& chain,
-                                                   const Pose& world_T_tool) const {
+const PieperSolver* PieperSolver::for_goal(const Chain& chain, const Pose& world_T_tool,
+                                           std::optional<PieperSolver>& own) const {
+  if (!world_axis_) return this;
   const Vector3 seen = world_T_tool.linear().row(*world_axis_);
   const auto loop = pieper_loop(with_virtual_joints(chain, {seen.normalized()}), &world_T_tool);
-  if (!loop) return std::nullopt;
-  PieperSolver solver = *this;
-  solver.loop_ = *loop;
-  return solver;
+  if (!loop) return nullptr;
+  own = *this;
+  own->loop_ = *loop;
+  return &*own;
 }
 
 PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& weights,

@@ -38,12 +38,11 @@ class PieperSolver {
   /// the task leaves free.
   bool spins() const { return locked_ == 4; }
 
-  /// Whether the loop depends on the goal: the task leaves free a rotation about an axis of the
-  /// world, which the tool sees as the goal turns it. Then only for_goal() has solutions.
-  bool depends_on_goal() const { return world_axis_.has_value(); }
-
-  /// Returns the solver of one goal, or nothing if it has no loop. `chain` is the arm's.
-  std::optional<PieperSolver> for_goal(const Chain& chain, const Pose& world_T_tool) const;
+  /// Returns the solver of one goal, or null if it has no loop. `chain` is the arm's. The loop
+  /// depends on the goal, and its solver is written to `own`, if the task leaves free a rotation
+  /// about an axis of the world, which the tool sees as the goal turns it.
+  const PieperSolver* for_goal(const Chain& chain, const Pose& world_T_tool,
+                               std::optional<PieperSolver>& own) const;
 
   /// Whether there are virtual joints. If so, a continuum of solutions may concern only these.
   bool has_virtual_joints() const { return dof_ < 6; }

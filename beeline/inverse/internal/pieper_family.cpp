@@ -15,19 +15,13 @@
 namespace beeline::internal {
 namespace {
 
-/// Returns the solver of the goal if the loop depends on it and exists.
-std::optional<PieperSolver> solver_of_goal(const PieperSolver& form, const Arm& arm,
-                                           const Pose& goal) {
-  if (!form.depends_on_goal()) return std::nullopt;
-  return form.for_goal(chain_of(arm), goal);
-}
-
 /// Whether the closed form recovers random configurations of the arm, or reports a continuum. It
 /// may do neither if axes of its loop coincide. Sixteen trials suffice, because it then fails
 /// almost everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
 /// rounding.
 bool recovers_configurations(const PieperSolver& kept, const Arm& arm) {
   constexpr int trials = 16;
+  std::optional<PieperSolver> own;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
   PieperRequest loop = kept.request(zero, Configuration::Ones(arm.dof()), open.lower, open.upper);
@@ -36,16 +30,15 @@ bool recovers_configurations(const PieperSolver& kept, const Arm& arm) {
     Configuration q(arm.dof()), recovered(arm.dof());
     for (double& value : q) value = 2 * random.next() - 1;
     const Pose goal = forward_kinematics(arm, q);
-    const std::optional<PieperSolver> of_goal = solver_of_goal(kept, arm, goal);
-    if (kept.depends_on_goal() && !of_goal) return false;
-    const PieperSolver& form = of_goal ? *of_goal : kept;
+    const PieperSolver* form = kept.for_goal(chain_of(arm), goal, own);
+    if (form == nullptr) return false;
     PieperBranches found;
-    const double value = form.locked() ? q[*form.locked()] : 0;
-    form.branches(goal, value, loop, found);
+    const double value = kept.locked() ? q[*kept.locked()] : 0;
+    form->branches(goal, value, loop, found);
     bool met = found.continuum != 0;
     for (int lane = 0; lane < 8 && !met; ++lane) {
       if ((found.found >> lane & 1) == 0) continue;
-      form.configuration(found, lane, value, recovered);
+      form->configuration(found, lane, value, recovered);
       met = same_posture(arm, q, recovered, 1e-4);
     }
     if (!met) return false;
@@ -347,12 +340,13 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
   const PieperSolver& kept = state.pieper_solver();
-  const std::optional<PieperSolver> of_goal = solver_of_goal(kept, request.arm, request.goal);
-  if (kept.depends_on_goal() && !of_goal) {
+  std::optional<PieperSolver> own;
+  const PieperSolver* form = kept.for_goal(chain_of(request.arm), request.goal, own);
+  if (form == nullptr) {
     found.unconstrained.doubtful = true;
     return;
   }
-  LockedRequest locked = locked_request(of_goal ? *of_goal : kept, request);
+  LockedRequest locked = locked_request(*form, request);
   if (!request.finitely_many()) return solve_locked(state, locked, found);
   solve_branches(state, locked, found);
   // Each solution has the seed's value of the last joint, of which any other does too.

@@ -135,12 +135,6 @@ namespace beeline {
 HWY_EXPORT(iterate);
 
 namespace internal {
-Pose last_link_goal(const NumericalProblem& problem, const Pose& world_T_tool) {
-  Pose goal = world_T_tool;
-  goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
-  goal.translation() /= problem.length;
-  return goal;
-}
 
 bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
                   const LaneOptions& options, GaussNewtonState& near) {

@@ -29,8 +29,4 @@ struct GaussNewtonState {
 bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
                   const LaneOptions& options, GaussNewtonState& near);
 
-/// Returns the goal in the form of the kernels: the position of the tool, in units of length, with
-/// the orientation of the last link.
-Pose last_link_goal(const NumericalProblem& problem, const Pose& world_T_tool);
-
 }  // namespace beeline::internal

@@ -256,9 +256,7 @@ namespace internal {
 
 void run_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
                const LaneOptions& options, int max_steps, LevenbergMarquardtLanes& lanes) {
-  Pose goal = world_T_tool;
-  goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
-  goal.translation() /= problem.length;
+  const Pose goal = last_link_goal(problem, world_T_tool);
   HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, max_steps, lanes);
 }
 

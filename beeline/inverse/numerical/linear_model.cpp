@@ -1,6 +1,4 @@
-#include <cmath>
-
-#include <beeline/error.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/inverse/numerical/linear_model.h>
 #include <beeline/kinematics/internal/mask.h>
 
@@ -10,12 +8,9 @@ NumericalGoal numerical_goal(const Arm& arm, const Pose& world_T_tool, const Tas
                              const Bounds& bounds, const Configuration& start,
                              const NumericalOptions& options) {
   check_configuration(arm, start);
-  if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
+  check_lane_options(world_T_tool,
+                     {.tolerance = options.tolerance, .max_iterations = options.max_iterations});
   check_task(arm, task, bounds);
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.max_iterations < 0) {
-    throw Error("tolerance must be above zero, and max_iterations zero or more; not " +
-                number(options.tolerance) + " and " + std::to_string(options.max_iterations));
-  }
   NumericalGoal goal{arm, world_T_tool, task, bounds, unit_of_length(arm), {}};
   goal.units.resize(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {

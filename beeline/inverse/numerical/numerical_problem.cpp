@@ -61,4 +61,11 @@ std::size_t NumericalProblem::heap_bytes() const {
          internal::heap_bytes(links) + 2 * sizeof(double) * coordinates.size();
 }
 
+Pose last_link_goal(const NumericalProblem& problem, const Pose& world_T_tool) {
+  Pose goal = world_T_tool;
+  goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
+  goal.translation() /= problem.length;
+  return goal;
+}
+
 }  // namespace beeline::internal

@@ -49,4 +49,8 @@ struct NumericalProblem {
 /// Throws Error for a task and bounds that check_task() refuses.
 NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds);
 
+/// Returns the goal in the form of the kernels: the position of the tool, in units of length, with
+/// the orientation of the last link.
+Pose last_link_goal(const NumericalProblem& problem, const Pose& world_T_tool);
+
 }  // namespace beeline::internal
