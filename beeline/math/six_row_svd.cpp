@@ -1,23 +1,10 @@
+#include <Eigen/Jacobi>
 #include <cmath>
 #include <utility>
 
 #include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
-namespace {
-
-/// Rotates columns p and q of a matrix by the angle with cosine c and sine s.
-template <typename Matrix>
-void rotate_columns(Matrix& matrix, int p, int q, double c, double s) {
-  for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
-    const double a = matrix(k, p), b = matrix(k, q);
-    matrix(k, p) = c * a - s * b;
-    matrix(k, q) = s * a + c * b;
-  }
-}
-
-}  // namespace
-
 void SixRowSvd::compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a) {
   constexpr int max_sweeps = 30;        // convergence is quadratic; about six suffice
   constexpr double orthogonal = 1e-14;  // cosine between columns that rounding leaves
@@ -37,8 +24,9 @@ void SixRowSvd::compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a) {
         const double tangent = std::copysign(
             1 / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent)), cotangent);
         const double c = 1 / std::sqrt(1 + tangent * tangent), s = c * tangent;
-        rotate_columns(scaled_right, p, q, c, s);
-        rotate_columns(left, p, q, c, s);
+        const Eigen::JacobiRotation<double> rotation(c, s);
+        scaled_right.applyOnTheRight(p, q, rotation);
+        left.applyOnTheRight(p, q, rotation);
       }
     }
   }

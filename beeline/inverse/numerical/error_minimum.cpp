@@ -67,17 +67,23 @@ bool minimise_error(const Arm& arm, const Pose& world_T_tool, const Task& task,
   HalfSquare f{arm, world_T_tool, task, bounds};
   f.free = f.not_pressed(q);
   double smallest = f.value(q), damping = first_damping;
-  bool done = false;
+  Configuration slope;
+  Eigen::MatrixXd hessian;
+  bool moved = true, done = false;
   for (int step = 0; step < max_steps && !done && damping < max_damping; ++step) {
-    if (!f.is_above(least, q)) return false;
-    const Configuration slope = f.free.cwiseProduct(f.slope(q));
-    Eigen::MatrixXd matrix = f.hessian(q);
+    if (moved) {
+      if (!f.is_above(least, q)) return false;
+      slope = f.free.cwiseProduct(f.slope(q));
+      hessian = f.hessian(q);
+    }
+    Eigen::MatrixXd matrix = hessian;
     matrix.diagonal().array() += damping;
     const Eigen::LDLT<Eigen::MatrixXd> factor(matrix);
     const Configuration next = q - factor.solve(slope);
     const bool usable = factor.isPositive() && next.allFinite();
     const double cost = usable ? f.value(next) : smallest;
-    if (!(cost < smallest)) {
+    moved = cost < smallest;
+    if (!moved) {
       damping *= 10;
       continue;
     }
