@@ -32,7 +32,7 @@ struct EliminationChoice {
 /// coordinate i.
 EliminationChoice choose_eliminations(const Chain& chain);
 
-/// Tries the eliminations chosen for an arm of similar geometry, in a tenth of the time.
+/// Tries the eliminations chosen for an arm of similar geometry, in a fraction of the time.
 EliminationChoice choose_eliminations(const Chain& chain, const EliminationChoice& similar);
 
 /// Computes all solutions of an arm with six revolute joints of general geometry, up to 16, joint
