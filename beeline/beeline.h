@@ -49,6 +49,7 @@
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
+#include <beeline/model/moving_base.h>
 #include <beeline/path/blend.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/path/segment.h>

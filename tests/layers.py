@@ -37,7 +37,7 @@ OUTSIDE = ("cli", "python/src", "mpi", "web/core", "bench", "examples")
 UMBRELLA = "beeline/beeline.h"  # includes every public header
 # Not installed: all of these folders, every internal/ and -inl.h.
 INTERNAL = {"simd", "math", "reason", "inverse/analytic", "inverse/numerical"}
-MAX_PUBLIC_HEADERS = 65  # planning/free_path.h is the 65th
+MAX_PUBLIC_HEADERS = 66  # model/moving_base.h is the 66th
 ERROR = ("beeline/error.h", "beeline/beeline.h")
 SYSTEM = {"dlfcn", "fcntl", "poll", "spawn", "sys", "unistd"}  # C headers that any .cpp may use
 

@@ -122,6 +122,11 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   return {};
 }
 
+std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints) {
+  for (LinkShapes& body : links) body.link += joints;
+  return links;
+}
+
 std::string arm_to_json(const Arm& arm, const std::vector<LinkShapes>& links) {
   std::string bodies;
   std::unordered_set<std::string> names;

@@ -165,6 +165,11 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends = {}, const ShapeOptions& options = {});
 
+/// Returns the shapes of the links of an arm as shapes of the arm with `joints` more joints before
+/// its own: one after with_rail(), three after with_mobile_base(). What was fixed to the base is
+/// carried by the last of these joints.
+std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints);
+
 /// Returns the arm as JSON with the list `shapes` of its bodies; it reads back exactly, except that
 /// a body at only one of its link's joints is written as attached: it must then keep its clearance
 /// from both neighbours. Bodies without shapes are left out. Throws Error as arm_to_json(arm) does,
