@@ -55,8 +55,9 @@ std::vector<Option> ArmArgument::options() {
                "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
                "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another "
                "--pose-form.",
-               &mount),
-        Option("--limits FILE",
+               &mount)},
+       moving_base.options(),
+       {Option("--limits FILE",
                "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
                "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
                &limits)}});
@@ -105,11 +106,14 @@ ArmShapes ArmArgument::shapes(ShapeOptions options) const {
     warn(text + ": planes are obstacles, not shapes of the arm; they are left out of " +
          listed(read.links_with_planes) + ", and a scene may have a half_space for each");
   }
+  read.links = behind_joints(std::move(read.links), moving_base.joints());
   return read;
 }
 
 LinkShapes ArmArgument::tool_shapes(const std::string& path) const {
-  return read_tool_shapes(path, read_arm(text, ends()));
+  LinkShapes tool = read_tool_shapes(path, read_arm(text, ends()));
+  tool.link += moving_base.joints();
+  return tool;
 }
 
 Arm ArmArgument::read(const UnitArgument& unit, bool reports_faults) const {
@@ -130,6 +134,7 @@ Arm ArmArgument::read(const UnitArgument& unit, bool reports_faults) const {
     arm = with_mount(arm, world_T_base);
     warn_of_distance("--mount", mount_in_millimetres(world_T_base), unit);
   }
+  arm = moving_base.on(arm, unit);
   if (limits.empty()) return arm;
   const JointLimits file = read_joint_limits(limits, arm);
   for (const std::string& note : file.notes) warn(note);
@@ -138,6 +143,13 @@ Arm ArmArgument::read(const UnitArgument& unit, bool reports_faults) const {
 
 bool ArmArgument::shown_in_plane(const Arm& arm) const {
   return arm.planar() && !has_link_tree_ending(text);
+}
+
+Configuration ArmArgument::state(const Srdf& srdf_file, const Arm& arm, const std::string& name,
+                                 const std::string& of_group) const {
+  if (!moving_base.given()) return named_state(srdf_file, arm, name, of_group);
+  const Arm alone = read_arm(text, ends());
+  return moving_base.at_zero(arm, named_state(srdf_file, alone, name, of_group));
 }
 
 Configuration ArmArgument::configuration(const Arm& arm, const std::string& values,
@@ -150,8 +162,8 @@ Configuration ArmArgument::configuration(const Arm& arm, const std::string& valu
   if (srdf.empty()) return unit.configuration(arm, values, option);
   const Srdf semantics = read_srdf(srdf);
   const bool known = std::any_of(semantics.states.begin(), semantics.states.end(),
-                                 [&](const Srdf::State& state) { return state.name == values; });
-  return known || is_name(values) ? named_state(semantics, arm, values, group)
+                                 [&](const Srdf::State& each) { return each.name == values; });
+  return known || is_name(values) ? state(semantics, arm, values, group)
                                   : unit.configuration(arm, values, option);
 }
 

@@ -191,6 +191,7 @@ Verb reach_place_verb() {
                           "--self.",
                           &arguments->shaped.text)},
                   arguments->shaped.chain_options(),
+                  arguments->shaped.moving_base.options(),
                   arguments->scene.distance_options(),
                   arguments->unit.options(),
                   arguments->budget.options()}),

@@ -196,11 +196,14 @@ NoShapesError no_shapes(const std::string& option, const std::string& arm) {
 }
 
 /// The links of an arm without shapes: those that move, bodies without shapes in its file, and
-/// links of a URDF file that are only visible.
-std::vector<std::string> links_without(const Arm& arm, const ArmShapes& read) {
+/// links of a URDF file that are only visible. Links between the joints of a mobile base and a rail
+/// have no bodies.
+std::vector<std::string> links_without(const Arm& arm, const ArmShapes& read,
+                                       const MovingBaseArgument& moving_base) {
   const std::vector<LinkShapes>& shapes = read.links;
+  const std::size_t first = std::max<std::size_t>(1, moving_base.joints());
   std::vector<std::string> names;
-  for (std::size_t i = 1; i <= arm.joints().size(); ++i) {
+  for (std::size_t i = first; i <= arm.joints().size(); ++i) {
     const bool has_shapes = std::any_of(shapes.begin(), shapes.end(), [&](const LinkShapes& body) {
       return body.link == i && !body.shapes.empty();
     });
@@ -285,7 +288,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
   for (const std::string& path : scenes) files.push_back({path, {}});
   read_cells(files, reading);
   const ArmShapes shapes = shapes_of(arm_argument, arm, reading);
-  read_other_scenes(files, arm, shapes, reading, fixed_mount);
+  read_other_scenes(files, arm, shapes, reading, fixed_mount && !arm_argument.moving_base.given());
   auto scenes_held = held_in(files, hold_of_all, shapes.held);
   std::map<std::string, std::vector<std::string>> scenes_without_shapes;
   for (const SceneFile& file : files) {
@@ -322,7 +325,7 @@ std::optional<CheckedScene> SceneArgument::read(const ArmArgument& arm_argument,
       .held = shapes.held,
       .held_by_state = shapes.held_by_state,
       .scenes_held = std::move(scenes_held),
-      .links_without_shapes = links_without(arm, shapes),
+      .links_without_shapes = links_without(arm, shapes, arm_argument.moving_base),
       .scenes_without_shapes = std::move(scenes_without_shapes)};
   for (const LinkShapes& body : shapes.links) {
     add_mesh_hulls(body.name, body.shapes, checked.mesh_hulls);

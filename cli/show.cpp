@@ -41,9 +41,10 @@ std::string chain_text(const Srdf& srdf, const std::string& group, const std::st
 
 /// The state's values for the arm, or why it has none for it.
 std::string state_text(const Srdf& srdf, const Srdf::State& state, const Arm& arm,
-                       const UnitArgument& unit) {
+                       const ShowArguments& arguments) {
   try {
-    return shown(unit.shown(arm, named_state(srdf, arm, state.name, state.group)));
+    const Configuration q = arguments.arm.state(srdf, arm, state.name, state.group);
+    return shown(arguments.unit.shown(arm, q));
   } catch (const Error&) {
     return "not for this arm";
   }
@@ -61,7 +62,7 @@ void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
   }
   answer.text += fmt::format("\nnamed states (joint values in {}, m)\n", arguments.unit.name());
   for (const Srdf::State& state : srdf.states) {
-    const std::string values = state_text(srdf, state, arm, arguments.unit);
+    const std::string values = state_text(srdf, state, arm, arguments);
     answer.text += fmt::format("  {:<24}  {:<16}  {}\n", state.name, state.group, values);
     Json joints = Json::object();
     for (const auto& [joint, numbers] : state.joints) {
@@ -250,6 +251,8 @@ Verb show_verb() {
                     "beeline show ur5e --out ur5e.urdf\nbeeline show ur5e --out ur5e.xml"},
                    {"A UR5 with limits of its user",
                     "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
+                   {"A UR5 on a rail of 2 m, for ROS",
+                    "beeline show ur5 --rail x:2 --out ur5_on_rail.urdf"},
                    {"An arm file to change and use in place of the built-in arm",
                     "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
       .run = [arguments] { return show(*arguments); }};

@@ -144,7 +144,7 @@ def test_bad_frames_name_their_option(refused):
                                   "show", "move", "line", "check", "retime", "replay", "draw", "diff"])
 def test_every_verb_with_an_arm_has_the_options(beeline, verb):
     help_text = beeline(*verb.split(), "--help").out
-    for option in ("--tcp", "--mount", "--base", "--tip", "--srdf", "--group"):
+    for option in ("--tcp", "--mount", "--rail", "--mobile-base", "--base", "--tip", "--srdf", "--group"):
         assert option in help_text
 
 

@@ -153,10 +153,14 @@ check shaped.urdf shaped.csv --scene moved.scene --scene cell.yaml --moving-star
 move shaped.urdf --from 0 --to 0.1 --method quickest --self
 fk rrr --q 0.1,0.2,0.3 --limits limits.yaml
 fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5
+ik ur5 --rail x:2 --pose {POSE} --seed 0.5,0,1,1,0,1,0 --json
+line panda --through poses.csv --rail 1,1,0:-1:1 --out out.csv
+show robot.urdf --tip gripper --rail z:0.5 --mobile-base -2:2,-1:1,-3:3 --out out.urdf
+check shaped.urdf shaped.csv --rail y:1 --self --joint-map map.json
 arms --json
 completion bash
 """.strip().splitlines()]
-OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
+OPTIONS = """--json --degrees --all --tcp --mount --rail --mobile-base --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
 --joint-map --angle-unit --time-unit --no-unwrap --limit-tolerance --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees --scene --self --package --hold --clearance --radius --as --convention""".split()
 
