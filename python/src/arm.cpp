@@ -327,6 +327,7 @@ void bind_arms(nb::module_& m) {
   bind_properties(arm);
   bind_frames(arm);
   bind_copies(arm);
+  bind_moving_bases(arm);
   Signature json("to_json", "str", "Returns the arm as JSON, which reads back exactly.");
   define(
       arm, [](const Arm& self) { return arm_to_json(self); }, json.takes("self"));

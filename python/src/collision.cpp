@@ -142,6 +142,22 @@ void bind_other_shape_files(nb::module_& m) {
       },
       written, nb::arg("arm"), nb::arg("links"));
 
+  Signature behind(
+      "behind_joints", argument_type<std::vector<LinkShapes>>(),
+      "Returns the shapes of the links of an arm as shapes of the arm with more joints before its "
+      "own: one after with_rail(), three after with_mobile_base(). What was fixed to the base is "
+      "carried by the last of these joints.");
+  behind.takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of the arm without them.")
+      .takes("joints", "int", "Number of joints, 0 or more.");
+  define(
+      m,
+      [](nb::handle links, nb::handle joints) {
+        return Value<std::vector<LinkShapes>>::to(
+            behind_joints(Value<std::vector<LinkShapes>>::from(links, "links"),
+                          Value<std::size_t>::from(joints, "joints")));
+      },
+      behind, nb::arg("links"), nb::arg("joints"));
+
   Signature tool(
       "read_tool_shapes", "LinkShapes",
       "Reads the shapes of a tool from a JSON file, posed in the arm's tool frame. Raises "
