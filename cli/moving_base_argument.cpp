@@ -1,10 +1,13 @@
 #include "moving_base_argument.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/error.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/model/moving_base.h>
+
+#include "command/streams.h"
 
 namespace beeline::command {
 namespace {
@@ -24,6 +27,16 @@ std::vector<std::string> split(const std::string& text, char separator) {
 /// The limits LOWER:UPPER, without an order: the arm refuses a lower limit above the upper one.
 Limits range(const std::string& lower, const std::string& upper, const std::string& what) {
   return {.lower = parse_number(lower, what), .upper = parse_number(upper, what)};
+}
+
+/// Warns of a limit beyond 100 m.
+void warn_of_millimetres(const std::string& option, const Limits& limits) {
+  constexpr double far = 100;  // metres
+  for (const double limit : {limits.lower, limits.upper}) {
+    if (!(std::abs(limit) > far) || std::isinf(limit)) continue;
+    return warn(option + ": the limit " + number(limit) +
+                " m is probably in millimetres; it is read in metres");
+  }
 }
 
 /// x, y, z or three numbers.
@@ -56,7 +69,9 @@ Arm on_rail(const Arm& arm, const std::string& text) {
       throw Error("the length must be above 0 m, not " + number(limits.upper));
     }
   }
-  return with_rail(arm, direction(parts[0]), limits);
+  const Arm moving = with_rail(arm, direction(parts[0]), limits);
+  warn_of_millimetres("--rail", limits);
+  return moving;
 }
 
 Arm on_mobile_base(const Arm& arm, const std::string& text, const UnitArgument& unit) {
@@ -75,7 +90,10 @@ Arm on_mobile_base(const Arm& arm, const std::string& text, const UnitArgument& 
   limits.resize(3);
   limits[2].lower = to_radians(limits[2].lower, unit.angle_unit());
   limits[2].upper = to_radians(limits[2].upper, unit.angle_unit());
-  return with_mobile_base(arm, {.x = limits[0], .y = limits[1], .heading = limits[2]});
+  const Arm moving = with_mobile_base(arm, {.x = limits[0], .y = limits[1], .heading = limits[2]});
+  warn_of_millimetres("--mobile-base", limits[0]);
+  warn_of_millimetres("--mobile-base", limits[1]);
+  return moving;
 }
 
 }  // namespace

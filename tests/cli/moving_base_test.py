@@ -132,6 +132,13 @@ def test_self_collisions_do_not_depend_on_the_base(beeline):
     assert len(rail["blocked"]) == len(alone["blocked"]) > 0
 
 
+def test_limits_in_millimetres_are_noticed(beeline):
+    for options in ("--rail", "x:2000"), ("--rail", "x:-500:0"), ("--mobile-base", "0:1,0:3000"):
+        warning = beeline("show", "ur5", *options).err
+        assert warning.startswith(f"beeline: warning: {options[0]}: the limit ") and "millimetres" in warning
+    assert beeline("show", "ur5", "--rail", "x:100").err == ""
+
+
 def test_bad_rails_and_bases_name_their_option(refused):
     q = ("fk", "ur5", "--q", "0," + Q["ur5"])
     for text, says in (("x", "AXIS:LENGTH"), ("x:1:2:3", "AXIS:LENGTH"), ("w:1", "x, y, z or a direction"),

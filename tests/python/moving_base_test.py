@@ -44,7 +44,8 @@ def test_the_arm_is_one_like_any_other():
     assert rail.joints[0].limits.velocity == 1.5
     assert beeline.Arm.from_json(rail.to_json()) == rail
     poses = [beeline.pose_of([x, 0.4, 0.4, np.pi, 0, 0]) for x in (0.5, 2.8)]
-    motion = beeline.move_in_lines(rail, poses)
+    start = beeline.inverse_kinematics(rail, poses[0]).solutions[0]
+    motion = beeline.move_in_lines(rail, start, poses[1:])
     assert motion.status == "reached"
     assert motion.trajectory.joint_names[0] == "rail"
 
