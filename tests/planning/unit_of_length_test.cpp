@@ -66,5 +66,30 @@ TEST(UnitOfLength, DoesNotChangeTheMotionsOfRedundantArms) {
   EXPECT_GT(compared, 8);
 }
 
+// The same for a rotation in place, from a start near the limit of a joint.
+TEST(UnitOfLength, DoesNotChangeRotationsInPlaceFromNearALimit) {
+  testing::Random random;
+  int compared = 0, equal = 0;
+  for (int i = 0; i < testing::cases(24); ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "panda" : "iiwa7");
+    const Configuration middle = middle_configuration(arm);
+    Configuration start = middle + 0.5 * (random.configuration(arm) - middle);
+    const int near = random.integer(0, arm.dof() - 1);
+    start[near] = std::lerp(arm.limits(near).lower, arm.limits(near).upper, 0.03);
+    Pose to = forward_kinematics(arm, start);
+    to.linear() = so3_exp(random.uniform(0.5, 0.9) * random.direction()) * to.linear();
+    const PathMotion metres = move_in_lines(arm, start, {to});
+    if (!metres) continue;
+    for (const double k : {1.0 / 64, 64.0}) {
+      const PathMotion motion =
+          move_in_lines(scaled(arm, k), start, {scaled(to, k)}, {.tolerance = 1e-4 * k});
+      ++compared;
+      equal += motion && difference(motion.trajectory, metres.trajectory) < 1e-3 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(10 * equal, 9 * compared) << equal << " of " << compared;
+  EXPECT_GT(compared, testing::cases(12));
+}
+
 }  // namespace
 }  // namespace beeline

@@ -199,11 +199,16 @@ std::vector<Knot> knots_through(const std::vector<Node>& nodes, const SelfMotion
 /// Returns the allowed deficit of the margin in each layer, which is positive near a given start.
 std::vector<double> allowances(const Arm& arm, const std::vector<SelfMotionLayer>& layers,
                                const ToolPath& path, bool given_start) {
-  constexpr double largest = 0.25;
-  const double distance = 0.3 * unit_of_length(arm);
+  constexpr double largest = 0.25, distance = 0.3;
+  std::vector<double> ends{0};  // weighted lengths up to the ends of segments
+  for (const Segment& segment : path.segments) {
+    ends.push_back(ends.back() + weighted_length(arm, segment));
+  }
   std::vector<double> allowance;
   for (const SelfMotionLayer& layer : layers) {
-    const double left = 1 - span_to(path, layer.s) / distance;
+    const std::size_t i = segment_at(path, layer.s);
+    const double length = std::lerp(ends[i], ends[i + 1], layer.s - static_cast<double>(i));
+    const double left = 1 - length / distance;
     allowance.push_back(given_start ? largest * std::max(0.0, left) : 0);
   }
   return allowance;

@@ -18,8 +18,8 @@ namespace beeline::internal {
 ///     min  sum_r c(q_r) + sum_{r>0} d(q_{r-1}, q_r)
 ///     subject to  m(q_r) + a_r >= 0.8 min(m*, 1/4),   m* = max min_r (m(q_r) + a_r),
 /// where m* is the maximum over all paths through the graph, c and d are the costs of KnotCosts,
-/// and a_r is zero, except within 0.3 times unit_of_length(arm) of a given start, which may be near
-/// a limit or an obstacle. Blocked nodes have no edges, and edges along a curve end there. Solved
+/// and a_r is zero, except within a weighted_length() of 0.3 of a given start, which may be near a
+/// limit or an obstacle. Blocked nodes have no edges, and edges along a curve end there. Solved
 /// by dynamic programming, once for m* and once for the knots. They are then smoothed in the null
 /// space within the same margin. This does not prove that the arm can move from knot to knot: see
 /// track_segment(). If the budget ends the search, the result has the knots found so far.
