@@ -217,7 +217,7 @@ struct Verifier {
     const std::size_t segments = route.path.segments.size();
     result.deviation.interval_bounds.resize(trajectory.size() - 1);
     result.path = route.path;
-    std::size_t first = result.recovery ? result.recovery->sample : 0, begin = 0;
+    std::size_t first = begin_of_path(result.recovery), begin = 0;
     result.path_parameters.assign(first + 1, 0);
     std::fill_n(result.deviation.interval_bounds.begin(), first, no_bound);
     check_recovery(first);
@@ -348,8 +348,8 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
   std::vector<Pose> poses = checked_waypoints(waypoints);
   const Trajectory trajectory = checked_trajectory(arm, given);
   const std::optional<Recovery> recovery = accepted_recovery(arm, trajectory, options.recover);
-  const std::size_t first = recovery ? recovery->sample : 0;
-  poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions[first]));
+  const Configuration& begin = trajectory.positions[begin_of_path(recovery)];
+  poses.insert(poses.begin(), forward_kinematics(arm, begin));
   return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
 }
 

@@ -5,6 +5,7 @@
 #include <beeline/math/minimise.h>
 #include <beeline/path/blend.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/path/internal/scaled_blends.h>
 
 namespace beeline {
 namespace {
@@ -116,62 +117,128 @@ void check_tolerances(std::span<const Deviation> within, std::size_t corners) {
     throw Error(std::to_string(corners) + " corners need as many tolerances, not " +
                 std::to_string(within.size()));
   }
-  constexpr double smallest = 1e-4;  // metres and radians; joints nearly stop in smaller ones
-  for (const Deviation& one : within) {
-    if (one.position >= smallest && one.orientation >= smallest) continue;
-    throw Error("the tolerances of a blend must be at least " + number(smallest) +
-                " m and rad, not " + deviation_text(one) + "; without a blend the tool stops");
+  for (const Deviation& one : within) internal::check_blend_tolerance(one);
+}
+
+/// The poses between lines. Poses that are passed as one are one of them.
+struct Corners {
+  std::vector<Pose> poses;
+  std::vector<std::size_t> last;  ///< the last of the given poses that are passed as each of them
+  std::vector<Deviation> within;  ///< of each
+  std::vector<double> scales;     ///< of each
+};
+
+Corners corners_of(const std::vector<Pose>& given, std::span<const Deviation> within,
+                   std::span<const double> scales) {
+  Corners corners;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool inner = i > 0 && i + 1 < given.size();
+    const bool again = i > 0 && internal::passed_as_one(given[i], corners.poses.back());
+    if (!again) {
+      corners.poses.push_back(given[i]);
+      corners.last.push_back(i);
+      corners.within.push_back(inner ? within[i - 1] : Deviation{});
+      corners.scales.push_back(inner ? scales[i - 1] : 1);
+      continue;
+    }
+    corners.last.back() = i;
+    if (!inner && corners.poses.size() > 1) corners.poses.back() = given[i];  // the end
+    if (!inner) continue;
+    const Twist away = pose_difference(given[i], corners.poses.back());
+    Deviation& most = corners.within.back();
+    most.position = std::min(most.position, within[i - 1].position - away.head<3>().norm());
+    most.orientation =
+        std::min(most.orientation, within[i - 1].orientation - away.tail<3>().norm());
+    corners.scales.back() = std::min(corners.scales.back(), scales[i - 1]);
   }
+  if (corners.poses.size() > 1) return corners;
+  throw Error("pose " + std::to_string(given.size()) +
+              " is the same as the first one; lines need two different poses");
+}
+
+/// The blends at the corners: without neighbours as large as they are wanted, then as large as the
+/// lines allow, then scaled. One for each pose; those at both ends are none.
+std::vector<Blend> blends_at(const Corners& corners, const std::vector<Twist>& direction,
+                             const std::vector<double>& span) {
+  const std::size_t lines = span.size();
+  std::vector<double> wanted(lines + 1, 0);
+  std::vector<Blend> blends(lines + 1);
+  for (std::size_t i = 1; i < lines; ++i) {
+    const Sides sides{direction[i - 1], direction[i]};
+    blends[i] = of_radius_one(sides);
+    blends[i].sharp = reverses(sides);
+    const bool stops = blends[i].sharp || corners.scales[i] == 0;
+    if (!stops) wanted[i] = wanted_radius(blends[i], corners.within[i]);
+  }
+  for (std::size_t i = 1; i < lines; ++i) {
+    const double before_span = (1 - straight) * span[i - 1], after_span = (1 - straight) * span[i];
+    const double before = std::max(before_span / 2, before_span - wanted[i - 1]);
+    const double after = std::max(after_span / 2, after_span - wanted[i + 1]);
+    const double radius = std::min({wanted[i], before, after});
+    blends[i] = scaled(blends[i], corners.scales[i] * radius);
+    blends[i].shortened = radius < wanted[i];
+  }
+  return blends;
 }
 
 }  // namespace
 
+void internal::check_blend_tolerance(const Deviation& within) {
+  constexpr double smallest = 1e-4;  // metres and radians; joints nearly stop in smaller ones
+  if (within.position >= smallest && within.orientation >= smallest) return;
+  throw Error("the tolerances of a blend must be at least " + number(smallest) +
+              " m and rad, not " + deviation_text(within) + "; without a blend the tool stops");
+}
+
+bool internal::passed_as_one(const Pose& pose, const Pose& before) {
+  constexpr double same = 1e-5;  // metres and radians: a tenth of the smallest tolerance
+  const Twist away = pose_difference(pose, before);
+  return away.head<3>().norm() <= same && away.tail<3>().norm() <= same;
+}
+
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within) {
-  check_tolerances(std::span(&within, 1), 1);
+  internal::check_blend_tolerance(within);
   return blended_lines(poses,
                        std::vector<Deviation>(poses.size() < 2 ? 0 : poses.size() - 2, within));
 }
 
-BlendedPath blended_lines(std::span<const Pose> given, std::span<const Deviation> within) {
-  const std::vector<Pose> poses = internal::checked_path(given);
+BlendedPath blended_lines(std::span<const Pose> poses, std::span<const Deviation> within) {
+  return internal::scaled_blends(poses, within, std::vector<double>(within.size(), 1));
+}
+
+BlendedPath internal::scaled_blends(std::span<const Pose> given, std::span<const Deviation> within,
+                                    std::span<const double> scales) {
+  if (given.size() < 2) throw Error("a path needs at least two poses");
+  const std::vector<Pose> checked = checked_poses(given);
+  check_tolerances(within, checked.size() - 2);
+  const Corners corners = corners_of(checked, within, scales);
+  const std::vector<Pose>& poses = corners.poses;
   const std::size_t lines = poses.size() - 1;
-  check_tolerances(within, lines - 1);
-  std::vector<double> span(lines), wanted(lines + 1, 0);
+  std::vector<double> span(lines);
   std::vector<Twist> direction(lines);  // per metre of the span
   for (std::size_t i = 0; i < lines; ++i) {
     span[i] = span_of({poses[i], poses[i + 1]});
     direction[i] = pose_difference(poses[i + 1], poses[i]) / span[i];
   }
-  std::vector<Blend> ones;
-  for (std::size_t i = 1; i < lines; ++i) {
-    const Sides sides{direction[i - 1], direction[i]};
-    ones.push_back(of_radius_one(sides));
-    ones.back().sharp = reverses(sides);
-    if (!ones.back().sharp) wanted[i] = wanted_radius(ones.back(), within[i - 1]);
-  }
+  const std::vector<Blend> blends = blends_at(corners, direction, span);
   BlendedPath blended;
-  std::vector<double> radius(lines + 1, 0);  // of the blend between the lines i - 1 and i
-  for (std::size_t i = 1; i < lines; ++i) {
-    const double before_span = (1 - straight) * span[i - 1], after_span = (1 - straight) * span[i];
-    const double before = std::max(before_span / 2, before_span - wanted[i - 1]);
-    const double after = std::max(after_span / 2, after_span - wanted[i + 1]);
-    radius[i] = std::min({wanted[i], before, after});
-    blended.blends.push_back(scaled(ones[i - 1], radius[i]));
-    blended.blends.back().shortened = radius[i] < wanted[i];
-  }
+  blended.blends.resize(checked.size() - 2);
   for (std::size_t i = 0; i < lines; ++i) {
-    const double from = radius[i] / span[i], to = 1 - radius[i + 1] / span[i];
+    const double from = blends[i].radius / span[i], to = 1 - blends[i + 1].radius / span[i];
     blended.path.segments.emplace_back(
         Line{interpolate(poses[i], poses[i + 1], from), interpolate(poses[i], poses[i + 1], to)});
     blended.path.spans.push_back((to - from) * span[i]);
-    if (radius[i + 1] > 0) {
-      blended.path.segments.emplace_back(
-          blend_segment(poses[i + 1], {direction[i], direction[i + 1]}, radius[i + 1]));
-      blended.path.spans.push_back(2 * radius[i + 1]);
-    }
-    blended.stops.resize(blended.path.segments.size(), false);
-    blended.lines.resize(blended.path.segments.size(), i);
-    if (i + 1 < lines && blended.blends[i].sharp) blended.stops.back() = true;
+    blended.lines.push_back(corners.last[i]);
+    blended.stops.push_back(false);
+    if (i + 1 == lines) break;
+    const Blend& blend = blended.blends[corners.last[i + 1] - 1] = blends[i + 1];
+    blended.stops.back() = blend.sharp || corners.scales[i + 1] == 0;
+    if (blend.radius == 0) continue;
+    blended.path.segments.emplace_back(
+        blend_segment(poses[i + 1], {direction[i], direction[i + 1]}, blend.radius));
+    blended.path.spans.push_back(2 * blend.radius);
+    blended.lines.push_back(corners.last[i + 1] - 1);
+    blended.stops.push_back(false);
   }
   blended.path.names = blend_names(blended);
   return blended;

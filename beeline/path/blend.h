@@ -40,8 +40,10 @@ struct BlendedPath {
 ///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4,
 /// so poses in reverse order give the reversed path. A sixteenth of each line at least stays
 /// straight: each of its two blends may use half of the rest, or more if the other uses less.
-/// Throws Error for fewer than two poses, a pose that is not a rigid motion or repeats the one
-/// before it, and tolerances below 1e-4 m or rad.
+/// Consecutive poses within 1e-5 m and rad of each other are passed as one, within the smallest of
+/// their tolerances: the last of them has the blend, and the lines between them have no segment.
+/// Throws Error for fewer than two different poses, a pose that is not a rigid motion, and
+/// tolerances below 1e-4 m or rad.
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 
 /// The same with tolerances for each pose between the first and the last. Throws Error for another

@@ -214,6 +214,53 @@ TEST(BlendedLines, StopAtASharpCornerBehindABlend) {
   EXPECT_EQ(route_of(blended).stops, (std::vector<bool>{false, false, true, false}));
 }
 
+TEST(BlendedLines, PassRepeatedPosesAsOne) {
+  Random random;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<Pose> poses = random_poses(random, random.integer(2, 6), 1, 2);
+    std::vector<Deviation> within;
+    std::vector<Pose> repeated;
+    std::vector<Deviation> repeated_within;
+    std::vector<std::size_t> last;  // of the repeated poses
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const bool inner = k > 0 && k + 1 < poses.size();
+      const Deviation here = random_distance(random);
+      if (inner) within.push_back(here);
+      for (int times = random.integer(1, 3); times > 0; --times) {
+        repeated.push_back(poses[k]);
+        if (inner) repeated_within.push_back({times * here.position, times * here.orientation});
+        if (!inner) repeated_within.push_back({1, 1});
+      }
+      last.push_back(repeated.size() - 1);
+    }
+    repeated_within.erase(repeated_within.begin());
+    repeated_within.pop_back();
+    const BlendedPath once = blended_lines(poses, within);
+    const BlendedPath again = blended_lines(repeated, repeated_within);
+    ASSERT_EQ(again.path.segments.size(), once.path.segments.size());
+    for (std::size_t k = 0; k < once.path.spans.size(); ++k) {
+      EXPECT_NEAR(again.path.spans[k], once.path.spans[k], 1e-12);
+    }
+    EXPECT_EQ(again.stops, once.stops);
+    ASSERT_EQ(again.blends.size(), repeated.size() - 2);
+    for (std::size_t k = 0; k < once.blends.size(); ++k) {
+      EXPECT_NEAR(again.blends[last[k + 1] - 1].radius, once.blends[k].radius, 1e-12);
+    }
+    for (std::size_t k = 0; k < once.lines.size(); ++k) {
+      const bool blend = std::holds_alternative<SplineSegment>(once.path.segments[k]);
+      const std::size_t line = once.lines[k];
+      EXPECT_EQ(again.lines[k], blend ? last[line + 1] - 1 : last[line]);
+    }
+    // Poses that nearly repeat are passed within the tolerance, and the path ends at the last one.
+    Pose near = poses.back();
+    near.translation() += Vector3(0, 0, 9e-6);
+    repeated.push_back(near);
+    repeated_within.push_back({1, 1});
+    const BlendedPath nearly = blended_lines(repeated, repeated_within);
+    EXPECT_LE(distance_between(pose_at(nearly.path.segments.back(), 1), near), 1e-15);
+  }
+}
+
 TEST(BlendedLines, RefuseWhatMakesNoSense) {
   const std::vector poses{at(0, 0), at(1, 0), at(1, 1)};
   EXPECT_REFUSED(blended_lines(poses, {0, 1}), "at least 0.0001");

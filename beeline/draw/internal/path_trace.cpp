@@ -8,7 +8,8 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/trajectory/limit_usage.h>
+#include <beeline/path/internal/scaled_blends.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline::internal {
 namespace {
@@ -77,15 +78,25 @@ PlacedWaypoints placed_waypoints(const FollowedPath& followed) {
   const std::vector<double> candidates = waypoint_candidates(path);
   std::size_t next = 0;
   for (const Pose& waypoint : followed.waypoints) {
+    const auto distance_at = [&](double s) {
+      const Deviation off = task_deviation(followed.task, waypoint, pose_at(path, s));
+      return off.position + metres_per_radian * off.orientation;
+    };
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t best = next;
     for (std::size_t i = next; i < candidates.size(); ++i) {
       if (candidates[i] > candidates[next] + window) break;
-      const Deviation off = task_deviation(followed.task, waypoint, pose_at(path, candidates[i]));
-      const double distance = off.position + metres_per_radian * off.orientation;
+      const double distance = distance_at(candidates[i]);
       if (!(distance < nearest)) continue;
       nearest = distance;
       best = i;
+    }
+    // Blended lines pass repeated poses as one.
+    const bool again = !placed.poses.empty() && passed_as_one(waypoint, placed.poses.back());
+    if (again && distance_at(placed.path_parameters.back()) < nearest) {
+      placed.poses.push_back(waypoint);
+      placed.path_parameters.push_back(placed.path_parameters.back());
+      continue;
     }
     if (best >= candidates.size()) break;
     placed.poses.push_back(waypoint);
@@ -109,13 +120,13 @@ std::optional<double> time_at(const Trajectory& trajectory, const FollowedPath& 
 
 namespace {
 
-/// Returns the sample at which a motion begins on its path: after its recovery, if it has one,
-/// whose samples are all at the path's beginning.
+/// Returns the sample at which a motion begins on its path: after its recovery, if the path was
+/// followed with one.
 std::size_t first_on_path(const Arm& arm, const Trajectory& trajectory,
                           const FollowedPath& followed) {
-  const std::optional<Recovery> recovery = recovery_of(arm, trajectory);
-  if (!recovery || recovery->sample >= followed.path_parameters.size()) return 0;
-  return followed.path_parameters[recovery->sample] == 0 ? recovery->sample : 0;
+  const std::size_t first = begin_of_path(recovery_of(arm, trajectory));
+  const std::vector<double>& at = followed.path_parameters;
+  return first < at.size() && at[first] == 0 ? first : 0;
 }
 
 /// Returns the arc length at each waypoint that the motion reaches.

@@ -21,14 +21,4 @@ std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints) {
   return checked_poses(waypoints, "waypoint");
 }
 
-std::vector<Pose> checked_path(std::span<const Pose> given) {
-  if (given.size() < 2) throw Error("a path needs at least two poses");
-  const std::vector<Pose> poses = checked_poses(given);
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    if (!repeats(poses[i], poses[i - 1])) continue;
-    throw Error("pose " + std::to_string(i + 1) + " is the same as the one before it");
-  }
-  return poses;
-}
-
 }  // namespace beeline::internal

@@ -16,8 +16,4 @@ std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& 
 /// The same for waypoints of lines. Throws Error if there are none.
 std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
 
-/// The same for blended lines. Throws Error for fewer than two poses and for a pose that repeats
-/// the one before it.
-std::vector<Pose> checked_path(std::span<const Pose> poses);
-
 }  // namespace beeline::internal
