@@ -62,11 +62,21 @@ std::string jump(const ReasonText& reason) {
              : "";
 }
 
+/// "; its blend allows 0.02 m, and joint elbow is 0.5 rad away from its value".
+std::string beyond_blend(const ReasonText& reason) {
+  if (!reason.has(limit)) return "";
+  std::string text = "; its blend allows " + reason.number(limit) + " m";
+  if (!reason.has(joint)) return text;
+  return text + ", and joint " + reason.text(joint) + " is " + reason.number(error) + " " +
+         reason.text(unit) + " away from its value";
+}
+
 std::string of_tool(const ReasonText& reason) {
   const std::string path = reason.is(is_line) ? "line" : "path";
   switch (reason.code()) {
     case ReasonCode::off_path:
-      return "the tool is off " + reason.text(segment_name) + " by " + reason.deviation();
+      return "the tool is off " + reason.text(segment_name) + " by " + reason.deviation() +
+             beyond_blend(reason);
     case ReasonCode::moves_backwards:
       return "the tool moves backwards on " + reason.text(segment_name) + " by " +
              reason.deviation();

@@ -2,17 +2,33 @@
 
 namespace beeline::testing {
 
+namespace {
+
+Fields near_its_limit() {
+  using enum ReasonField;
+  return with(of_joint, {{value, 1.00000001}, {lower, -1.0}, {upper, 1.0}});
+}
+
+Said off_beyond_blend() {
+  using enum ReasonField;
+  const Fields blend = with(of_joint, {{limit, 0.02}, {error, 0.5}});
+  return {{ReasonCode::off_path, with(with(off, {{segment_name, "line 1"}}), blend)},
+          "the tool is off line 1 by " + by_both +
+              "; its blend allows 0.02 m, and joint j2 is 0.5 rad away from its value"};
+}
+
+}  // namespace
+
 std::vector<Said> said_of_trajectories() {
   using enum ReasonField;
   const std::string at = "at 0.5 s, sample 51: ";
   const Fields above = with(of_joint, {{quantity, "acceleration"}, {value, 2.0}, {limit, 1.0}});
-  const Fields near_limit = with(of_joint, {{value, 1.00000001}, {lower, -1.0}, {upper, 1.0}});
   const Fields named = with(at_sample, {{segment_name, "line 1"}});
   const Fields jumps = with(with(at_sample, off), {{is_line, true}, {change, 0.7}});
   return {
       {{ReasonCode::outside_limits, with(at_sample, outside)},
        at + "joint j2 is at 2 rad, outside its limits of -1 to 1 rad"},
-      {{ReasonCode::outside_limits, near_limit},
+      {{ReasonCode::outside_limits, near_its_limit()},
        "joint j2 is at 1 rad, outside its limits of -1 to 1 rad by 1e-08 rad"},
       {{ReasonCode::moves_outside_limits, with(outside, {{interpolation, "cubic"}})},
        "joint j2 moves to 2 rad before the next sample, by the cubic with its velocities: outside "
@@ -32,6 +48,7 @@ std::vector<Said> said_of_trajectories() {
       {{ReasonCode::ends_moving, with(of_joint, {{value, 0.1}})},
        "joint j2 ends at 0.1 rad/s, not at rest"},
       {{ReasonCode::off_path, with(named, off)}, at + "the tool is off line 1 by " + by_both},
+      off_beyond_blend(),
       {{ReasonCode::moves_backwards, with(named, off)},
        at + "the tool moves backwards on line 1 by " + by_both},
       {{ReasonCode::may_move_backwards, with(named, off)},
