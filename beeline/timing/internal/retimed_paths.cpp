@@ -139,19 +139,19 @@ Reason left_limits(const Arm& arm, const Trajectory& trajectory, const LimitFrac
   return {};
 }
 
-/// Sets the duration, and the use of the limits, of a trajectory whose sections are timed. It
-/// becomes empty if the duration is too short, or if it leaves the limits.
+/// Sets the duration, and the use of the limits, of a trajectory whose sections are timed. It gets
+/// a reason if the duration is too short, or if it leaves the limits.
 Retimed finished(const Arm& arm, const RetimeOptions& options, std::size_t sections,
                  BudgetMeter& budget, Retimed timed) {
   round_times(timed.trajectory);
   if (options.duration && budget.complete()) {
     timed.reason = set_duration(timed.trajectory, *options.duration);
-    if (!timed) return without_motion(std::move(timed));
+    if (!timed) return timed;
   }
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
   if (budget.complete()) {
     timed.reason = left_limits(arm, timed.trajectory, timed.limits.position);
-    if (!timed) return without_motion(std::move(timed));
+    if (!timed) return timed;
   }
   timed.tool_speed = tool_speed_bound(arm, timed.trajectory, budget);
   end_with(budget, sections, timed);
@@ -173,9 +173,33 @@ void end_with(const BudgetMeter& budget, std::size_t sections, Retimed& timed) {
   timed.reason.set(ReasonField::count, timed.sections).set(ReasonField::of, sections);
 }
 
+std::vector<std::size_t> intervals_outside_limits(const Arm& arm, const Trajectory& trajectory) {
+  std::vector<std::size_t> outside;
+  for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
+    for (int i = 0; i < arm.dof(); ++i) {
+      const Limits& limits = arm.limits(i);
+      const auto inside = [&](const Extremes& q) {
+        return q.smallest >= limits.lower && q.largest <= limits.upper;
+      };
+      const Polynomial between = interval_polynomial(trajectory, k, i);
+      if (inside(enclosure(between)) || inside(extremes(between))) continue;
+      outside.push_back(k);
+      break;
+    }
+  }
+  return outside;
+}
+
 Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
                       const RetimeOptions& options, BudgetMeter& budget,
                       const std::vector<ToolSpeeds>& tool_speeds) {
+  Retimed timed = timed_paths(arm, paths, options, budget, tool_speeds);
+  return timed || timed.ending != Ending::complete ? timed : without_motion(std::move(timed));
+}
+
+Retimed timed_paths(const Arm& arm, const std::vector<JointPath>& paths,
+                    const RetimeOptions& options, BudgetMeter& budget,
+                    const std::vector<ToolSpeeds>& tool_speeds) {
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   timed.trajectory.joint_names = arm.joint_names();
@@ -188,7 +212,7 @@ Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
     const TimedSection& section = sections.timed(i);
     if (!budget.complete() && !section.scaling) break;
     timed.reason = section.scaling.reason;
-    if (!timed) return without_motion(std::move(timed));
+    if (!timed) return timed;
     // The time scaling of a section is about half of its work.
     budget.report((steps + 0.5 * here) / count);
     const bool begun = timed.trajectory.size() > 0;
@@ -201,7 +225,7 @@ Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
       set_possible_rate(
           options, sections.shortest_duration(),
           [&](double rate) { return sections.possible(rate); }, timed.reason);
-      return without_motion(std::move(timed));
+      return timed;
     }
     append(timed.trajectory, sampled.trajectory);
     ++timed.sections;

@@ -16,6 +16,15 @@ Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
                       const RetimeOptions& options, BudgetMeter& budget,
                       const std::vector<ToolSpeeds>& tool_speeds = {});
 
+/// Does the same. A motion that leaves the position limits between two samples has its reason and
+/// its trajectory; one with a section that has no motion has neither that section nor later ones.
+Retimed timed_paths(const Arm& arm, const std::vector<JointPath>& paths,
+                    const RetimeOptions& options, BudgetMeter& budget,
+                    const std::vector<ToolSpeeds>& tool_speeds);
+
+/// Returns the samples after which a joint leaves its position limits before the next one.
+std::vector<std::size_t> intervals_outside_limits(const Arm& arm, const Trajectory& trajectory);
+
 /// Returns a refusal: the reason, without trajectory and recovery.
 Retimed without_motion(Retimed timed);
 
