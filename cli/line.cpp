@@ -147,6 +147,7 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
   LineReport report = report_of(arguments, motion);
   report.program = program;
   report.moves = std::move(motion.moves);
+  report.search_ending = motion.search_ending;
   report.failed = motion.failed;
   return report;
 }

@@ -55,12 +55,27 @@ double duration_of(const LineReport& report, std::size_t i) {
   return t[report.moves[i].end] - t[report.moves[i].begin];
 }
 
-/// What became of the blend of a move with the next one; nothing of blends between lines.
+/// What became of the blend of a move with the next one, with its radius.
 std::string blend_text(const PlannedMove& planned) {
+  if (planned.blend == BlendOutcome::none) return "";
   if (planned.blend == BlendOutcome::stop) return "   stops in place of its blend";
-  if (planned.joint_blend_radius == 0) return "";
-  return (planned.blend == BlendOutcome::smaller ? "   smaller blend of " : "   blend of ") +
-         shown(planned.joint_blend_radius) + " in joint space";
+  const bool joint = planned.joint_blend_radius > 0;
+  if (!joint && planned.blend_radius == 0) return "";  // straight on, or in the next blend
+  return fmt::format("   {}blend of {}{}", planned.blend == BlendOutcome::smaller ? "smaller " : "",
+                     shown(joint ? planned.joint_blend_radius : planned.blend_radius),
+                     joint ? " in joint space" : " m");
+}
+
+/// Why the search for blends with joint moves did not end by itself.
+Reason search_reason(const LineReport& report) {
+  return {ReasonCode::ended, {{ReasonField::ending, report.search_ending}}};
+}
+
+/// Says that the budget ended the search for blends with joint moves.
+std::string search_text(const LineReport& report) {
+  if (report.search_ending == Ending::complete) return "";
+  return fmt::format("blends        {}; the arm stops where no blend was proved by then\n",
+                     sentence(search_reason(report)));
 }
 
 /// A line for each move.
@@ -161,7 +176,8 @@ std::string report_text(const Arm& arm, const LineReport& report, const UnitArgu
     text += '\n';
   }
   if (report.status == MotionStatus::reached) {
-    text += motion_text(arm, report, unit) + (report.moves.empty() ? "" : moves_text(report, unit));
+    text += motion_text(arm, report, unit) +
+            (report.moves.empty() ? "" : moves_text(report, unit)) + search_text(report);
   }
   if (report.clearance) text += report.clearance->text();
   text += blocked_text(arm, report.blocked, unit);
@@ -187,6 +203,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   }
   if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
   if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
+  if (reached && !report.moves.empty()) document.add("search_ending", name(report.search_ending));
   if (!reached && report.failed < report.program.moves.size()) {
     document.add("failed_move", report.failed + 1);
     document.add("failed_place", report.program.moves[report.failed].place);

@@ -35,6 +35,7 @@ struct LineReport {
   std::optional<FollowedPath> path = std::nullopt;          ///< when reached
   Program program = {};                                     ///< without moves: poses
   std::vector<PlannedMove> moves = {};                      ///< of the program, when reached
+  Ending search_ending = Ending::complete;                  ///< see ProgramMotion::search_ending
   std::size_t failed = 0;                                   ///< its move that is not possible
   std::optional<ClearanceReport> clearance = std::nullopt;  ///< with --scene or --self
   std::vector<BlockedBranch> blocked = {};                  ///< see PathMotion::blocked

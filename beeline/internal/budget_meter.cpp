@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -55,6 +56,31 @@ Budget BudgetMeter::part(double begin, double end) {
     some.progress = [this, begin, end](double fraction) {
       report(std::lerp(begin, end, fraction));
     };
+  }
+  return some;
+}
+
+SpentBudget BudgetMeter::spent() const {
+  return {work_.load(std::memory_order_relaxed), std::chrono::steady_clock::now() - begin_};
+}
+
+Budget BudgetMeter::part_leaving(const SpentBudget& kept) {
+  using Clock = std::chrono::steady_clock;
+  Budget some = part();
+  if (BudgetMeter* const whole = budget_.whole.meter_) {
+    const Budget of_whole = whole->part_leaving(kept);
+    some.max_work = of_whole.max_work;
+    some.time_limit = of_whole.time_limit;
+  }
+  if (budget_.max_work) {
+    const std::int64_t left =
+        std::max<std::int64_t>(0, *budget_.max_work - spent().work - kept.work);
+    some.max_work = std::min(left, some.max_work.value_or(left));
+  }
+  if (deadline_ != Clock::time_point::max()) {
+    const std::chrono::duration<double> time = deadline_ - Clock::now() - kept.time;
+    const double left = std::max(0.0, time.count());
+    some.time_limit = std::min(left, some.time_limit.value_or(left));
   }
   return some;
 }

@@ -9,6 +9,12 @@
 
 namespace beeline::internal {
 
+/// An amount of a budget.
+struct SpentBudget {
+  std::int64_t work = 0;
+  std::chrono::steady_clock::duration time = {};
+};
+
 /// The budget of one computation, and the amount that it has spent. Functions that search take it
 /// by reference and call ended() at intervals of less than a millisecond.
 class BudgetMeter {
@@ -34,6 +40,11 @@ class BudgetMeter {
   /// and reports its fraction.
   Budget part(double begin, double end);
 
+  /// Returns the amount spent since the meter was made.
+  SpentBudget spent() const;
+  /// Returns the budget of a part that leaves this amount of the remainder.
+  Budget part_leaving(const SpentBudget& kept);
+
   /// Reports the fraction computed, unless it or a greater one was reported: a search that begins
   /// again with finer steps does not run backwards. Several threads may call it; the calls of
   /// Budget::progress follow each other.
@@ -52,6 +63,7 @@ class BudgetMeter {
   std::atomic<std::int64_t> work_ = 0;
   std::mutex reporting_;
   std::atomic<double> reported_ = -1;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
 };
 

@@ -11,6 +11,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/planning/internal/independent_rows.h>
+#include <beeline/planning/internal/motion_along.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/printed_motion.h>
 #include <beeline/planning/internal/track_segment.h>
@@ -34,7 +35,7 @@ constexpr std::int64_t max_suggestion_work = 400'000;  // of all suggestions of 
 constexpr std::int64_t max_suggested_path_work = max_nearby_path_work / 10 * 9;
 
 /// Throws Error for tolerances, speeds, rates, durations or numbers of samples out of range.
-void check_options(const PathMotionOptions& options) {
+void check_motion_options(const PathMotionOptions& options) {
   const std::pair<const char*, double> positives[] = {
       {"tolerance", options.tolerance}, {"orientation_tolerance", options.orientation_tolerance}};
   for (const auto& [option, value] : positives) {
@@ -153,6 +154,9 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
   failure.reason = motion.reason;
   failure.path_parameter = motion.path_parameter;
   failure.blocked = std::move(motion.blocked);
+  failure.trajectory = std::move(motion.trajectory);
+  failure.path_parameters = std::move(motion.path_parameters);
+  failure.deviation = std::move(motion.deviation);
   // A plan takes long with more redundancy.
   const bool quick = arm.dof() <= independent_rows(arm, request.task()).size() + 1;
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
@@ -261,7 +265,17 @@ BlockedMotions blocked_motions(const CollisionModel& model) {
 
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options) {
-  check_options(options);
+  PathMotion motion = motion_along(arm, start, route, options);
+  if (motion) return motion;
+  motion.trajectory = {};
+  motion.path_parameters = {};
+  motion.deviation = {};
+  return motion;
+}
+
+PathMotion internal::motion_along(const Arm& arm, const std::optional<Configuration>& start,
+                                  const Route& route, const PathMotionOptions& options) {
+  check_motion_options(options);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
   check_in_plane(arm, route.path, options.task);
@@ -283,7 +297,7 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
 
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const PathMotionOptions& options) {
-  check_options(options);
+  check_motion_options(options);
   std::vector<Pose> poses = checked_waypoints(waypoints);
   poses.insert(poses.begin(), forward_kinematics(arm, checked_start(arm, start, options)));
   return move_along(arm, start, route_of(lines_through(poses), PathKind::line), options);
@@ -310,7 +324,7 @@ PathMotion move_in_lines(const Arm& arm, std::initializer_list<double> start,
 
 PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
                          const PathMotionOptions& options) {
-  check_options(options);
+  check_motion_options(options);
   return move_along(arm, std::nullopt, route_of(lines_through(poses), PathKind::line), options);
 }
 

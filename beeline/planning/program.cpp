@@ -62,7 +62,10 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion) {
   print_motion(out, motion);
   if (!motion) return out;
   out << ", " << motion.moves.size() << (motion.moves.size() == 1 ? " move, " : " moves, ");
-  return print_assumed(print_bound(out, motion.deviation.bound), motion.limits);
+  print_assumed(print_bound(out, motion.deviation.bound), motion.limits);
+  if (motion.search_ending == Ending::complete) return out;
+  return out << "; blends: "
+             << Reason{ReasonCode::ended, {{ReasonField::ending, motion.search_ending}}};
 }
 
 MoveError::MoveError(const Program& program, std::size_t move, const std::string& fault)

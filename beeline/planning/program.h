@@ -45,7 +45,9 @@ struct Move {
   std::optional<double> speed = std::nullopt;
   /// Max deviation of the blend with the next move from the waypoint, m. The max deviation in
   /// orientation is 5 rad for each metre. 0: no blend. Each of both moves must be a line or a joint
-  /// move. Between two lines it also holds for the deviation from both: see blended_lines().
+  /// move. Between two lines it is 1e-4 m or more, and also holds for the deviation from both: see
+  /// blended_lines(). Where no motion is found with this blend, its radius becomes 0.4, 0.16 or
+  /// 0.064 of it, or the arm stops.
   /// Between two joint moves, the tool passes the waypoint within it; if this is a configuration,
   /// so does each joint: within 5 rad for each metre, or, if it slides, within as many metres.
   /// Between a line and a joint move, the tool follows the line, up to or from a point on the half
@@ -122,7 +124,7 @@ class AttachmentError : public Error {
 enum class BlendOutcome {
   none,     ///< the move has no blend
   full,     ///< it is as large as its deviation, both moves and the limits at its samples allow
-  smaller,  ///< it is smaller, because a larger one was not proved or takes longer
+  smaller,  ///< it is smaller, because a larger one is not possible or proved, or takes longer
   stop,     ///< the arm stops, because no blend was proved within the budget or a stop is quicker
 };
 std::string name(BlendOutcome outcome);
@@ -153,6 +155,9 @@ struct ProgramMotion {
   Reason reason = {};  ///< why, with the move; none if reached
   /// Index of the move where the motion ends; the number of moves if it is complete.
   std::size_t failed = 0;
+  /// How the search for blends with joint moves ended. Unless complete, the budget ended it: the
+  /// blends proved by then stay, and the arm stops at the waypoints of the others.
+  Ending search_ending = Ending::complete;
   Trajectory trajectory;           ///< trajectory from rest to rest
   std::vector<PlannedMove> moves;  ///< one for each move of the program
   PathDeviation deviation;         ///< proved deviation of all moves except joint motions
@@ -170,8 +175,8 @@ struct ProgramMotion {
   double duration() const { return trajectory.duration(); }
 };
 
-/// Prints the status with its reason, or the duration, the samples, the moves and the proved
-/// deviation.
+/// Prints the status with its reason, or the duration, the samples, the moves, the proved deviation
+/// and, if the budget ended it, the end of the search for blends.
 std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 
 /// Plans the moves of a program as one trajectory from rest to rest.
@@ -194,6 +199,10 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 ///   If the motion is not proved with it, it is made smaller, and in the end a stop:
 ///   PlannedMove::blend. So it is where stops take less time than blends, and where a joint motion
 ///   turns back. Where the joints do not move between two waypoints, the arm stops.
+/// - A blend between two lines is made smaller, and in the end a stop, where no motion is found
+/// with
+///   it. Lines within 1e-5 m and rad of one waypoint pass it in one blend, between lines with
+///   length; at the beginning and the end of lines the arm stops there.
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
@@ -201,8 +210,9 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// `model`, which is the arm in its scene: its links and limits are the same, its base may be at
 /// another pose. prove_clearance() with a program proves the clearance of the other moves.
 ///
-/// `budget` limits the planning of the whole program; if its time or work ends in the search for
-/// blends with joint moves, the arm stops at all of them. Throws Error for a program without moves,
+/// `budget` limits the planning of the whole program. If its time or work ends in the search for
+/// blends with joint moves, those proved by then stay: ProgramMotion::search_ending. A part of it
+/// is kept for their last proof. Throws Error for a program without moves,
 /// AttachmentError for a part without a name, for one that is attached twice at a time, for an end
 /// before its beginning or after the last move, and at a waypoint that the tool passes without a
 /// stop, and MoveError for a blend that is not between lines and joint moves or is at a dwell, for
@@ -227,7 +237,8 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 /// - A joint motion to a pose ends at a rest there before the next waypoint: it may change the
 ///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves except joint motions from stop to stop. A joint motion only has to
-///   be within the arm's limits.
+///   be within the arm's limits. A blend between two lines has the radius of move_program(), or
+///   0.4, 0.16 or 0.064 of it, or the arm stops at its waypoint.
 /// - The tool's speed is within the speed limit of each move; in a blend with a joint move up to
 ///   the passage of the waypoint, and after it within the limit of the next move.
 ///

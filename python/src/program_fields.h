@@ -38,8 +38,8 @@ struct Fields<PlannedMove>
 template <>
 struct Fields<ProgramMotion>
     : Members<&ProgramMotion::status, &ProgramMotion::reason, &ProgramMotion::failed,
-              &ProgramMotion::trajectory, &ProgramMotion::moves, &ProgramMotion::deviation,
-              &ProgramMotion::limits, &ProgramMotion::limit_margin,
+              &ProgramMotion::search_ending, &ProgramMotion::trajectory, &ProgramMotion::moves,
+              &ProgramMotion::deviation, &ProgramMotion::limits, &ProgramMotion::limit_margin,
               &ProgramMotion::inverse_condition> {};
 
 }  // namespace beeline::python

@@ -239,6 +239,27 @@ def test_joint_moves_and_lines_blend(beeline, written, tmp_path, options):
     written("small.csv", PASSING.replace(",0.05,", ",0.005,"))
     refused = beeline(*check, "small.csv", "m.csv")
     assert refused.code == 1 and "the tool is off the waypoint of move 4 (joint, small.csv:5)" in refused.err
+    assert "; its blend allows 0.005 m" in refused.err
+    written("far.csv", PASSING.replace("10,-20,0,-120,0,100,45", "10,-20,0,-120,0,100,95"))
+    far = beeline(*check, "far.csv", "m.csv", "--json").json
+    assert far["fields"]["move"] == 4 and far["fields"]["joint"] == "joint7" and far["fields"]["limit"] == 0.05
+    assert 0.5 < far["fields"]["error"] < 1
+    assert "and joint joint7 is 0." in beeline(*check, "far.csv", "m.csv").err
+
+
+def test_blends_between_lines_are_reported(beeline, written):
+    """The wrist of this arm cannot come nearer to its base than 2 m: the first blend would."""
+    written("p.csv", "motion,x,y,theta,blend\nline,-2.7,1,0,\nline,0.5,2.35,0,0.9\nline,3.7,1,0,0.1\n"
+                     "line,3.7,1,0,0.1\nline,3.7,0.2,0,\n")
+    line = ("line", "RRR:3,1,0.5", "--through", "p.csv")
+    answer = beeline(*line, "--out", "m.csv")
+    assert answer.code == 0, answer.err
+    assert "p.csv:3   smaller blend of " in answer.out and "p.csv:5   blend of " in answer.out and "blends  " not in answer.out
+    report = beeline(*line, "--json").json
+    assert [move.get("blend") for move in report["moves"]] == [None, "smaller", "full", "full", None]
+    assert report["search_ending"] == "complete"
+    check = beeline("check", "RRR:3,1,0.5", "m.csv", "--through", "p.csv")
+    assert check.code == 0, check.err
 
 
 def test_a_blend_that_becomes_a_stop_is_reported(beeline, written):

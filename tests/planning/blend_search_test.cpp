@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include <beeline/planning/internal/tool_boxes.h>
 
 #include <tests/planning/joint_blend_promises.h>
@@ -123,6 +125,45 @@ TEST(BlendSearch, MakesOnlyTheBlendThatIsRefusedAStop) {
   }
 }
 
+TEST(BlendSearch, KeepsTheBlendsThatAreProvedWhenItsBudgetEnds) {
+  Random random;
+  const Arm arm = built_in("ur5");
+  const Configuration start = near_middle(random, arm, 0.2);
+  Configuration q = start;
+  Program program;
+  constexpr std::size_t sections = 6;  // of three moves
+  for (std::size_t k = 0; k < 3 * sections; ++k) {
+    q[static_cast<int>(k % 3)] += (random.integer(0, 1) == 0 ? 1 : -1) * random.uniform(0.5, 0.9);
+    program.moves.push_back({.kind = MoveKind::joint, .q = q, .blend = k % 3 == 2 ? 0 : 0.05});
+  }
+  const ProgramMotion whole = move_program(arm, start, program);
+  ASSERT_TRUE(whole) << whole;
+  EXPECT_EQ(whole.search_ending, Ending::complete);
+  int kept = 0, before = 0;
+  for (std::int64_t work = 512; work < (1 << 22); work += work / 8) {
+    PathMotionOptions options;
+    options.budget.max_work = work;
+    const ProgramMotion motion = move_program(arm, start, program, options);
+    if (!motion) continue;
+    SCOPED_TRACE(work);
+    expect_proved(arm, program, motion);
+    const int blends = blend_count(motion);
+    EXPECT_GE(blends, before);
+    before = blends;
+    kept += blends > 0 && blends < blend_count(whole);
+    if (motion.search_ending == Ending::complete) {
+      EXPECT_EQ(motion.trajectory.times, whole.trajectory.times);
+      break;
+    }
+    EXPECT_EQ(motion.search_ending, Ending::work_limit);
+    std::ostringstream text;
+    text << motion;
+    EXPECT_NE(text.str().find("blends: the limit of work ended the search"), std::string::npos);
+  }
+  EXPECT_EQ(before, blend_count(whole));
+  EXPECT_GE(kept, 2);
+}
+
 // A check that ends early says what is true of the whole one, however early it ends.
 TEST(BlendSearch, AnEndedCheckRefutesNothingElse) {
   Random random;
@@ -234,7 +275,7 @@ TEST(BlendSearch, NoMoveEndsAtAMovingSampleUnlessItBlends) {
   EXPECT_GE(repeated, cases(10));
 }
 
-TEST(BlendSearch, StopsAtARepeatedPoseOfLines) {
+TEST(BlendSearch, StopsAtARepeatedPoseAtTheEndsOfLines) {
   const Arm arm = built_in("panda");
   const Configuration home = Configuration{{0, -45, 0, -135, 0, 90, 45}} * deg;
   const auto away = [&](double x, double y) {
@@ -243,8 +284,7 @@ TEST(BlendSearch, StopsAtARepeatedPoseOfLines) {
     return pose;
   };
   Program program;
-  for (const Pose& pose :
-       {away(0.1, 0), away(0.1, 0), away(0.1, 0.1), away(0, 0.1), away(0, 0.1), away(0, 0.2)}) {
+  for (const Pose& pose : {away(0, 0), away(0.1, 0.1), away(0, 0.1), away(0, 0.2), away(0, 0.2)}) {
     program.moves.push_back({.target = pose, .blend = 0.01});
   }
   program.moves.push_back({.kind = MoveKind::joint, .q = home});
@@ -253,7 +293,7 @@ TEST(BlendSearch, StopsAtARepeatedPoseOfLines) {
     ASSERT_TRUE(motion) << motion;
     expect_proved(arm, program, motion);
     for (std::size_t k = 0; k + 1 < program.moves.size(); ++k) {
-      const bool passes = k == 2 || k == 5;  // the others are at a line without length
+      const bool passes = k == 1 || k == 2;  // the others are at a line without length
       EXPECT_EQ(motion.moves[k].blend == BlendOutcome::stop, !passes) << k;
       const double speed = motion.trajectory.velocities[motion.moves[k].end].norm();
       EXPECT_EQ(speed > 1e-3, passes) << k;

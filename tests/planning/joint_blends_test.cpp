@@ -82,15 +82,6 @@ Program random_mixed_moves(Random& random, const Arm& arm, const Configuration& 
     program.moves.push_back(move);
     from = move.q ? forward_kinematics(arm, *move.q) : move.target;
   }
-  // At a line without length the arm stops: tests/planning/blend_search_test.cpp.
-  for (std::size_t i = 0; i < program.moves.size(); ++i) {
-    Move& move = program.moves[i];
-    const Pose before =
-        i > 0 ? waypoint_of(arm, program.moves[i - 1]) : forward_kinematics(arm, start);
-    if (move.kind == MoveKind::joint || !move.target.isApprox(before, 1e-9)) continue;
-    if (i > 0 && program.moves[i - 1].kind == MoveKind::line) program.moves[i - 1].blend = 0;
-    if (i + 1 < program.moves.size() && program.moves[i + 1].kind == MoveKind::line) move.blend = 0;
-  }
   return program;
 }
 

@@ -187,6 +187,23 @@ def test_blends_of_joint_moves():
     assert motion.duration < stops.duration and beeline.verify(PANDA, motion.trajectory, beeline.Program(moves))
 
 
+def test_the_end_of_the_search_for_blends_is_reported():
+    """Of three runs of moves between stops, the blends that are proved before the end of the budget stay."""
+    rng = np.random.default_rng(5)
+    program = beeline.Program([beeline.Move("joint", q=HOME + rng.uniform(-0.3, 0.3, 7), blend=0 if i % 3 == 2 else 0.05)
+                               for i in range(9)])
+    whole = beeline.move_program(PANDA, HOME, program)
+    assert whole.search_ending == "complete" and "blends:" not in str(whole)
+    ended, work, motion = set(), 1024, None
+    while not motion or motion.search_ending != "complete":
+        motion = beeline.move_program(PANDA, HOME, program, max_work=work)
+        work += work // 8
+        if motion and motion.search_ending == "work_limit":
+            assert beeline.verify(PANDA, motion.trajectory, program) and "blends: the limit of work ended" in str(motion)
+            ended.add(sum(move.blend in ("full", "smaller") for move in motion.moves))
+    assert any(0 < blends < 6 for blends in ended)
+
+
 def test_a_program_of_moves():
     program = beeline.Program([
         beeline.Move("joint", q=HOME),

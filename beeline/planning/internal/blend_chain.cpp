@@ -7,35 +7,38 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int max_refusals = 20;       // of motions, until the search ends
-constexpr int stop_refused_from = 10;  // refusals left from which a refused blend becomes a stop
-constexpr int stop_rest_from = 2;      // the same for all blends after it too
-constexpr int max_smaller = 3;         // times that a blend is made smaller before it is a stop
-constexpr int max_additions = 3;       // of grid points to a line
-constexpr double smaller_blend = 0.4;  // of the radius that was refused
+constexpr int max_additions = 3;  // of grid points to a line
+
+/// The blends of a chain from `first` up to before `end`.
+std::vector<std::size_t> blends_between(std::size_t first, std::size_t end) {
+  std::vector<std::size_t> blends;
+  for (; first < end; ++first) blends.push_back(first);
+  return blends;
+}
 
 }  // namespace
 
 BlendChain::BlendChain(const PlannedProgram& planned, std::vector<ChainPart> parts,
                        std::vector<double> largest, const CollisionModel* model,
-                       BudgetMeter& budget)
+                       BlendRefusals& refusals, BudgetMeter& budget)
     : planned_(planned),
       parts_(std::move(parts)),
       largest_(std::move(largest)),
       model_(model),
+      refusals_(refusals),
       budget_(budget),
       allowed_(largest_),
       refused_(largest_.size(), 0),
-      additions_(parts_.size(), 0),
-      refusals_left_(max_refusals) {
+      additions_(parts_.size(), 0) {
   const auto begin = planned.program.moves.begin();
   program_.moves.assign(begin + static_cast<std::ptrdiff_t>(moves().first),
                         begin + static_cast<std::ptrdiff_t>(moves().last) + 1);
   program_.moves.back().blend = program_.moves.back().dwell = 0;
 }
 
-/// Times the chain. Returns the section, from stop to stop, that has no motion, if there is none.
-std::size_t BlendChain::timed(const std::vector<double>& radii, BlendedMotion& motion) {
+/// Times the chain. Returns why it has no motion; none if it has one or the budget ends.
+std::optional<BlendChain::Refusal> BlendChain::timed(const std::vector<double>& radii,
+                                                     BlendedMotion& motion) {
   std::vector<LimitedPath> parts;
   for (const ChainPart& part : parts_) parts.push_back(part.limited);
   std::vector<JointPath> paths;
@@ -45,28 +48,44 @@ std::size_t BlendChain::timed(const std::vector<double>& radii, BlendedMotion& m
     speeds.push_back(std::move(joined.tool_speeds));
   }
   Retimed retimed =
-      retimed_paths(planned_.arm, paths, timing_options(planned_.options), budget_, speeds);
+      timed_paths(planned_.arm, paths, timing_options(planned_.options), budget_, speeds);
   motion.trajectory = std::move(retimed.trajectory);
   motion.radii = radii;
-  return retimed.sections;
+  if (!budget_.complete() || !retimed.reason) return std::nullopt;
+  if (retimed.sections < paths.size()) return refusal_of_section(radii, retimed.sections);
+  return refusal_outside_limits(radii, motion.trajectory);
 }
 
-/// The refusal of all blends of a section, from stop to stop; of all sections if the whole of them
-/// is refused.
+/// The refusal of the blends near the configurations at which a motion leaves the position limits
+/// between two samples, or of all if there are none near them.
+BlendChain::Refusal BlendChain::refusal_outside_limits(const std::vector<double>& radii,
+                                                       const Trajectory& trajectory) const {
+  constexpr double near = 1.5;  // radii from the waypoint
+  std::vector<std::size_t> blends;
+  for (const std::size_t k : intervals_outside_limits(planned_.arm, trajectory)) {
+    const Configuration& q = trajectory.positions[k];
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      const double away = (q - parts_[i].limited.path.q.back()).norm();
+      if (radii[i] > 0 && away <= near * radii[i]) blends.push_back(i);
+    }
+  }
+  std::sort(blends.begin(), blends.end());
+  blends.erase(std::unique(blends.begin(), blends.end()), blends.end());
+  if (blends.empty()) blends = blends_between(0, radii.size());
+  const std::size_t part = blends.front();
+  return {std::move(blends), part};
+}
+
+/// The refusal of all blends of a section, from stop to stop.
 BlendChain::Refusal BlendChain::refusal_of_section(const std::vector<double>& radii,
                                                    std::size_t section) const {
   const auto stop_from = [&](std::size_t i) {
     const auto first = radii.begin() + static_cast<std::ptrdiff_t>(i);
     return static_cast<std::size_t>(std::find(first, radii.end(), 0.0) - radii.begin());
   };
-  Refusal refusal;
-  for (; section > 0 && refusal.first <= radii.size(); --section) {
-    refusal.first = stop_from(refusal.first) + 1;
-  }
-  if (refusal.first > radii.size()) return {0, radii.size(), 0, false};
-  refusal.end = stop_from(refusal.first);
-  refusal.part = refusal.first;
-  return refusal;
+  std::size_t first = 0;
+  for (; section > 0; --section) first = stop_from(first) + 1;
+  return {blends_between(first, stop_from(first)), first};
 }
 
 /// The refusal of a motion at a sample of a move: the nearer one of the blends at both ends of the
@@ -78,21 +97,20 @@ BlendChain::Refusal BlendChain::refusal_at(const BlendedMotion& motion, std::siz
   const auto part = static_cast<std::size_t>(after - parts_.begin());
   const auto blends = [&](std::size_t i) { return i < motion.radii.size() && motion.radii[i] > 0; };
   const bool before = part > 0 && blends(part - 1), behind = blends(part);
-  Refusal refusal{part - (before ? 1 : 0), part + (behind ? 1 : 0), part, false};
+  Refusal refusal{blends_between(part - (before ? 1 : 0), part + (behind ? 1 : 0)), part};
   if (!before || !behind || of_whole_move) return refusal;
   const Configuration& q = motion.trajectory.positions[sample];
   const JointPath& path = after->limited.path;
   const bool nearer_to_begin = (q - path.q.front()).norm() < (q - path.q.back()).norm();
-  nearer_to_begin ? --refusal.end : ++refusal.first;
+  refusal.blends = {nearer_to_begin ? part - 1 : part};
   return refusal;
 }
 
 /// Times and proves a motion. Returns why it is refused; none if it is proved or the budget ends.
 std::optional<BlendChain::Refusal> BlendChain::refusal(const std::vector<double>& radii,
                                                        BlendedMotion& motion) {
-  const std::size_t section = timed(radii, motion);
-  if (!budget_.complete()) return std::nullopt;
-  if (motion.trajectory.size() == 0) return refusal_of_section(radii, section);
+  std::optional<Refusal> untimed = timed(radii, motion);
+  if (untimed || !budget_.complete()) return untimed;
   VerifyOptions options = proof_options(planned_.options);
   options.budget = budget_.part();
   const Verification found = verify(planned_.arm, motion.trajectory, program_, options);
@@ -120,17 +138,15 @@ std::optional<BlendChain::Refusal> BlendChain::refusal(const std::vector<double>
 /// Makes the blends that may be the cause of a refusal smaller; returns whether there are any.
 bool BlendChain::make_smaller(const Refusal& refusal, std::vector<double>& radii) {
   bool changed = false;
-  for (std::size_t i = refusal.first; i < refusal.end; ++i) {
+  for (const std::size_t i : refusal.blends) {
     if (radii[i] == 0) continue;
-    const bool stops = refusals_left_ <= stop_refused_from || ++refused_[i] > max_smaller;
-    const double radius = stops ? 0 : smaller_blend * radii[i];
+    const double radius = refusals_.fraction(++refused_[i]) * radii[i];
     allowed_[i] = radii[i] = radius < least_blend ? 0 : radius;
     changed = true;
   }
-  for (std::size_t i = refusal.first; refusals_left_ <= stop_rest_from && i < radii.size(); ++i) {
-    allowed_[i] = radii[i] = 0;
-  }
-  return changed;
+  if (!changed || !refusals_.rest_stops()) return changed;
+  for (std::size_t i = refusal.blends.front(); i < radii.size(); ++i) allowed_[i] = radii[i] = 0;
+  return true;
 }
 
 /// Adds samples, if there is no rate, to the part whose line is not followed; returns whether it
@@ -143,17 +159,14 @@ bool BlendChain::add_samples(const Refusal& refusal) {
 }
 
 std::optional<BlendedMotion> BlendChain::proved(std::vector<double> radii) {
-  while (refusals_left_ > 0 && !budget_.ended()) {
+  while (refusals_.any_left() && !refused_part_ && !budget_.ended()) {
     if (std::all_of(radii.begin(), radii.end(), [](double r) { return r == 0; })) break;
     BlendedMotion motion;
     const std::optional<Refusal> refused = refusal(radii, motion);
     if (!budget_.complete()) break;
     if (!refused) return motion;
-    if (add_samples(*refused)) continue;
-    --refusals_left_;
-    if (make_smaller(*refused, radii)) continue;
-    refused_part_ = refused->part;
-    refusals_left_ = 0;
+    refusals_.count();
+    if (!add_samples(*refused) && !make_smaller(*refused, radii)) refused_part_ = refused->part;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/planning/internal/blend_refusals.h>
 #include <beeline/planning/internal/chain_part.h>
 #include <beeline/planning/internal/program_refusal.h>
 
@@ -20,14 +21,13 @@ struct BlendedMotion {
 /// the configurations at the waypoints, and along the lines. With a model of the arm in its scene,
 /// the motion keeps its clearance.
 ///
-/// The search ends after a number of refused motions: the blend that is refused is made smaller
-/// first, then a stop, and near the end so are all blends after it.
 class BlendChain {
  public:
-  /// `largest` are the radii of the largest blends between the parts, above 0. All other arguments
-  /// must outlive the object.
+  /// `largest` are the radii of the largest blends between the parts, above 0. `refusals` counts
+  /// in a search with several chains. All other arguments must outlive the object.
   BlendChain(const PlannedProgram& planned, std::vector<ChainPart> parts,
-             std::vector<double> largest, const CollisionModel* model, BudgetMeter& budget);
+             std::vector<double> largest, const CollisionModel* model, BlendRefusals& refusals,
+             BudgetMeter& budget);
 
   MoveRange moves() const { return {parts_.front().moves.first, parts_.back().moves.last}; }
   const std::vector<ChainPart>& parts() const { return parts_; }
@@ -43,16 +43,18 @@ class BlendChain {
  private:
   /// Why a motion is refused.
   struct Refusal {
-    std::size_t first = 0, end = 0;  ///< the blends that may be the cause, up to before `end`
-    std::size_t part = 0;            ///< the first part that is not proved
-    bool deviates = false;           ///< whether a line of this part is not followed
+    std::vector<std::size_t> blends = {};  ///< that may be the cause, in order
+    std::size_t part = 0;                  ///< the first part that is not proved
+    bool deviates = false;                 ///< whether a line of this part is not followed
   };
 
   std::vector<double> smaller_at_changes(double fraction) const;
   std::optional<BlendedMotion> proved(std::vector<double> radii);
   std::optional<Refusal> refusal(const std::vector<double>& radii, BlendedMotion& motion);
-  std::size_t timed(const std::vector<double>& radii, BlendedMotion& motion);
+  std::optional<Refusal> timed(const std::vector<double>& radii, BlendedMotion& motion);
   Refusal refusal_of_section(const std::vector<double>& radii, std::size_t section) const;
+  Refusal refusal_outside_limits(const std::vector<double>& radii,
+                                 const Trajectory& trajectory) const;
   Refusal refusal_at(const BlendedMotion& motion, std::size_t move, std::size_t sample,
                      bool of_whole_move) const;
   bool make_smaller(const Refusal& refusal, std::vector<double>& radii);
@@ -62,12 +64,12 @@ class BlendChain {
   std::vector<ChainPart> parts_;
   std::vector<double> largest_;
   const CollisionModel* model_;
+  BlendRefusals& refusals_;
   BudgetMeter& budget_;
   Program program_ = {};              ///< of the moves of the chain
   std::vector<double> allowed_ = {};  ///< the radius of each blend that is not refused so far
   std::vector<int> refused_ = {};     ///< how often each blend was
   std::vector<int> additions_ = {};   ///< of grid points to each part
-  int refusals_left_ = 0;             ///< until the search ends
   std::optional<std::size_t> refused_part_ = std::nullopt;
 };
 

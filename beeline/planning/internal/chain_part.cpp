@@ -22,9 +22,12 @@ std::optional<Line> line_of(const Segment& segment, const Task& task) {
 bool add_lines(const PlannedProgram& planned, BudgetMeter& budget, ChainPart& part) {
   std::optional<PlannedLines> lines = planned_lines(planned, part.moves, budget);
   if (!lines) return false;
-  const std::vector<Segment>& segments = planned.parts[lines->part].route.path.segments;
-  part.begin = line_of(segments[lines->first_segment], *planned.options.task);
-  part.end = line_of(segments[lines->last_segment], *planned.options.task);
+  // A check of the motion knows the lines beside the largest blends between them.
+  const ProgramPart largest = with_blend_scales(planned.program, planned.parts[lines->part],
+                                                planned.options.tool_speed, {});
+  const std::vector<Segment>& segments = largest.route.path.segments;
+  part.begin = line_of(segments[largest.first_segment(part.moves.first)], *planned.options.task);
+  part.end = line_of(segments[largest.last_segment(part.moves.last)], *planned.options.task);
   const std::vector<double>& ends = lines->limited.tool_speeds.ends;
   part.begin_length = ends.front();
   part.end_length = ends.back() - (ends.size() > 1 ? ends[ends.size() - 2] : 0);

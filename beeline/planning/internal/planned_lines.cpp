@@ -62,9 +62,8 @@ std::optional<PlannedLines> planned_lines(const PlannedProgram& planned, const M
       });
   if (part == planned.planned.end()) return std::nullopt;
   const ProgramPart& whole = planned.parts[part->part];
-  const auto first = std::lower_bound(whole.moves.begin(), whole.moves.end(), moves.first);
   PlannedLines lines{.part = part->part,
-                     .first_segment = static_cast<std::size_t>(first - whole.moves.begin()),
+                     .first_segment = whole.first_segment(moves.first),
                      .last_segment = whole.last_segment(moves.last)};
   BranchSection samples = samples_along(planned, *part, lines, moves, budget);
   if (samples.samples.empty()) return std::nullopt;

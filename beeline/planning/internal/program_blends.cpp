@@ -39,13 +39,14 @@ std::vector<std::optional<ChainPart>> parts_between_stops(const PlannedProgram& 
 /// Appends the chains of some parts: those between parts without a joint path and waypoints at
 /// which there is no blend.
 void add_chains(const PlannedProgram& planned, std::vector<std::optional<ChainPart>> parts,
-                const CollisionModel* model, BudgetMeter& budget, std::vector<BlendChain>& chains) {
+                const CollisionModel* model, BlendRefusals& refusals, BudgetMeter& budget,
+                std::vector<BlendChain>& chains) {
   constexpr int work = 200;  // configurations of a largest radius, at most
   std::vector<ChainPart> chain;
   std::vector<double> largest;
   const auto end = [&] {
     if (!largest.empty()) {
-      chains.emplace_back(planned, std::move(chain), std::move(largest), model, budget);
+      chains.emplace_back(planned, std::move(chain), std::move(largest), model, refusals, budget);
     }
     chain.clear();
     largest.clear();
@@ -63,10 +64,10 @@ void add_chains(const PlannedProgram& planned, std::vector<std::optional<ChainPa
 
 /// Appends the motions of the chains of some parts. If no blend helps a part, it keeps its stops.
 void add_motions(const PlannedProgram& planned, std::vector<std::optional<ChainPart>> parts,
-                 const CollisionModel* model, BudgetMeter& budget,
+                 const CollisionModel* model, BlendRefusals& refusals, BudgetMeter& budget,
                  std::vector<BlendedMoves>& motions) {
   std::vector<BlendChain> chains;
-  add_chains(planned, std::move(parts), model, budget, chains);
+  add_chains(planned, std::move(parts), model, refusals, budget, chains);
   for (BlendChain& chain : chains) {
     if (budget.ended()) return;
     std::optional<BlendedMotion> motion = chain.motion();
@@ -78,7 +79,7 @@ void add_motions(const PlannedProgram& planned, std::vector<std::optional<ChainP
     } else if (const auto refused = chain.refused_part()) {
       std::vector<std::optional<ChainPart>> others(chain.parts().begin(), chain.parts().end());
       others[*refused].reset();
-      add_motions(planned, std::move(others), model, budget, motions);
+      add_motions(planned, std::move(others), model, refusals, budget, motions);
     }
   }
 }
@@ -192,7 +193,11 @@ std::vector<BlendedMoves> blended_moves(const PlannedProgram& planned, const Col
         std::upper_bound(scenes.begin(), scenes.end(), begin,
                          [](double time, const ProgramScene& scene) { return time < scene.begin; });
     const CollisionModel* const here = after == scenes.begin() ? nullptr : &std::prev(after)->model;
-    add_motions(planned, parts_between_stops(planned, moves, budget), here, budget, motions);
+    std::vector<std::optional<ChainPart>> parts = parts_between_stops(planned, moves, budget);
+    const auto lines = std::count_if(parts.begin(), parts.end(),
+                                     [](const auto& part) { return part && !part->joint; });
+    BlendRefusals refusals(static_cast<std::size_t>(lines));
+    add_motions(planned, std::move(parts), here, refusals, budget, motions);
   }
   return motions;
 }

@@ -49,17 +49,19 @@ void remove_refused(const DividedProgram& program, const Verification& found,
   if (motions.size() == before) motions.clear();
 }
 
-/// Replaces stops by blends with joint moves, if the motion is proved with them before the budget
-/// ends. Returns whether it is.
+/// Replaces stops by blends with joint moves as far as the motion is proved with them before the
+/// budget ends. The search leaves an amount for this last proof. Returns whether there are blends.
 bool blend(const DividedProgram& program, const std::vector<PlannedPart>& planned,
-           BudgetMeter& budget, ProgramMotion& motion) {
+           const SpentBudget& last_proof, BudgetMeter& budget, ProgramMotion& motion) {
   constexpr int max_refusals = 4;
   const PlannedProgram with_stops = planned_with(program, planned, motion);
-  std::vector<BlendedMoves> motions = blended_moves(with_stops, program.model, budget);
+  BudgetMeter searching(budget.part_leaving(last_proof));
+  std::vector<BlendedMoves> motions = blended_moves(with_stops, program.model, searching);
+  motion.search_ending = searching.ending();
   for (int refusals = 0; refusals < max_refusals && !motions.empty(); ++refusals) {
     BlendedProgram blended = with_blends(with_stops, motions);
     Verification found = proof_of(program, blended.trajectory, budget);
-    if (!budget.complete()) return false;
+    if (!budget.complete()) break;
     if (!found) {
       remove_refused(program, found, motions);
       continue;
@@ -72,23 +74,34 @@ bool blend(const DividedProgram& program, const std::vector<PlannedPart>& planne
       better.moves[i].end = better.moves[i + 1].begin = found.arrivals[i];
     }
     set_bounds(program, std::move(found), budget, better);
-    if (budget.complete()) motion = std::move(better);
-    return budget.complete();
+    if (!budget.complete()) break;
+    motion = std::move(better);
+    return true;
   }
+  if (!budget.complete()) motion.search_ending = budget.ending();
   return false;
+}
+
+/// Three times the amount spent since a time: a motion with blends may have more samples, and a
+/// proof that is refused is repeated.
+SpentBudget for_last_proof(const SpentBudget& before, const SpentBudget& now) {
+  return {3 * (now.work - before.work), 3 * (now.time - before.time)};
 }
 
 }  // namespace
 
 Completion complete_program(const DividedProgram& program, const std::vector<PlannedPart>& planned,
                             BudgetMeter& budget, ProgramMotion& motion) {
+  const SpentBudget before = budget.spent();
   Verification found = proof_of(program, motion.trajectory, budget);
-  const bool with_stops = bool(found);
   set_stops(program.program, motion.moves);
+  const bool with_stops(found);
   if (with_stops) set_bounds(program, found, budget, motion);
   if (!budget.complete()) return {};
-  if (has_joint_blends(program.program) && blend(program, planned, budget, motion)) return {true};
-  if (with_stops) return {true};
+  const SpentBudget last_proof = for_last_proof(before, budget.spent());
+  const bool blends =
+      has_joint_blends(program.program) && blend(program, planned, last_proof, budget, motion);
+  if (blends || with_stops) return {true};
   return {false, program_refusal(planned_with(program, planned, motion), found, budget)};
 }
 

@@ -25,7 +25,8 @@ struct Completion {
 /// Completes the motion of a program that was planned with stops, as far as its trajectory and
 /// moves: proves it by verify(), as a check of its file does, and replaces stops by blends with
 /// joint moves as far as the whole is proved with them. With a model, blends keep the clearance. If
-/// the budget ends after the motion with stops is proved, it keeps its stops.
+/// the budget ends after the motion with stops is proved, it has the blends that are proved by
+/// then, and ProgramMotion::search_ending says so.
 Completion complete_program(const DividedProgram& program, const std::vector<PlannedPart>& planned,
                             BudgetMeter& budget, ProgramMotion& motion);
 

@@ -4,6 +4,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/path/blend.h>
+#include <beeline/path/internal/scaled_blends.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/trajectory/internal/tool_speed.h>
@@ -54,30 +55,34 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
     throw Error("a blend must be between lines or moves `joint`");
   }
   if (move.dwell > 0) throw Error("a dwell and a blend at one waypoint exclude each other");
+  if (continues_path(program, i)) check_blend_tolerance(blend_deviation(move));
 }
 
 /// Moves from one stop to the next, or from one sharp corner to the next.
 struct ProgramSection {
   Route route;
   std::vector<std::size_t> moves;  ///< of each segment, 0 for the first move
-  std::vector<double> blend_radii;
+  std::vector<Blend> blends;       ///< of each move, as far as they have one
 };
 
+/// `scales` has the scales of the moves from move i on.
 ProgramSection blended_section(const Program& program, std::size_t i,
-                               const std::vector<Pose>& poses) {
+                               const std::vector<Pose>& poses, std::span<const double> scales) {
   std::vector<Deviation> within;
   for (std::size_t k = 0; k + 2 < poses.size(); ++k) {
     within.push_back(blend_deviation(program.moves[i + k]));
   }
-  BlendedPath blended = blended_lines(poses, within);
-  ProgramSection section{route_of(blended), std::move(blended.lines), {}};
-  for (const Blend& blend : blended.blends) section.blend_radii.push_back(blend.radius);
-  return section;
+  BlendedPath blended = scaled_blends(poses, within, scales.first(within.size()));
+  Route route = route_of(blended);
+  return {std::move(route), std::move(blended.lines), std::move(blended.blends)};
 }
 
-ProgramSection section_through(const Program& program, std::size_t i, std::vector<Pose> poses) {
+ProgramSection section_through(const Program& program, std::size_t i, std::vector<Pose> poses,
+                               std::span<const double> scales) {
   const Move& move = program.moves[i];
-  if (move.kind == MoveKind::line && poses.size() > 2) return blended_section(program, i, poses);
+  if (move.kind == MoveKind::line && poses.size() > 2) {
+    return blended_section(program, i, poses, scales);
+  }
   if (move.kind == MoveKind::line) {
     return {route_of(lines_through(poses), PathKind::line), {0}, {}};
   }
@@ -93,11 +98,10 @@ ProgramSection section_through(const Program& program, std::size_t i, std::vecto
 
 constexpr double identical = 1e-12;  // metres
 
-/// Refuses repeated waypoints of a path that needs different ones. Only a single line may have
-/// length 0.
+/// Refuses repeated waypoints of a path that needs different ones. Lines may have length 0.
 void check_distinct(const Program& program, std::size_t i, const std::vector<Pose>& poses) {
   const Move& move = program.moves[i];
-  if (move.kind == MoveKind::line && poses.size() == 2) return;
+  if (move.kind == MoveKind::line) return;
   for (std::size_t k = 1; k < poses.size(); ++k) {
     if (!repeats(poses[k], poses[k - 1])) continue;
     throw MoveError(program, i + k - 1, "the waypoint is the same as the one before it");
@@ -108,29 +112,54 @@ void check_distinct(const Program& program, std::size_t i, const std::vector<Pos
   }
 }
 
-/// Appends the moves from move i up to the next stop, with the tool at `from`; returns the next.
-std::size_t add_section(const Program& program, std::size_t i, Pose& from, double tool_speed,
-                        ProgramPart& part) {
-  std::vector<Pose> poses{from, program.moves[i].target};
-  std::size_t last = i;
-  // A line without length has no blend: the tool stops.
-  const auto stops = [&] {
-    return program.moves[last].kind == MoveKind::line &&
-           (repeats(poses[poses.size() - 2], poses.back()) ||
-            repeats(poses.back(), program.moves[last + 1].target));
+/// The waypoints from `from`, before move i, up to the next stop. Lines without length have no
+/// blend at the beginning and at the end of a path: the tool stops.
+std::vector<Pose> poses_to_stop(const Program& program, std::size_t i, const Pose& from) {
+  const auto target = [&](std::size_t move) { return program.moves[move].target; };
+  std::vector<Pose> poses{from, target(i)};
+  const bool lines = program.moves[i].kind == MoveKind::line;
+  if (lines && passed_as_one(poses[1], poses[0])) return poses;
+  const auto stays_from = [&](std::size_t move) {
+    for (std::size_t k = move; continues_path(program, k); ++k) {
+      if (!passed_as_one(target(k + 1), target(move))) return false;
+    }
+    return true;
   };
-  while (continues_path(program, last) && !stops()) {
-    poses.push_back(program.moves[++last].target);
+  for (std::size_t last = i; continues_path(program, last) && !(lines && stays_from(last));) {
+    poses.push_back(target(++last));
   }
+  return poses;
+}
+
+/// The scales of the moves from move i to move `last`. Of lines that pass a waypoint as one the
+/// smallest holds for all.
+std::vector<double> scales_of(const Program& program, std::size_t i, std::size_t last,
+                              std::span<const double> scales) {
+  std::vector<double> own(last - i + 1, 1);
+  if (!scales.empty()) std::copy_n(scales.begin(), own.size(), own.begin());
+  for (std::size_t k = own.size() - 1; k-- > 0;) {
+    const bool as_one = passed_as_one(program.moves[i + k + 1].target, program.moves[i + k].target);
+    if (as_one) own[k] = std::min(own[k], own[k + 1]);
+  }
+  return own;
+}
+
+/// Appends the moves from move i up to the next stop, with the tool at `from`; returns the next.
+/// `scales` has the scales of the moves from move i on; without any they are 1.
+std::size_t add_section(const Program& program, std::size_t i, Pose& from, double tool_speed,
+                        std::span<const double> scales, ProgramPart& part) {
+  const std::vector<Pose> poses = poses_to_stop(program, i, from);
+  const std::size_t last = i + poses.size() - 2;
   check_distinct(program, i, poses);
+  const std::vector<double> own = scales_of(program, i, last, scales);
   ProgramSection section;
   try {
-    section = section_through(program, i, poses);
+    section = section_through(program, i, poses, own);
   } catch (const Error& error) {
     throw MoveError(program, last, error.what());
   }
   Route& route = part.route;
-  section.blend_radii.resize(last - i + 1, 0);
+  section.blends.resize(own.size());
   for (std::size_t k = 0; k < section.moves.size(); ++k) {
     const std::size_t move = i + section.moves[k];
     const Segment& segment = section.route.path.segments[k];
@@ -143,13 +172,31 @@ std::size_t add_section(const Program& program, std::size_t i, Pose& from, doubl
     route.speeds.push_back(program.moves[move].speed.value_or(tool_speed));
     part.moves.push_back(move);
   }
-  part.blend_radii.insert(part.blend_radii.end(), section.blend_radii.begin(),
-                          section.blend_radii.end());
+  for (const Blend& blend : section.blends) part.blend_radii.push_back(blend.radius);
+  part.blend_scales.insert(part.blend_scales.end(), own.begin(), own.end());
   from = program.moves[last].target;
   return last + 1;
 }
 
+/// A part of lines and other paths from move `first` on. `scales` has the scales of its moves.
+ProgramPart path_part(const Program& program, std::size_t first, Pose& from, double tool_speed,
+                      std::span<const double> scales) {
+  ProgramPart part{.first = first, .last = first};
+  std::size_t i = first;
+  while (i < program.moves.size() && !is_joint_motion(program.moves[i].kind)) {
+    const auto rest = scales.empty() ? scales : scales.subspan(i - first);
+    i = add_section(program, i, from, tool_speed, rest, part);
+  }
+  part.last = i - 1;
+  return part;
+}
+
 }  // namespace
+
+std::size_t ProgramPart::first_segment(std::size_t move) const {
+  const auto here = std::lower_bound(moves.begin(), moves.end(), move);
+  return static_cast<std::size_t>(here - moves.begin());
+}
 
 std::size_t ProgramPart::last_segment(std::size_t move) const {
   const auto next = std::upper_bound(moves.begin(), moves.end(), move);
@@ -189,6 +236,17 @@ void check_program(const Arm& arm, const Program& program, const std::optional<T
   check_attachments(program);
 }
 
+void check_begins(const Program& program) {
+  const Move& first = program.moves.front();
+  const std::string begins = "the motion begins at this waypoint, as no start is given; ";
+  if (!is_joint_motion(first.kind) && first.kind != MoveKind::line) {
+    throw MoveError(program, 0, begins + "its move must be a joint motion or a line");
+  }
+  if (first.speed || first.blend > 0) {
+    throw MoveError(program, 0, begins + "remove its speed or blend");
+  }
+}
+
 bool continues_path(const Program& program, std::size_t i) {
   return is_passed(program, i) && !is_joint_motion(program.moves[i].kind) &&
          !is_joint_motion(program.moves[i + 1].kind);
@@ -216,20 +274,21 @@ std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, s
                                        const Pose& begin, double tool_speed) {
   std::vector<ProgramPart> parts;
   Pose from = begin;
-  for (std::size_t i = first; i < program.moves.size();) {
-    ProgramPart part{.first = i, .last = i};
+  for (std::size_t i = first; i < program.moves.size(); i = parts.back().last + 1) {
     if (is_joint_motion(program.moves[i].kind)) {
-      part.joint = true;
+      parts.push_back({.first = i, .last = i, .joint = true});
       from = waypoint_of(arm, program.moves[i]);
-      ++i;
+    } else {
+      parts.push_back(path_part(program, i, from, tool_speed, {}));
     }
-    while (!part.joint && i < program.moves.size() && !is_joint_motion(program.moves[i].kind)) {
-      i = add_section(program, i, from, tool_speed, part);
-    }
-    part.last = i - 1;
-    parts.push_back(std::move(part));
   }
   return parts;
+}
+
+ProgramPart with_blend_scales(const Program& program, const ProgramPart& part, double tool_speed,
+                              std::span<const double> scales) {
+  Pose from = pose_at(part.route.path, 0);
+  return path_part(program, part.first, from, tool_speed, scales);
 }
 
 }  // namespace beeline::internal

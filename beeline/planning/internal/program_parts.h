@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <beeline/planning/program.h>
@@ -13,6 +14,11 @@ struct ProgramPart {
   Route route = {};                      ///< unless it is a joint motion
   std::vector<std::size_t> moves = {};   ///< of each segment of the route
   std::vector<double> blend_radii = {};  ///< of each move from `first` on
+  /// Likewise the scales of the blends between two lines, from 0, a stop, to 1.
+  std::vector<double> blend_scales = {};
+
+  /// Returns the first segment of a move, or of a later move if a blend replaces all of its line.
+  std::size_t first_segment(std::size_t move) const;
 
   /// Returns the last segment of a move, or of an earlier move if a blend replaces all of its line.
   std::size_t last_segment(std::size_t move) const;
@@ -34,6 +40,9 @@ void check_move(const Arm& arm, const Program& program, std::size_t i);
 void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task,
                    double recover = 0);
 
+/// Throws MoveError if a motion without a start cannot begin at the waypoint of the first move.
+void check_begins(const Program& program);
+
 /// Whether the tool passes the waypoint of move i without a stop, if there is a motion that does.
 bool is_passed(const Program& program, std::size_t i);
 
@@ -53,5 +62,9 @@ Pose waypoint_of(const Arm& arm, const Move& move);
 /// speed get `tool_speed`.
 std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, std::size_t first,
                                        const Pose& begin, double tool_speed);
+
+/// The same path with smaller blends between its lines: their scales, one for each of its moves.
+ProgramPart with_blend_scales(const Program& program, const ProgramPart& part, double tool_speed,
+                              std::span<const double> scales);
 
 }  // namespace beeline::internal

@@ -6,6 +6,8 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/current_scene.h>
+#include <beeline/planning/internal/line_blends.h>
+#include <beeline/planning/internal/motion_along.h>
 #include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/internal/program_completion.h>
@@ -71,22 +73,14 @@ class ProgramPlanner {
   bool plan(const std::optional<Configuration>& start) {
     if (start) check_start(arm_, *start);
     const Move& first = program_.moves.front();
-    if (!start && !is_joint_motion(first.kind) && first.kind != MoveKind::line) {
-      throw MoveError(
-          program_, 0,
-          "the motion begins at this waypoint, as no start is given; its move must be a joint "
-          "motion or a line");
-    }
-    if (!start && (first.speed || first.blend > 0)) {
-      throw MoveError(program_, 0,
-                      "the motion begins at this waypoint, as no start is given; remove its speed "
-                      "or blend");
-    }
+    if (!start) check_begins(program_);
     const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
     parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
     std::optional<Configuration> q = start ? start : first.q;
     std::optional<PathMotion> ahead;
-    if (!q && !begin_at(begin, q, ahead)) return false;
+    while (!q && !begin_at(begin, q, ahead)) {
+      if (!make_blends_smaller()) return false;
+    }
     trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
     arrive(0);
     if (!start) {
@@ -96,9 +90,27 @@ class ProgramPlanner {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       budget_.report(static_cast<double>(p) / static_cast<double>(parts_.size()));
       if (budget_.ended()) return fail_ended(parts_[p].first);
-      if (parts_[p].joint ? !add_joint_motion(p, ahead) : !add_path(p, ahead)) return false;
+      if (!add_part(p, ahead)) return false;
     }
     return finish();
+  }
+
+  /// Appends the motion of a part. Where a path is refused before anything is appended, tries again
+  /// with smaller blends between its lines.
+  bool add_part(std::size_t p, std::optional<PathMotion>& ahead) {
+    const std::size_t end = trajectory_.last();
+    while (parts_[p].joint ? !add_joint_motion(p, ahead) : !add_path(p, ahead)) {
+      if (trajectory_.last() != end || !make_blends_smaller()) return false;
+      ahead.reset();
+    }
+    return true;
+  }
+
+  /// Makes the blends smaller that may be why the last path is refused. Returns whether there are
+  /// any.
+  bool make_blends_smaller() {
+    return !budget_.ended() && line_blends_.make_smaller(program_, options_.tool_speed, parts_) &&
+           succeed();
   }
 
   /// Sets q to a configuration at which the motion begins, with the tool at the pose of the first
@@ -152,19 +164,15 @@ class ProgramPlanner {
   bool follow(std::size_t p, const std::optional<Configuration>& q,
               std::optional<PathMotion>& ahead) {
     const ProgramPart& part = parts_[p];
-    ahead = move_along(arm_, q, part.route, options_);
-    if (*ahead) return true;
-    Reason& reason = ahead->reason;
-    if (const ReasonValue* const segment = reason.find(ReasonField::segment)) {
-      const std::size_t move = part.moves[std::get<std::size_t>(*segment) - 1];
-      return fail(move, ahead->status, reason);
+    ahead = motion_along(arm_, q, part.route, options_);
+    if (*ahead) {
+      line_blends_.accept();
+      return true;
     }
-    if (part.first > 0 && reason.has(ReasonField::beginning)) {  // the waypoint of the move before
-      std::erase_if(reason.fields,
-                    [](const auto& entry) { return entry.first == ReasonField::beginning; });
-      return fail(part.first - 1, ahead->status, reason);
-    }
-    return fail(part.first, ahead->status, reason, part_name(program_, part));
+    line_blends_.refuse(p, refused_blends(arm_, part, *ahead,
+                                          {options_.tolerance, options_.orientation_tolerance}));
+    ProgramRefusal why = path_refusal(program_, part, *ahead);
+    return fail(why.move, why.status, std::move(why.reason), why.name);
   }
 
   /// Plans the path of a part, which must keep the clearance.
@@ -333,8 +341,9 @@ class ProgramPlanner {
       PlannedMove planned{.begin = trajectory_.last(),
                           .blend_radius = part.blend_radii[i - part.first]};
       if (program_.moves[i].blend > 0) {
-        const bool stops = part.route.stops[part.last_segment(i)];
-        planned.blend = stops ? BlendOutcome::stop : BlendOutcome::full;
+        const bool full = part.blend_scales[i - part.first] == 1;
+        planned.blend = full ? BlendOutcome::full : BlendOutcome::smaller;
+        if (part.route.stops[part.last_segment(i)]) planned.blend = BlendOutcome::stop;
       }
       for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
         trajectory_.append(ahead->trajectory, ++k);
@@ -373,6 +382,7 @@ class ProgramPlanner {
   const CollisionModel* model_;
   ProgramMotion motion_;
   std::vector<ProgramPart> parts_;
+  LineBlends line_blends_;
   ProgramTrajectory trajectory_;
   std::optional<CurrentScene> scene_ = std::nullopt;
   std::vector<PlannedPart> planned_;

@@ -32,6 +32,21 @@ std::size_t refused_move(const Verification& found, std::size_t moves) {
   return std::min(static_cast<std::size_t>(after - ends.begin()), moves - 1);
 }
 
+ProgramRefusal path_refusal(const Program& program, const ProgramPart& part,
+                            const PathMotion& refused) {
+  ProgramRefusal why{part.first, refused.status, refused.reason};
+  if (const ReasonValue* const segment = why.reason.find(ReasonField::segment)) {
+    why.move = part.moves[std::get<std::size_t>(*segment) - 1];
+  } else if (part.first > 0 && why.reason.has(ReasonField::beginning)) {
+    std::erase_if(why.reason.fields,
+                  [](const auto& entry) { return entry.first == ReasonField::beginning; });
+    why.move = part.first - 1;  // its waypoint
+  } else {
+    why.name = part_name(program, part);
+  }
+  return why;
+}
+
 std::optional<ProgramRefusal> program_refusal(const PlannedProgram& planned,
                                               const Verification& found, BudgetMeter& budget) {
   const PathMotionOptions& options = planned.options;

@@ -39,6 +39,10 @@ struct ProgramRefusal {
   std::string name = {};  ///< of the part with the move, for the reason; empty: the move's own
 };
 
+/// Returns why the path of a part is refused: by its motion.
+ProgramRefusal path_refusal(const Program& program, const ProgramPart& part,
+                            const PathMotion& refused);
+
 /// Returns why verify() finds that a trajectory is no motion of its program: the tool is off the
 /// path of a part, a joint is beyond its limits, or what verify() says. None if the budget ends.
 std::optional<ProgramRefusal> program_refusal(const PlannedProgram& planned,

@@ -107,7 +107,7 @@ class ProgramVerifier {
                                                   double at);
   bool add_layers(const JointRun& run, std::vector<PassageLayer>& layers);
   void add_arrivals(std::span<const Passage> passed);
-  bool fail_to_pass(std::size_t move, std::size_t first);
+  bool fail_to_pass(std::size_t move, std::size_t first, const Line* line = nullptr);
   std::vector<std::size_t> joint_rests(std::size_t part, std::size_t first) const;
   bool check_passages(const JointRun& run, std::size_t next, const std::vector<Passage>& passed);
   std::vector<std::size_t> line_begins(const Line& line, std::size_t move,
@@ -115,6 +115,8 @@ class ProgramVerifier {
 
   // In program_verifier_paths.cpp:
   bool check_path();
+  bool check_path(const ProgramPart& part);
+  std::vector<double> seen_blend_scales(const ProgramPart& part) const;
   std::vector<std::size_t> path_rests(const Route& route) const;
   std::vector<std::size_t> line_ends(const Line& line, std::size_t move) const;
   bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end);

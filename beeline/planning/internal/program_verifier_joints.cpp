@@ -1,5 +1,6 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/kinematics/internal/deviation_reason.h>
+#include <beeline/model/internal/joint_reason.h>
 #include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
@@ -93,19 +94,35 @@ JointRun ProgramVerifier::joint_run() const {
   }
 }
 
-/// Fails at a waypoint that is not passed within the deviation of its blend.
-bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first) {
+/// Fails at a waypoint that is not passed within the deviation of its blend, at the nearest sample
+/// from `first` on: with what the blend allows, and the joint that is farthest off. If the waypoint
+/// is passed, but not on the line before it, fails at the line.
+bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first, const Line* line) {
+  const Move& goal = program_.moves[move];
   std::size_t nearest = first;
-  double least = passages_.distance(program_.moves[move], first);
+  double least = passages_.distance(goal, first);
   for (std::size_t k = first + 1; k < trajectory_.size(); ++k) {
-    const double here = passages_.distance(program_.moves[move], k);
+    const double here = passages_.distance(goal, k);
     if (here < least) nearest = k, least = here;
   }
-  const Deviation away =
-      task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_at(nearest));
-  Reason reason = deviation_reason(ReasonCode::off_path, away);
+  const bool passed = line != nullptr && least <= 1;
+  const Pose waypoint = waypoint_of(arm_, goal), tool = tool_at(nearest);
+  Reason reason =
+      deviation_reason(ReasonCode::off_path, passed ? deviation_from(*line, tool, task_)
+                                                    : task_deviation(task_, waypoint, tool));
+  const std::string name = move_name(program_, move);
   reason.set(ReasonField::move, move + 1)
-      .set(ReasonField::segment_name, "the waypoint of " + move_name(program_, move));
+      .set(ReasonField::segment_name, passed ? name : "the waypoint of " + name);
+  if (passed) return fail(Fault::deviation, nearest, std::move(reason));
+  reason.set(ReasonField::limit, goal.blend);
+  double largest = 1;
+  for (int i = 0; goal.q && i < arm_.dof(); ++i) {
+    const double error = std::abs(trajectory_.positions[nearest][i] - (*goal.q)[i]);
+    const double allowed = allowed_in_blend(arm_, goal, i);
+    if (!(error > largest * allowed)) continue;
+    largest = error / allowed;
+    set_joint(arm_.joint_of(i), reason).set(ReasonField::error, error);
+  }
   return fail(Fault::not_through, nearest, std::move(reason));
 }
 

@@ -1,4 +1,8 @@
+#include <array>
+#include <cmath>
+
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/planning/internal/blend_refusals.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
 
@@ -37,8 +41,21 @@ void replace_line(Route& route, std::size_t segment, const Line& line) {
 
 }  // namespace
 
+/// Checks a path with its largest blends between lines, and then with those that it seems to have.
 bool ProgramVerifier::check_path() {
   const ProgramPart& part = parts_[now_.part];
+  const bool blends = std::any_of(part.blend_radii.begin(), part.blend_radii.end(),
+                                  [](double radius) { return radius > 0; });
+  if (!blends) return check_path(part);
+  return check_candidates(std::array{true, false}, [&](bool largest) {
+    if (largest) return check_path(part);
+    const std::vector<double> scales = seen_blend_scales(part);
+    const bool same = std::all_of(scales.begin(), scales.end(), [](double x) { return x == 1; });
+    return !same && check_path(with_blend_scales(program_, part, Limits::none, scales));
+  });
+}
+
+bool ProgramVerifier::check_path(const ProgramPart& part) {
   const bool last_part = now_.part + 1 == parts_.size();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < part.route.stops.size(); ++i) {
@@ -49,6 +66,34 @@ bool ProgramVerifier::check_path() {
   }
   ++now_.part;
   return true;
+}
+
+/// The scales of the blends between the lines of a part that begins at the next sample: of those
+/// that move_program() gives, the nearest to the distance at which the tool passes the waypoint.
+std::vector<double> ProgramVerifier::seen_blend_scales(const ProgramPart& part) const {
+  constexpr double near = 2;  // deviations of the blend: samples may be beyond it
+  std::vector<double> scales(part.blend_radii.size(), 1);
+  std::size_t from = now_.begin;
+  for (std::size_t i = 0; i < part.moves.size(); ++i) {
+    const auto* const blend = std::get_if<SplineSegment>(&part.route.path.segments[i]);
+    const std::size_t index = part.moves[i] - part.first;
+    if (blend == nullptr || part.blend_radii[index] == 0) continue;
+    Move move = program_.moves[part.moves[i]];
+    move.blend *= near;
+    const auto passed = passages_.nearest(move, from);
+    if (!passed) continue;
+    from = passed->sample;
+    if (is_at(move.target, from) && rests_.rests_at(from)) {
+      scales[index] = 0;
+      continue;
+    }
+    const Deviation largest = task_deviation(task_, move.target, pose_at(*blend, 0.5));
+    const double seen = passed->distance / blend_distance(move, largest);
+    const double times = std::log(seen) / std::log(BlendRefusals::smaller);
+    constexpr double most = BlendRefusals::max_smaller;
+    scales[index] = std::pow(BlendRefusals::smaller, std::clamp(std::round(times), 0.0, most));
+  }
+  return scales;
 }
 
 /// The rests at which a path may end, or where the tool passes its end without one; those that
@@ -121,7 +166,8 @@ bool ProgramVerifier::check_section(const ProgramPart& part, std::size_t first, 
   const std::vector<std::size_t> ends =
       leaves ? line_ends(std::get<Line>(whole), move) : path_rests(route);
   if (!budget_.complete()) return end(budget_.ending(), {});
-  if (ends.empty()) return leaves ? fail_to_pass(move, now_.begin) : fail_to_reach(move);
+  if (ends.empty() && !leaves) return fail_to_reach(move);
+  if (ends.empty()) return fail_to_pass(move, now_.begin, &std::get<Line>(whole));
   // At the end of the program the path is checked to the last sample from any of them.
   return check_candidates(std::span(ends).first(to_end ? 1 : ends.size()), [&](std::size_t end) {
     Route followed = route;

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
 #include <beeline/kinematics/task.h>
+#include <beeline/planning/internal/box_blocks.h>
 
 namespace beeline::internal {
 
-/// Boxes around the positions of the tool at consecutive samples, in blocks of 8, 64, 512 and so on
-/// samples. They find the samples near a position without a look at all others. Positions count as
-/// far as the task constrains them in the axes of the world.
+/// A position as far as a task constrains it in the axes of the world: the other coordinates are 0.
+/// Two positions of the tool whose distance the task bounds are at most as far from each other.
+Vector3 constrained(const Task& task, const Vector3& position);
+
+/// Boxes around the positions of the tool at consecutive samples, as far as a task constrains them.
 class ToolBoxes {
  public:
   ToolBoxes(const std::vector<Pose>& tool, const Task& task);
@@ -20,12 +22,8 @@ class ToolBoxes {
   std::size_t next_near(const Vector3& position, double distance, std::size_t first) const;
 
  private:
-  using Box = Eigen::AlignedBox3d;
-
-  Vector3 constrained(const Vector3& position) const;
-
-  Vector3 counts_ = Vector3::Zero();           ///< 1 for each axis that the task constrains, else 0
-  std::vector<std::vector<Box>> levels_ = {};  ///< of the samples, then of blocks of them
+  Task task_;
+  BoxBlocks boxes_;
 };
 
 }  // namespace beeline::internal

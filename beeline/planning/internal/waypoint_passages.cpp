@@ -15,14 +15,21 @@ constexpr double far_away = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+double blend_distance(const Move& move, const Deviation& away) {
+  const Deviation most = blend_deviation(move);
+  return std::max(away.position / most.position, away.orientation / most.orientation);
+}
+
+double allowed_in_blend(const Arm& arm, const Move& move, int i) {
+  const bool slides = kind(arm.joint_of(i)) == JointKind::prismatic;
+  return slides ? blend_deviation(move).position : blend_deviation(move).orientation;
+}
+
 double blend_distance(const Arm& arm, const Task& task, const Move& move, const Pose& waypoint,
                       const Configuration& q, const Pose& tool) {
-  const Deviation most = blend_deviation(move), away = task_deviation(task, waypoint, tool);
-  double largest = std::max(away.position / most.position, away.orientation / most.orientation);
+  double largest = blend_distance(move, task_deviation(task, waypoint, tool));
   for (int i = 0; move.q && i < arm.dof(); ++i) {
-    const bool slides = kind(arm.joint_of(i)) == JointKind::prismatic;
-    largest = std::max(largest,
-                       std::abs(q[i] - (*move.q)[i]) / (slides ? most.position : most.orientation));
+    largest = std::max(largest, std::abs(q[i] - (*move.q)[i]) / allowed_in_blend(arm, move, i));
   }
   return largest;
 }
@@ -72,6 +79,33 @@ double WaypointPassages::distance_at(const Move& move, const Pose& waypoint, dou
   return blend_distance(arm_, task_, move, waypoint, q, forward_kinematics(arm_, q));
 }
 
+/// Whether all joints may be within their deviations from the waypoint of a move, if this is a
+/// configuration, between sample k and the next.
+bool WaypointPassages::joints_may_be_within(const Move& move, std::size_t k) const {
+  for (int i = 0; move.q && i < arm_.dof(); ++i) {
+    const Extremes between = enclosure(interval_polynomial(trajectory_, k, i));
+    const double allowed = allowed_in_blend(arm_, move, i), goal = (*move.q)[i];
+    if (between.smallest > goal + allowed || between.largest < goal - allowed) return false;
+  }
+  return true;
+}
+
+/// Whether the motion between the neighbours of sample k may be within the deviation of a blend of
+/// its waypoint, from which the sample has a distance. The tool is hardly farther from the sample
+/// than at its neighbours.
+bool WaypointPassages::may_be_within(const Move& move, std::size_t k, double distance) const {
+  constexpr double hardly = 1.5;
+  if (distance <= 1) return true;
+  const auto tool_step = [&](std::size_t other) {
+    return blend_distance(move, task_deviation(task_, tool_[k], tool_[other]));
+  };
+  const auto may = [&](std::size_t interval, std::size_t other) {
+    const bool far = !move.q && distance > 1 + hardly * tool_step(other);
+    return !far && joints_may_be_within(move, interval);
+  };
+  return (k > 0 && may(k - 1, k - 1)) || (k + 1 < trajectory_.size() && may(k, k + 1));
+}
+
 /// The local minimum between the neighbours of sample k, not before `first`, and its distance.
 Passage WaypointPassages::refined(const Move& move, const Pose& waypoint, std::size_t k,
                                   double first, double& distance) const {
@@ -94,6 +128,15 @@ Passage WaypointPassages::refined(const Move& move, const Pose& waypoint, std::s
   return best;
 }
 
+std::optional<NearestSample> WaypointPassages::nearest(const Move& move, std::size_t first) const {
+  const std::vector<Passage> passed = passages(move, static_cast<double>(first), 1);
+  if (passed.empty()) return std::nullopt;
+  NearestSample nearest{passed.front().nearest()};
+  refined(move, waypoint_of(arm_, move), nearest.sample, static_cast<double>(first),
+          nearest.distance);
+  return nearest;
+}
+
 std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
                                                 std::size_t most) const {
   std::vector<Passage> found;
@@ -112,7 +155,7 @@ std::vector<Passage> WaypointPassages::passages(const Move& move, double first,
     const double here = next_distance < far_away ? next_distance : distance_of(k);
     const std::size_t next = next_near(k + 1);
     next_distance = next == k + 1 && next < count ? distance_of(next) : far_away;
-    if (here < before && here <= next_distance) {
+    if (here < before && here <= next_distance && may_be_within(move, k, here)) {
       if (budget_.ended(work)) break;
       double least = here;
       Passage passage{static_cast<double>(k)};

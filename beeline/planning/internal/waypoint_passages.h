@@ -10,6 +10,12 @@
 
 namespace beeline::internal {
 
+/// The larger part of a deviation, as a multiple of the deviation of the blend of a move.
+double blend_distance(const Move& move, const Deviation& away);
+
+/// The deviation of joint i from the waypoint of a move in its blend, rad or m.
+double allowed_in_blend(const Arm& arm, const Move& move, int i);
+
 /// The distance of a configuration from the waypoint of a move, as a multiple of the deviation of
 /// its blend: the larger one of position and orientation of the tool and, if the waypoint is a
 /// configuration, of each joint.
@@ -26,6 +32,13 @@ struct Passage {
   std::size_t nearest() const;  ///< the nearer of both in time
 };
 
+/// The nearest sample of a stay near a waypoint, and the least distance of the motion next to it,
+/// as a multiple of the deviation of a blend.
+struct NearestSample {
+  std::size_t sample = 0;
+  double distance = 0;
+};
+
 /// Finds the passages of a trajectory near the waypoints of blends with joint moves.
 class WaypointPassages {
  public:
@@ -37,6 +50,10 @@ class WaypointPassages {
   /// interval, that are within the deviation of the blend of a move, in the order of time: at most
   /// `most`. Fewer if the budget ends the search.
   std::vector<Passage> passages(const Move& move, double first, std::size_t most) const;
+
+  /// Returns the sample nearest to the first passage from `first` on that is within the deviation
+  /// of the blend of a move.
+  std::optional<NearestSample> nearest(const Move& move, std::size_t first) const;
 
   /// The distance of sample k from the waypoint of a move, as a multiple of the deviation of its
   /// blend.
@@ -51,6 +68,8 @@ class WaypointPassages {
 
  private:
   double distance_at(const Move& move, const Pose& waypoint, double at) const;
+  bool joints_may_be_within(const Move& move, std::size_t k) const;
+  bool may_be_within(const Move& move, std::size_t k, double distance) const;
   Passage refined(const Move& move, const Pose& waypoint, std::size_t k, double first,
                   double& distance) const;
 

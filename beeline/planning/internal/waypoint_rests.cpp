@@ -3,6 +3,7 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/tool_boxes.h>
 #include <beeline/planning/internal/waypoint_rests.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
@@ -14,6 +15,14 @@ namespace {
 
 constexpr double rest_distance = 1e-5;  // radians or metres from the arrival's configuration
 constexpr double at_waypoint = 1e-3;    // of the tolerance
+
+/// The values of the first three joints; 0 for those that the arm does not have.
+Vector3 first_joints(const Configuration& q) {
+  Vector3 first = Vector3::Zero();
+  const Eigen::Index count = std::min<Eigen::Index>(3, q.size());
+  first.head(count) = q.head(count);
+  return first;
+}
 
 }  // namespace
 
@@ -27,8 +36,44 @@ WaypointRests::WaypointRests(const Arm& arm, const Trajectory& trajectory, const
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     tool_.push_back(forward_kinematics(arm, trajectory.positions[k]));
     rests_.push_back(is_slow(k));
-    if (rests_.back()) resting_.push_back(k);
   }
+  all_ = all_rests();
+  std::vector<BoxBlocks::Box> tool, joints;
+  for (const Rest& rest : all_) {
+    tool.emplace_back();
+    joints.emplace_back();
+    for (std::size_t k = rest.first; k <= rest.last; ++k) {
+      tool.back().extend(constrained(task_, tool_[k].translation()));
+      joints.back().extend(first_joints(trajectory.positions[k]));
+    }
+  }
+  tool_boxes_.emplace(std::move(tool));
+  joint_boxes_.emplace(std::move(joints));
+}
+
+std::vector<WaypointRests::Rest> WaypointRests::all_rests() const {
+  std::vector<Rest> all;
+  for (std::size_t k = 0; k < rests_.size(); ++k) {
+    if (!rests_[k]) continue;
+    const bool continues = !all.empty() && all.back().last + 1 == k && rests_between(k - 1);
+    if (continues) {
+      all.back().last = k;
+    } else {
+      all.push_back({k, k});
+    }
+  }
+  return all;
+}
+
+/// The first rest from `first` on that may be within tolerance of a move's waypoint.
+std::size_t WaypointRests::next_rest(const Move& move, std::size_t first) const {
+  constexpr double rounding = 1 + 1e-9;
+  if (!move.q) {
+    return tool_boxes_->next_near(constrained(task_, move.target.translation()),
+                                  rounding * tolerance_.position, first);
+  }
+  const double most = std::sqrt(3.0) * std::max(tolerance_.position, tolerance_.orientation);
+  return joint_boxes_->next_near(first_joints(*move.q), rounding * most, first);
 }
 
 double WaypointRests::offset(const Pose& goal, std::size_t k) const {
@@ -74,9 +119,9 @@ bool WaypointRests::rests_after(std::size_t k, const Move& move, std::size_t at)
   return true;
 }
 
-bool WaypointRests::rests_between(std::size_t k, std::size_t next) const {
-  if (next != k + 1) return false;
-  const double h = trajectory_.times[next] - trajectory_.times[k];
+/// Whether the joints rest from sample k to the next.
+bool WaypointRests::rests_between(std::size_t k) const {
+  const double h = trajectory_.times[k + 1] - trajectory_.times[k];
   for (int i = 0; i < arm_.dof(); ++i) {
     const Extremes q = enclosure(interval_polynomial(trajectory_, k, i));
     const double largest = rest_velocity(trajectory_, limits_[static_cast<std::size_t>(i)], h);
@@ -87,15 +132,19 @@ bool WaypointRests::rests_between(std::size_t k, std::size_t next) const {
 
 std::vector<std::size_t> WaypointRests::rests(const Move& move, std::size_t first) const {
   std::vector<std::size_t> exact, others;
-  auto k = std::lower_bound(resting_.begin(), resting_.end(), first);
-  while (k != resting_.end()) {
-    std::size_t nearest = *k;
+  const auto from =
+      std::lower_bound(all_.begin(), all_.end(), first,
+                       [](const Rest& rest, std::size_t sample) { return rest.last < sample; });
+  std::size_t next = next_rest(move, static_cast<std::size_t>(from - all_.begin()));
+  for (; next < all_.size(); next = next_rest(move, next + 1)) {
+    const Rest& rest = all_[next];
+    std::size_t nearest = std::max(rest.first, first);
     double least = offset(move, nearest);
-    for (++k; k != resting_.end() && rests_between(*(k - 1), *k); ++k) {
-      const double here = offset(move, *k);
+    for (std::size_t k = nearest + 1; k <= rest.last && least > at_waypoint; ++k) {
       // Several samples are at the waypoint. The first one is taken, because rounding errors decide
       // which is nearest.
-      if (least > at_waypoint && here < least) nearest = *k, least = here;
+      const double here = offset(move, k);
+      if (here < least) nearest = k, least = here;
     }
     if (least <= 1) (least <= at_waypoint ? exact : others).push_back(nearest);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/kinematics/task.h>
+#include <beeline/planning/internal/box_blocks.h>
 #include <beeline/planning/program.h>
 
 namespace beeline::internal {
@@ -42,17 +43,27 @@ class WaypointRests {
   std::optional<std::size_t> passes(const Move& move, std::size_t first) const;
 
  private:
+  /// Consecutive samples of one rest.
+  struct Rest {
+    std::size_t first = 0, last = 0;
+  };
+
   bool is_slow(std::size_t k) const;
-  bool rests_between(std::size_t k, std::size_t next) const;
+  bool rests_between(std::size_t k) const;
+  std::vector<Rest> all_rests() const;
+  std::size_t next_rest(const Move& move, std::size_t first) const;
 
   const Arm& arm_;
   const Trajectory& trajectory_;
   Task task_;
   Deviation tolerance_;
-  std::vector<Limits> limits_;   ///< of motion_limits()
-  std::vector<Pose> tool_ = {};  ///< at the samples
-  std::vector<bool> rests_ = {};
-  std::vector<std::size_t> resting_ = {};  ///< the samples at rest
+  std::vector<Limits> limits_;    ///< of motion_limits()
+  std::vector<Pose> tool_ = {};   ///< at the samples
+  std::vector<bool> rests_ = {};  ///< whether the joints are at rest at each sample
+  std::vector<Rest> all_ = {};
+  /// Of all rests: the positions of the tool, as far as the task constrains them, and the values of
+  /// the first three joints.
+  std::optional<BoxBlocks> tool_boxes_ = std::nullopt, joint_boxes_ = std::nullopt;
 };
 
 }  // namespace beeline::internal
