@@ -159,6 +159,7 @@ TEST_F(ReachMapFile, ReadsBackSingularCells) {
 
 TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
   for (const bool azimuths : {false, true}) {
+    if (azimuths && testing::slow_build) continue;  // a minute under a sanitizer
     Example example;
     if (azimuths) example.grid = ReachGrid(example.arm, by_azimuths);
     compute_reach_map(example.arm, example.grid, path("whole.h5"), {.reach = {.threads = 1}});
@@ -182,6 +183,7 @@ TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
 
 TEST_F(ReachMapFile, ThreadsReadOneFileAtOnce) {
   for (const bool azimuths : {false, true}) {
+    if (azimuths && testing::slow_build) continue;  // a minute under a sanitizer
     Example example;
     if (azimuths) example.grid = ReachGrid(example.arm, by_azimuths);
     compute_reach_map(example.arm, example.grid, path("map.h5"));

@@ -131,7 +131,8 @@ TEST(Sampling, DoesNotDependOnThreadsOrRanges) {
   const Arm arm = built_in("ur5");
   const ReachGrid grid(arm, {.resolution = 0.4, .directions = 60 * deg});
   const auto sampled = [&](Eigen::Index first, Eigen::Index last, int threads) {
-    return reach_cells(arm, grid, first, last, {.samples = 50'000, .threads = threads});
+    return reach_cells(arm, grid, first, last,
+                       {.samples = testing::example_size(50'000), .threads = threads});
   };
   const ReachCells one = sampled(0, grid.positions(), 1), four = sampled(0, grid.positions(), 4);
   EXPECT_EQ(one.branches, four.branches);

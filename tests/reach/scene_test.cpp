@@ -219,8 +219,8 @@ TEST(ReachInScene, DoesNotDependOnThreads) {
   Random random;
   for (const char* name : {"ur5", "panda"}) {
     const Cell cell(random, name);
-    const ReachGrid grid = grid_of(cell.arm);
-    for (const std::int64_t samples : {0, 20'000}) {
+    const ReachGrid grid = grid_of(cell.arm, testing::slow_build ? 2 : 1);
+    for (const std::int64_t samples : {0, testing::example_size(20'000)}) {
       ReachOptions options = cell.options();
       options.samples = samples;
       options.threads = 1;
