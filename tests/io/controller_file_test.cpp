@@ -25,7 +25,7 @@ TEST(ControllerFile, FormsHaveNames) {
 TEST(ControllerFile, RosMessagesReadBackToTheLastBit) {
   testing::Random random;
   const Arm arm = built_in("puma560");
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < testing::cases(600); ++i) {
     Trajectory trajectory =
         testing::in_nanoseconds(testing::random_trajectory(random, arm.joint_names()));
     if (trajectory.velocities.empty()) trajectory.accelerations.clear();

@@ -29,7 +29,7 @@ class LineBlends {
  private:
   /// What was refused in a part.
   struct Part {
-    BlendRefusals refusals = {};
+    BlendRefusals refusals{};
     std::vector<int> refused = {};  ///< how often the blend of each move was
   };
 

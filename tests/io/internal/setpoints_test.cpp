@@ -26,7 +26,7 @@ Trajectory random_motion(testing::Random& random, int columns) {
 
 TEST(Setpoints, SamplesOfTheGridStayAndDerivativesAreDerivatives) {
   testing::Random random;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < testing::cases(180); ++i) {
     const Trajectory trajectory = random_motion(random, 1 + i % 3);
     const Trajectory coarse = setpoints(trajectory, 100), fine = setpoints(trajectory, 1e4);
     ASSERT_EQ(coarse.velocities.size(), trajectory.velocities.empty() ? 0 : coarse.size());
