@@ -59,7 +59,7 @@ FILES = {
     "moved.scene": (ROOT / "tests/fuzz/corpus/scene/moveit").read_bytes(), "cell.yaml": (ROOT / "tests/fuzz/corpus/scene/planning").read_bytes(),
     "shaped.json": (ROOT / "examples/planar_arm.json").read_bytes(), "cell.json": (ROOT / "examples/cell.json").read_bytes(),
     "scan.ply": SCAN, "pick.csv": PICK, "around.csv": PICK.replace(b"line,next", b"around,next"), "pick.json": PICK_CELL,
-    "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n",
+    "shaped.urdf": SHAPED, "cell.urdf": CELL, "part.obj": PART, "part.stl": PART_STL, "shaped.csv": b"t,j\n0,0\n1,0.1\n", "rail.csv": b"t,rail,j\n0,0,0\n1,0.5,0.1\n",
     "arm.xml": (ROOT / "tests/fuzz/corpus/mjcf/whole").read_bytes(), "arm.xacro": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
@@ -156,7 +156,7 @@ fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5
 ik ur5 --rail x:2 --pose {POSE} --seed 0.5,0,1,1,0,1,0 --json
 line panda --through poses.csv --rail 1,1,0:-1:1 --out out.csv
 show robot.urdf --tip gripper --rail z:0.5 --mobile-base -2:2,-1:1,-3:3 --out out.urdf
-check shaped.urdf shaped.csv --rail y:1 --self --joint-map map.json
+check shaped.urdf rail.csv --rail y:1 --self
 arms --json
 completion bash
 """.strip().splitlines()]
