@@ -58,6 +58,16 @@ def test_an_example_builds_against_the_installed_copy(prefix, root, tmp_path):
     assert run(program, root / "examples", cwd=tmp_path) != ""
 
 
+def test_every_compiler_finds_the_functions_of_a_library(prefix):
+    """An expression that Eigen takes as a default argument of a template is named differently by GCC and Clang."""
+    libraries = sorted((prefix / "lib").rglob("libbeeline_*.a"))
+    symbols = [line.split()[-1] for library in libraries
+               for line in run("nm", "--extern-only", "--defined-only", library).splitlines() if line.startswith("0")]
+    ours = [symbol for symbol in symbols if symbol.startswith(("_ZN7beeline", "_ZNK7beeline"))]
+    assert any("batch_forward" in symbol for symbol in ours)
+    assert not [symbol for symbol in ours if "AtCompileTime" in symbol]
+
+
 def test_an_unknown_component_is_refused(prefix, tmp_path):
     (tmp_path / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.25)\n"
