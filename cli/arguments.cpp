@@ -117,13 +117,34 @@ std::vector<Option> LimitsArgument::options() {
                &speed, {.range = {1e-6, 1}, .arguments = {"speed_scale"}})}});
 }
 
+namespace {
+
+/// Warns where one number in degrees is also in metres.
+void warn_of_mixed_units(const std::string& option, const std::string& text, const Arm& arm,
+                         const UnitArgument& unit) {
+  std::vector<std::string> prismatic;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Joint& joint = arm.joint_of(k);
+    if (kind(joint) == JointKind::prismatic) prismatic.push_back(joint.name);
+  }
+  const bool mixed = !prismatic.empty() && static_cast<int>(prismatic.size()) < arm.dof();
+  if (!unit.degrees || !mixed) return;
+  warn(option + " " + text + " is in degrees for most joints and in metres for " +
+       listed(prismatic) + "; give one number for each joint (" + listed(arm.joint_names()) + ")");
+}
+
+}  // namespace
+
 Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
   std::map<std::string, LimitOverrides> limits;
   const auto add = [&](const std::string& option, const std::string& text,
                        std::optional<double> LimitOverrides::*limit) {
     if (text.empty()) return;
     std::vector<double> values = parse_numbers(text, option);
-    if (values.size() == 1) values.resize(static_cast<std::size_t>(arm.dof()), values.front());
+    if (values.size() == 1) {
+      warn_of_mixed_units(option, text, arm, unit);
+      values.resize(static_cast<std::size_t>(arm.dof()), values.front());
+    }
     if (static_cast<int>(values.size()) != arm.dof()) {
       throw Error(fmt::format("{} takes one number, or {} ({}), not {}", option, arm.dof(),
                               listed(arm.joint_names()), values.size()));

@@ -106,7 +106,7 @@ ArmShapes ArmArgument::shapes(ShapeOptions options) const {
     warn(text + ": planes are obstacles, not shapes of the arm; they are left out of " +
          listed(read.links_with_planes) + ", and a scene may have a half_space for each");
   }
-  read.links = behind_joints(std::move(read.links), moving_base.joints());
+  read.links = behind_joints(std::move(read.links), moving_base.joints(), read.standing);
   return read;
 }
 

@@ -55,7 +55,7 @@ double duration_of(const LineReport& report, std::size_t i) {
   return t[report.moves[i].end] - t[report.moves[i].begin];
 }
 
-/// What became of the blend of a move with the next one, with its radius.
+/// Returns the outcome of the blend of a move with the next one, with its radius.
 std::string blend_text(const PlannedMove& planned) {
   if (planned.blend == BlendOutcome::none) return "";
   if (planned.blend == BlendOutcome::stop) return "   stops in place of its blend";
@@ -66,7 +66,7 @@ std::string blend_text(const PlannedMove& planned) {
                      joint ? " in joint space" : " m");
 }
 
-/// Why the search for blends with joint moves did not end by itself.
+/// Returns the reason for which the search for blends with joint moves ended before its end.
 Reason search_reason(const LineReport& report) {
   return {ReasonCode::ended, {{ReasonField::ending, report.search_ending}}};
 }

@@ -33,7 +33,7 @@ Limits range(const std::string& lower, const std::string& upper, const std::stri
 void warn_of_millimetres(const std::string& option, const Limits& limits) {
   constexpr double far = 100;  // metres
   for (const double limit : {limits.lower, limits.upper}) {
-    if (!(std::abs(limit) > far) || std::isinf(limit)) continue;
+    if (std::abs(limit) <= far) continue;
     return warn(option + ": the limit " + number(limit) +
                 " m is probably in millimetres; it is read in metres");
   }
@@ -88,6 +88,9 @@ Arm on_mobile_base(const Arm& arm, const std::string& text, const UnitArgument& 
     limits.push_back(range(ends[0], ends[1], "a limit"));
   }
   limits.resize(3);
+  for (const double limit : {limits[2].lower, limits[2].upper}) {
+    if (ranges.size() == 3) warn_of_angle("--mobile-base", limit, unit);
+  }
   limits[2].lower = to_radians(limits[2].lower, unit.angle_unit());
   limits[2].upper = to_radians(limits[2].upper, unit.angle_unit());
   const Arm moving = with_mobile_base(arm, {.x = limits[0], .y = limits[1], .heading = limits[2]});
@@ -102,15 +105,17 @@ std::vector<Option> MovingBaseArgument::options() {
   return {
       Option("--rail AXIS:LENGTH",
              "A rail that moves the whole arm: one prismatic joint before the arm's own, called "
-             "rail. AXIS is x, y or z of the world, or a direction such as 1,1,0; LENGTH in m, the "
-             "joint goes from 0 to it, or AXIS:LOWER:UPPER. At 0 the arm stands at --mount. Limits "
-             "of velocity are unknown until --limits or --velocity gives them.",
+             "rail. AXIS is x, y or z of the world, or a direction such as 1,1,0. The joint goes "
+             "from 0 to LENGTH or, with AXIS:LOWER:UPPER, from LOWER to UPPER, in m also with "
+             "--millimetres. With the joint at 0 the arm stands at --mount. The limits of its "
+             "velocity are unknown unless --limits or --velocity gives them.",
              &rail),
       Option("--mobile-base RANGES",
              "A mobile base that moves the whole arm, with its rail: joints base_x and base_y "
-             "along x and y of the world and base_heading about the world's z axis, before the "
-             "others. RANGES are XMIN:XMAX,YMIN:YMAX in m, and ,MIN:MAX of the heading in rad "
-             "(deg with --degrees), without which it is not limited.",
+             "along x and y of the world and base_heading about the vertical axis of the base, "
+             "before the others. RANGES are XMIN:XMAX,YMIN:YMAX in m, also with --millimetres, and "
+             ",MIN:MAX of the heading in rad (deg with --degrees). Without MIN:MAX the heading is "
+             "not limited.",
              &mobile_base)};
 }
 

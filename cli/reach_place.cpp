@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
+#include <beeline/model/moving_base.h>
 #include <beeline/reach/place.h>
 
 #include "arm_argument.h"
@@ -111,9 +112,21 @@ Vector3 corner_of(const std::string& text, const char* option) {
   return written.pose.translation();
 }
 
+/// Refuses an arm of --rail or --mobile-base: a mount of the map would turn the rail with the arm,
+/// and --mount does not.
+void refuse_moving_base(const Arm& arm) {
+  if (!has_moving_base(arm)) return;
+  const Joint& first = arm.joints().front();
+  throw Error("the map's arm moves on a rail or a mobile base (joint " + first.name + ", link " +
+              first.link +
+              "): places are searched for arms whose base stands still; use a map of the arm "
+              "without the joints before its own, or test one place by `beeline ik` with --mount");
+}
+
 Answer place(PlaceArguments& arguments) {
   arguments.scene.fixed_mount = false;
   const ReachMap map(arguments.map, arguments.options.threads);
+  refuse_moving_base(map.arm());
   const PoseList poses = waypoints_from(read_file(arguments.poses), arguments.poses, map.arm(),
                                         {.offered = false}, {}, arguments.unit, "--poses");
   PlacementOptions options = arguments.options;
@@ -191,7 +204,6 @@ Verb reach_place_verb() {
                           "--self.",
                           &arguments->shaped.text)},
                   arguments->shaped.chain_options(),
-                  arguments->shaped.moving_base.options(),
                   arguments->scene.distance_options(),
                   arguments->unit.options(),
                   arguments->budget.options()}),

@@ -101,7 +101,10 @@ void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmS
     const bool is_planning_frame =
         link.empty() || (link == "world" && root != shapes.base_links.end() &&
                          pose.matrix() == root->second.matrix());
-    if (!is_planning_frame && !fixed_mount) continue;
+    if (!is_planning_frame && !fixed_mount) {
+      options.moving_frames.push_back(link);
+      continue;
+    }
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
   for (SceneFile& file : files) {
@@ -212,7 +215,7 @@ std::vector<std::string> links_without(const Arm& arm, const ArmShapes& read,
   }
   std::vector<std::string> others = read.links_without_shapes;
   for (const LinkShapes& body : shapes) {
-    const bool is_named = body.link > 0 && body.at_proximal_joint;  // above
+    const bool is_named = body.link > moving_base.joints() && body.at_proximal_joint;  // above
     if (body.shapes.empty() && !is_named) others.push_back(body.name);
   }
   for (const std::string& name : others) {

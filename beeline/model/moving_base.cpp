@@ -28,6 +28,12 @@ std::string free_name(const std::vector<Joint>& joints, const std::string& wante
   return free;
 }
 
+/// Whether a name is `wanted` or one that free_name() gives instead.
+bool is_made_of(const std::string& name, const std::string& wanted) {
+  return name.starts_with(wanted) &&
+         name.find_first_not_of("0123456789", wanted.size()) == std::string::npos;
+}
+
 /// Returns the arm with these joints before its own. Their links have the frame of link 0, which
 /// the links behind them keep: base * exp(base^-1 S base q) = exp(S q) * base.
 template <std::size_t count>
@@ -56,6 +62,13 @@ Arm with_rail(const Arm& arm, const Vector3& axis, const Limits& limits) {
                                 "; it must be a finite direction, longer than " + number(shortest));
   }
   return behind(arm, std::array{BaseJoint{"rail", "carriage", translation_screw(axis), limits}});
+}
+
+bool has_moving_base(const Arm& arm) {
+  if (arm.joints().empty()) return false;
+  const Joint& first = arm.joints().front();
+  return (is_made_of(first.name, "rail") && is_made_of(first.link, "carriage")) ||
+         (is_made_of(first.name, "base_x") && is_made_of(first.link, "platform_x"));
 }
 
 Arm with_mobile_base(const Arm& arm, const MobileBase& base) {

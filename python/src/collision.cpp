@@ -145,18 +145,23 @@ void bind_other_shape_files(nb::module_& m) {
   Signature behind(
       "behind_joints", argument_type<std::vector<LinkShapes>>(),
       "Returns the shapes of the links of an arm as shapes of the arm with more joints before its "
-      "own: one after with_rail(), three after with_mobile_base(). What was fixed to the base is "
-      "carried by the last of these joints.");
+      "own: one after with_rail(), three after with_mobile_base(). The last of these joints "
+      "carries "
+      "what was fixed to the base, except the bodies named in `standing`. Raises Error for more "
+      "than 100 joints.");
   behind.takes("links", argument_type<std::vector<LinkShapes>>(), "Shapes of the arm without them.")
-      .takes("joints", "int", "Number of joints, 0 or more.");
+      .takes("joints", "int", "Number of joints, 0 to 100.")
+      .takes("standing", argument_type<std::vector<std::string>>(),
+             "Names of bodies that stay on link 0: `ArmShapes.standing`.", "()");
   define(
       m,
-      [](nb::handle links, nb::handle joints) {
+      [](nb::handle links, nb::handle joints, nb::handle standing) {
         return Value<std::vector<LinkShapes>>::to(
             behind_joints(Value<std::vector<LinkShapes>>::from(links, "links"),
-                          Value<std::size_t>::from(joints, "joints")));
+                          Value<std::size_t>::from(joints, "joints"),
+                          Value<std::vector<std::string>>::from(standing, "standing")));
       },
-      behind, nb::arg("links"), nb::arg("joints"));
+      behind, nb::arg("links"), nb::arg("joints"), nb::arg("standing") = nb::tuple());
 
   Signature tool(
       "read_tool_shapes", "LinkShapes",

@@ -161,9 +161,10 @@ struct Fields<LinkShapes>
 };
 
 template <>
-struct Fields<ArmShapes> : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
-                                   &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes,
-                                   &ArmShapes::links_with_planes, &ArmShapes::base_links> {};
+struct Fields<ArmShapes>
+    : Members<&ArmShapes::links, &ArmShapes::held, &ArmShapes::held_by_state,
+              &ArmShapes::allowed_pairs, &ArmShapes::links_without_shapes,
+              &ArmShapes::links_with_planes, &ArmShapes::base_links, &ArmShapes::standing> {};
 
 template <>
 struct Fields<BodyDistance>

@@ -17,7 +17,13 @@ Vector3 axis_from(nb::handle value) {
   throw unknown_name("axis", name, {"x", "y", "z"});
 }
 
+/// A limit, or `unlimited` without one.
+double limit_from(nb::handle value, const char* name, double unlimited) {
+  return value.is_none() ? unlimited : finite_from<Eigen::Matrix<double, 1, 1>>(value, name)[0];
+}
+
 Limits range_from(nb::handle value, const char* name) {
+  if (value.is_none()) return {};
   const auto range = finite_from<Eigen::Vector2d>(value, name);
   return {.lower = range[0], .upper = range[1]};
 }
@@ -35,16 +41,19 @@ void bind_moving_bases(nb::class_<Arm>& arm) {
   rail.takes("self")
       .takes("axis", std::string("str | ") + array_like,
              "`x`, `y` or `z`, or a direction (3,) of any length.")
-      .takes("lower", "float", "Lower position limit, m.")
-      .takes("upper", "float", "Upper position limit, m.");
+      .takes("lower", "float | None", "Lower position limit, m, finite; None: not limited.", "None")
+      .takes("upper", "float | None", "Upper position limit, m, finite; None: not limited.",
+             "None");
   define(
       arm,
       [](const Arm& self, nb::handle axis, nb::handle lower, nb::handle upper) {
+        const Limits unlimited;
         return with_rail(self, axis_from(axis),
-                         {.lower = Value<double>::from(lower, "lower"),
-                          .upper = Value<double>::from(upper, "upper")});
+                         {.lower = limit_from(lower, "lower", unlimited.lower),
+                          .upper = limit_from(upper, "upper", unlimited.upper)});
       },
-      rail, nb::arg("axis"), nb::arg("lower"), nb::arg("upper"));
+      rail, nb::arg("axis"), nb::arg("lower") = nb::none(), nb::arg("upper") = nb::none());
+  const std::string range = std::string(array_like) + " | None";
   Signature base(
       "with_mobile_base", "Arm",
       "Returns a copy on a mobile base, which moves in the plane in every direction: the joints "
@@ -53,18 +62,18 @@ void bind_moving_bases(nb::class_<Arm>& arm) {
       "and the origin of the world is the centre of the base. Limits of velocity are unknown, as "
       "of with_rail(). Raises Error for a lower limit above the upper one.");
   base.takes("self")
-      .takes("x", array_like, "Lower and upper limit of x (2,), m.")
-      .takes("y", array_like, "Lower and upper limit of y (2,), m.")
-      .takes("heading", std::string(array_like) + " | None",
-             "Lower and upper limit of the heading (2,), rad; None: not limited.", "None");
+      .takes("x", range, "Lower and upper limit of x (2,), m, finite; None: not limited.", "None")
+      .takes("y", range, "Lower and upper limit of y (2,), m, finite; None: not limited.", "None")
+      .takes("heading", range,
+             "Lower and upper limit of the heading (2,), rad, finite; None: not limited.", "None");
   define(
       arm,
       [](const Arm& self, nb::handle x, nb::handle y, nb::handle heading) {
-        MobileBase limits{.x = range_from(x, "x"), .y = range_from(y, "y")};
-        if (!heading.is_none()) limits.heading = range_from(heading, "heading");
-        return with_mobile_base(self, limits);
+        return with_mobile_base(self, {.x = range_from(x, "x"),
+                                       .y = range_from(y, "y"),
+                                       .heading = range_from(heading, "heading")});
       },
-      base, nb::arg("x"), nb::arg("y"), nb::arg("heading") = nb::none());
+      base, nb::arg("x") = nb::none(), nb::arg("y") = nb::none(), nb::arg("heading") = nb::none());
 }
 
 }  // namespace beeline::python

@@ -11,6 +11,7 @@
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/shape_json.h>
 #include <beeline/io/text/scene.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline {
 namespace {
@@ -122,8 +123,23 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   return {};
 }
 
-std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints) {
-  for (LinkShapes& body : links) body.link += joints;
+std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints,
+                                      const std::vector<std::string>& standing) {
+  if (joints > internal::max_joints) {
+    throw Error::of("joints", std::to_string(joints) + " joints are too many; at most " +
+                                  std::to_string(internal::max_joints) + " are accepted");
+  }
+  if (joints == 0) return links;
+  for (LinkShapes& body : links) {
+    const bool stands =
+        body.link == 0 && std::find(standing.begin(), standing.end(), body.name) != standing.end();
+    if (stands) {
+      body.at_distal_joint = false;  // which now is the first of these joints, at the carriage
+      continue;
+    }
+    if (body.link == 0 && body.at_distal_joint) body.at_proximal_joint = true;
+    body.link += joints;
+  }
   return links;
 }
 

@@ -26,6 +26,9 @@ struct ShapeOptions {
   /// "" is MoveIt's planning frame, and "world" where no other pose is given for it. Without any
   /// frame, the planning frame is the world.
   std::map<std::string, Pose> frames = {};
+  /// Frames that move with the arm's base: an object of a scene of MoveIt in one of them is
+  /// refused.
+  std::vector<std::string> moving_frames = {};
   /// Path of an SRDF file, whose exempted pairs of links may touch, and whose named states give
   /// the values of joints that `hold` does not; empty: none. Of arms only.
   std::string srdf = {};
@@ -117,6 +120,10 @@ struct ArmShapes {
   /// The links of a URDF file that only fixed joints connect to link 0, the base, with their poses
   /// in its frame, for ShapeOptions::frames; "" is the root link, MoveIt's planning frame.
   std::map<std::string, Pose> base_links = {};
+  /// The bodies on link 0 that stand in the world beside the arm: those of a root link `world`, and
+  /// those of its branches without a link of the chain. A rail or a mobile base does not carry
+  /// them.
+  std::vector<std::string> standing = {};
 };
 
 /// Reads the shapes of the links of the arm that `text` names, see read_arm(). Joint strings have
@@ -166,9 +173,11 @@ ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends = {}, const ShapeOptions& options = {});
 
 /// Returns the shapes of the links of an arm as shapes of the arm with `joints` more joints before
-/// its own: one after with_rail(), three after with_mobile_base(). What was fixed to the base is
-/// carried by the last of these joints.
-std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints);
+/// its own: one after with_rail(), three after with_mobile_base(). The last of these joints carries
+/// what was fixed to the base, except the bodies of the names `standing`, see ArmShapes::standing,
+/// which stay on link 0. Throws Error for more than 100 joints.
+std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints,
+                                      const std::vector<std::string>& standing = {});
 
 /// Returns the arm as JSON with the list `shapes` of its bodies; it reads back exactly, except that
 /// a body at only one of its link's joints is written as attached: it must then keep its clearance

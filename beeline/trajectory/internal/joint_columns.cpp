@@ -253,8 +253,16 @@ std::vector<std::vector<std::string>> beeline::joint_namings(const Arm& arm) {
   std::vector<std::vector<std::string>> namings{arm.joint_names()};
   for (const BuiltInArm& about : built_in_arms()) {
     if (about.name != arm.name()) continue;
-    if (built_in(about.name).joint_names() != namings.front()) continue;
-    namings.insert(namings.end(), about.joint_names.begin(), about.joint_names.end());
+    const std::vector<std::string> own = namings.front();
+    const std::vector<std::string> last = built_in(about.name).joint_names();
+    if (own.size() < last.size() || !std::equal(last.rbegin(), last.rend(), own.rbegin())) continue;
+    for (const std::vector<std::string>& of_arm : about.joint_names) {
+      std::vector<std::string> naming(own.begin(),
+                                      own.end() - static_cast<std::ptrdiff_t>(last.size()));
+      naming.insert(naming.end(), of_arm.begin(),
+                    of_arm.end());  // behind a rail's or base's joints
+      namings.push_back(std::move(naming));
+    }
   }
   return namings;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -27,7 +28,10 @@ const std::array<Primitive, 4> primitives{
 class ObjectReader {
  public:
   ObjectReader(const std::string& path, const ShapeOptions& options)
-      : path_(path), meshes_(path, options.package), frames_(options.frames) {}
+      : path_(path),
+        meshes_(path, options.package),
+        frames_(options.frames),
+        moving_frames_(options.moving_frames) {}
 
   /// Adds the frames of `fixed_frame_transforms` whose parent is known.
   void add_frames(const RosMessage& scene) {
@@ -98,6 +102,10 @@ class ObjectReader {
     const std::string name = frame_id(object);
     const auto frame = frames_.find(name);
     if (frame != frames_.end()) return frame->second;
+    if (std::find(moving_frames_.begin(), moving_frames_.end(), name) != moving_frames_.end()) {
+      object.refuse("is in the frame " + in_quotes(name) +
+                    ", which moves with the arm's base; give its pose in the world");
+    }
     std::vector<std::string> known;
     for (const auto& [any, pose] : frames_) {
       if (!any.empty()) known.push_back(any);
@@ -178,6 +186,7 @@ class ObjectReader {
   const std::string& path_;
   MeshHulls meshes_;
   std::map<std::string, Pose> frames_;
+  const std::vector<std::string> moving_frames_;
   std::unordered_set<std::string> names_;
 };
 

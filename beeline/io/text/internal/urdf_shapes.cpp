@@ -4,6 +4,7 @@
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/link_tree.h>
@@ -53,6 +54,31 @@ class LinkPlacement {
       const std::string& name = file_.links[i].name;
       found.emplace(name, placed_[i]->pose);
       if (!children.contains(name)) found.emplace("", placed_[i]->pose);
+    }
+    return found;
+  }
+
+  /// The links at link 0 that stand in the world beside the arm, see ArmShapes::standing.
+  std::unordered_set<std::string> standing() const {
+    std::unordered_map<std::string, std::string> parents;
+    for (const UrdfFile::Joint& joint : file_.joints) parents.emplace(joint.child, joint.parent);
+    // The link below the root on the way to a link, or the root itself; empty without a root world.
+    const auto branch_of = [&](const std::string& link) {
+      std::string at = link, below = link;
+      for (std::size_t i = 0; i < parents.size() && parents.contains(at); ++i) {
+        below = std::exchange(at, parents.at(at));
+      }
+      return at == "world" ? below : "";
+    };
+    std::unordered_set<std::string> of_arm;
+    for (std::size_t i = 0; i < file_.joints.size(); ++i) {
+      if (on_chain_[i]) of_arm.insert(branch_of(file_.joints[i].child));
+    }
+    std::unordered_set<std::string> found;
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      const std::string branch = branch_of(file_.links[i].name);
+      const bool at_base = placed_[i] && placed_[i]->frame == 0;
+      if (at_base && !branch.empty() && !of_arm.contains(branch)) found.insert(file_.links[i].name);
     }
     return found;
   }
@@ -189,10 +215,12 @@ ArmShapes shapes_of(std::string_view text, const std::string& path, const ChainE
   ArmShapes read{.links_without_shapes = std::move(shapes.only_visual),
                  .links_with_planes = std::move(shapes.planes),
                  .base_links = placement.base_links()};
+  const std::unordered_set<std::string> standing = placement.standing();
   for (std::size_t i = 0; i < file.links.size(); ++i) {
     const auto found = shapes.of_link.find(file.links[i].name);
     if (found == shapes.of_link.end()) continue;
     read.links.push_back(placement.body_of(i, std::move(found->second), read));
+    if (standing.contains(file.links[i].name)) read.standing.push_back(file.links[i].name);
   }
   read.allowed_pairs = pairs_with_shapes(shapes.may_touch, read);
   return read;
