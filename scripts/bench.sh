@@ -65,6 +65,8 @@ section "Honesty: every configuration returned, put through forward kinematics"
 section "Cost of an iteration of the numerical solver by the number of joints"
 "$folder/bench_inverse_growth" | tee "$folder/inverse_growth.md" || status=1
 draw "$folder/inverse_growth.md" joints "µs an iteration" || status=1
+section "Arms on rails and mobile bases"
+"$folder/bench_moving_base" || status=1
 
 section "Kinematics, one configuration at a time, nanoseconds"
 google kinematics || status=1

@@ -150,3 +150,68 @@ def test_bad_rails_and_bases_name_their_option(refused):
                        ("0:1,0:x", "a limit"), ("0:1,1:0", "joint 2 (base_y)"), ("0:1,0:1,", "XMIN:XMAX")):  # fmt: skip
         refused(2, *q, "--mobile-base", text, says=["--mobile-base", says])
     refused(2, "fk", "ur5", "--q", Q["ur5"], *RAIL, says=["7 joint values (rail, joint1"])
+
+
+def test_places_are_not_searched_for_an_arm_that_moves(beeline, refused, written):
+    """The mounts would turn the rail, which --mount does not."""
+    poses = written("p.csv", "x,y,theta\n0,6,0\n")
+    for name, options in ("rail", ("--rail", "x:4")), ("base", ("--mobile-base", "0:4,0:1")):
+        assert beeline("reach", "map", "rrr", *options, "--resolution", "2", "--out", f"{name}.h5").code == 0
+        refused(2, "reach", "place", f"{name}.h5", "--poses", poses, says=["rail or a mobile base", "without"])
+    refused(2, "reach", "place", "rail.h5", "--poses", poses, "--rail", "x:4", says=["--rail"])
+
+
+BOX = '<collision><origin xyz="{}"/><geometry><box size="{}"/></geometry></collision>'
+CELL = f"""<robot name="cell">
+<link name="ROOT"/>
+<link name="base_link">{BOX.format("0 0 0.05", "0.2 0.2 0.1")}</link>
+<link name="table">{BOX.format("1.5 0 0.4", "0.2 0.2 0.2")}</link>
+<link name="arm">{BOX.format("0 0 0.25", "0.1 0.1 0.5")}</link>
+<joint name="foot" type="fixed"><parent link="ROOT"/><child link="base_link"/></joint>
+<joint name="legs" type="fixed"><parent link="ROOT"/><child link="table"/></joint>
+<joint name="turn" type="revolute"><parent link="base_link"/><child link="arm"/><axis xyz="0 0 1"/>
+<limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+</robot>"""
+
+
+@pytest.mark.parametrize("ends", [(), ("--base", "base_link")])
+def test_a_table_of_the_world_stands_while_the_carriage_moves(beeline, written, ends):
+    written("t.csv", "t,rail,turn\n0,0,0\n2,1.9,0\n")
+    for root, code in ("world", 1), ("platform", 0):
+        written("c.urdf", CELL.replace("ROOT", root))
+        checked = beeline("check", "c.urdf", "t.csv", "--rail", "x:2", "--self", "--moving-start", "--moving-end", *ends)
+        assert checked.code == code, checked.err
+        assert code == 0 or "table" in checked.err and "arm" in checked.err
+
+
+def test_bodies_without_shapes_on_the_carriage_are_named(beeline, written):
+    sphere = [{"sphere": {"radius": 0.01}}]
+    written("a.json", json.dumps({"name": "a", "joint_string": "RR:1,1", "shapes": [
+        {"name": "foot", "shapes": []}, {"joint": "joint1", "shapes": sphere}, {"joint": "joint2", "shapes": sphere}]}))
+    for options, zeros in ((), ""), (("--rail", "x:1"), "0,"):
+        err = beeline("ik", "a.json", "--pose", "1,1", "--task", "110", "--self", *options).err
+        assert "links without shapes are not checked: foot" in err
+
+
+def test_scenes_in_a_frame_that_moves_are_refused(refused, written):
+    written("c.urdf", CELL.replace("ROOT", "world"))
+    scene = written("s.yaml", "world: {collision_objects: [{id: b, header: {frame_id: base_link}, primitives: "
+                              "[{type: 2, dimensions: [0.1]}], primitive_poses: [{position: [3, 0, 0]}]}]}\n")
+    said = ["base_link", "moves with the arm's base", "in the world"]
+    refused(2, "ik", "c.urdf", "--pose", "0,0,0", "--task", "position", "--scene", scene, "--rail", "x:1", says=said)
+
+
+def test_headings_in_degrees_and_mixed_units_are_noticed(beeline):
+    heading = ("--mobile-base", "0:1,0:1,-90:90")
+    assert "--mobile-base" in beeline("show", "ur5", *heading).err
+    assert beeline("show", "ur5", *heading, "--degrees").err == ""
+    speed = ("--rail", "x:1", "--degrees", "--velocity")
+    assert "in metres for rail" in beeline("show", "ur5", *speed, "90").err
+    assert beeline("show", "ur5", *speed, "1,90,90,90,90,90,90").err == ""
+    assert beeline("show", "ur5", "--degrees", "--velocity", "90").err == ""
+
+
+def test_columns_have_the_makers_names_behind_the_rail(beeline, written):
+    names = ["shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"]
+    written("m.csv", ",".join(["t", "rail", *(f"{name}_joint" for name in names)]) + f"\n0,0,{Q['ur5']}\n3,0.5,{Q['ur5']}\n")
+    assert beeline("retime", "ur5", "m.csv", "--rail", "x:1", "--out", "r.csv").code == 0

@@ -69,6 +69,9 @@ def test_bad_arguments_are_refused():
     for call, says in ((lambda: arm.with_rail("w", 0, 1), "axis"), (lambda: arm.with_rail([0, 0, 0], 0, 1), "the axis of a rail"),
                        (lambda: arm.with_rail("x", 1, 0), "rail"), (lambda: arm.with_rail([np.nan, 0, 1], 0, 1), "axis"),
                        (lambda: arm.with_mobile_base([0, np.inf], [0, 1]), "x has a value that is not finite"),
+                       (lambda: arm.with_rail("x", 0, np.inf), "upper has a value that is not finite"),
+                       (lambda: arm.with_rail("x", -np.inf), "lower has a value that is not finite"),
+                       (lambda: beeline.behind_joints([], 101), "101 joints are too many"),
                        (lambda: arm.with_mobile_base([0, 1], [1, 0]), "base_y")):  # fmt: skip
         with pytest.raises(beeline.Error, match=says):
             call()
@@ -76,3 +79,12 @@ def test_bad_arguments_are_refused():
                  lambda: arm.with_rail(3, 0, 1), lambda: arm.with_mobile_base(3, [0, 1])):  # fmt: skip
         with pytest.raises((beeline.Error, TypeError)):
             call()
+
+
+def test_ranges_are_optional():
+    arm = beeline.Arm.load("ur5")
+    for limits in (arm.with_rail("x").joints[0].limits, arm.with_rail("x", None, None).joints[0].limits,
+                   *(joint.limits for joint in arm.with_mobile_base().joints[:3])):  # fmt: skip
+        assert (limits.lower, limits.upper) == (-np.inf, np.inf)
+    assert arm.with_rail("x", upper=2).joints[0].limits.upper == 2
+    assert arm.with_mobile_base(y=[0, 1]).joints[1].limits.lower == 0

@@ -46,5 +46,37 @@ TEST(BehindJoints, WhatIsFixedToTheBaseMovesAndMeetsObstacles) {
   EXPECT_TRUE(blocked_by(model, q));
 }
 
+TEST(BehindJoints, TheBaseOfAFileStaysANeighbour) {
+  const std::string box = "<collision><geometry><box size='0.1 0.1 0.1'/></geometry></collision>";
+  const std::string turn =
+      "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='1' effort='1'/>";
+  const std::string urdf = "<robot name='two'><link name='foot'>" + box +
+                           "</link><link name='arm'>" + box +
+                           "</link><joint name='turn' type='revolute'><parent link='foot'/>" +
+                           "<child link='arm'/>" + turn + "</joint></robot>";
+  const Arm moving = with_rail(arm_from_urdf(urdf, "two.urdf"), Vector3::UnitX(), {0, 1});
+  std::vector<LinkShapes> links = behind_joints(arm_shapes_from_text(urdf, "two.urdf").links, 1);
+  links.push_back({.name = "floor", .link = 0, .shapes = {{Sphere{0.1}}}});
+  const std::string written = arm_to_json(moving, links);
+  EXPECT_EQ(written.find("attached"), std::string::npos);
+  const std::vector<LinkShapes> read = arm_shapes_from_text(written, "two.json").links;
+  const auto neighbours = CollisionModel(moving, links).neighbour_pairs();
+  EXPECT_EQ(neighbours.size(), 2U);
+  EXPECT_EQ(CollisionModel(moving, read).neighbour_pairs(), neighbours);
+}
+
+TEST(BehindJoints, NamedBodiesStandAndTooManyJointsAreRefused) {
+  const std::vector<LinkShapes> links{{.name = "table", .link = 0, .shapes = {}},
+                                      {.name = "foot", .link = 0, .shapes = {}},
+                                      {.name = "arm", .link = 1, .shapes = {}}};
+  const std::vector<LinkShapes> behind = behind_joints(links, 3, {"table", "arm"});
+  EXPECT_EQ(behind[0].link, 0U);
+  EXPECT_FALSE(behind[0].at_distal_joint);
+  EXPECT_EQ(behind[1].link, 3U);
+  EXPECT_EQ(behind[2].link, 4U);
+  EXPECT_THROW(behind_joints(links, 101), Error);
+  EXPECT_THROW(behind_joints(links, static_cast<std::size_t>(-1)), Error);
+}
+
 }  // namespace
 }  // namespace beeline
