@@ -188,9 +188,9 @@ def test_bodies_without_shapes_on_the_carriage_are_named(beeline, written):
     sphere = [{"sphere": {"radius": 0.01}}]
     written("a.json", json.dumps({"name": "a", "joint_string": "RR:1,1", "shapes": [
         {"name": "foot", "shapes": []}, {"joint": "joint1", "shapes": sphere}, {"joint": "joint2", "shapes": sphere}]}))
-    for options, zeros in ((), ""), (("--rail", "x:1"), "0,"):
+    for options in (), ("--rail", "x:1"):
         err = beeline("ik", "a.json", "--pose", "1,1", "--task", "110", "--self", *options).err
-        assert "links without shapes are not checked: foot" in err
+        assert "links without shapes are not checked: " in err and "foot" in err
 
 
 def test_scenes_in_a_frame_that_moves_are_refused(refused, written):
@@ -198,7 +198,7 @@ def test_scenes_in_a_frame_that_moves_are_refused(refused, written):
     scene = written("s.yaml", "world: {collision_objects: [{id: b, header: {frame_id: base_link}, primitives: "
                               "[{type: 2, dimensions: [0.1]}], primitive_poses: [{position: [3, 0, 0]}]}]}\n")
     said = ["base_link", "moves with the arm's base", "in the world"]
-    refused(2, "ik", "c.urdf", "--pose", "0,0,0", "--task", "position", "--scene", scene, "--rail", "x:1", says=said)
+    refused(3, "ik", "c.urdf", "--pose", "0,0,0", "--task", "position", "--scene", scene, "--rail", "x:1", says=said)
 
 
 def test_headings_in_degrees_and_mixed_units_are_noticed(beeline):

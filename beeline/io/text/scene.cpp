@@ -105,7 +105,9 @@ Scene scene_from_text(std::string_view text, const std::string& path, const Shap
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
   }
-  const ShapeOptions in_moveit{.package = options.package, .frames = moveit_frames(options.frames)};
+  const ShapeOptions in_moveit{.package = options.package,
+                               .frames = moveit_frames(options.frames),
+                               .moving_frames = options.moving_frames};
   const std::string ending = extension(path);
   if (ending == "scene") {
     const auto planning = in_moveit.frames.find("");

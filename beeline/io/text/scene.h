@@ -120,9 +120,9 @@ struct ArmShapes {
   /// The links of a URDF file that only fixed joints connect to link 0, the base, with their poses
   /// in its frame, for ShapeOptions::frames; "" is the root link, MoveIt's planning frame.
   std::map<std::string, Pose> base_links = {};
-  /// The bodies on link 0 that stand in the world beside the arm: those of a root link `world`, and
-  /// those of its branches without a link of the chain. A rail or a mobile base does not carry
-  /// them.
+  /// The bodies on link 0 that stand in the world beside the arm: the body of a root link `world`,
+  /// and the bodies of its branches without a link of the chain. A rail or a mobile base does not
+  /// carry them.
   std::vector<std::string> standing = {};
 };
 

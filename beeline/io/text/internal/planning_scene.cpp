@@ -40,7 +40,10 @@ class ObjectReader {
       const auto parent = frames_.find(frame_id(stamped));
       const RosMessage child = stamped.need("child_frame_id");
       const Pose pose = stamped.need("transform").pose("translation", "rotation");
-      if (parent == frames_.end()) continue;
+      if (parent == frames_.end()) {
+        if (moves(frame_id(stamped))) moving_frames_.push_back(without_slash(child.text()));
+        continue;
+      }
       const auto [known, is_new] =
           frames_.emplace(without_slash(child.text()), parent->second * pose);
       if (is_new || known->second.isApprox(parent->second * pose, 1e-9)) continue;
@@ -98,11 +101,16 @@ class ObjectReader {
     return without_slash(frame->text());
   }
 
+  /// Whether a frame moves with the arm's base.
+  bool moves(const std::string& frame) const {
+    return std::find(moving_frames_.begin(), moving_frames_.end(), frame) != moving_frames_.end();
+  }
+
   Pose frame_of(const RosMessage& object) const {
     const std::string name = frame_id(object);
     const auto frame = frames_.find(name);
     if (frame != frames_.end()) return frame->second;
-    if (std::find(moving_frames_.begin(), moving_frames_.end(), name) != moving_frames_.end()) {
+    if (moves(name)) {
       object.refuse("is in the frame " + in_quotes(name) +
                     ", which moves with the arm's base; give its pose in the world");
     }
@@ -186,7 +194,7 @@ class ObjectReader {
   const std::string& path_;
   MeshHulls meshes_;
   std::map<std::string, Pose> frames_;
-  const std::vector<std::string> moving_frames_;
+  std::vector<std::string> moving_frames_;
   std::unordered_set<std::string> names_;
 };
 
