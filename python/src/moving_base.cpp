@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include <beeline/error.h>
 #include <beeline/model/moving_base.h>
 
 #include "arm_fields.h"
@@ -19,7 +22,10 @@ Vector3 axis_from(nb::handle value) {
 
 /// A limit, or `unlimited` without one.
 double limit_from(nb::handle value, const char* name, double unlimited) {
-  return value.is_none() ? unlimited : finite_from<Eigen::Matrix<double, 1, 1>>(value, name)[0];
+  if (value.is_none()) return unlimited;
+  const auto limit = Value<double>::from(value, name);
+  if (!std::isfinite(limit)) throw Error(std::string(name) + " has a value that is not finite");
+  return limit;
 }
 
 Limits range_from(nb::handle value, const char* name) {
