@@ -88,8 +88,9 @@ Arm on_mobile_base(const Arm& arm, const std::string& text, const UnitArgument& 
     limits.push_back(range(ends[0], ends[1], "a limit"));
   }
   limits.resize(3);
-  for (const double limit : {limits[2].lower, limits[2].upper}) {
-    if (ranges.size() == 3) warn_of_angle("--mobile-base", limit, unit);
+  if (ranges.size() == 3) {
+    const double largest = std::max(std::abs(limits[2].lower), std::abs(limits[2].upper));
+    warn_of_angle("--mobile-base", largest, unit);
   }
   limits[2].lower = to_radians(limits[2].lower, unit.angle_unit());
   limits[2].upper = to_radians(limits[2].upper, unit.angle_unit());
