@@ -156,8 +156,9 @@ Corners corners_of(const std::vector<Pose>& given, std::span<const Deviation> wi
               " is the same as the first one; lines need two different poses");
 }
 
-/// The blends at the corners: without neighbours as large as they are wanted, then as large as the
-/// lines allow, then scaled. One for each pose; those at both ends are none.
+/// The blends at the corners: as large as they are wanted, then as large as the lines allow, then
+/// scaled, so that a smaller one never makes its neighbours larger. One for each pose; those at
+/// both ends are none.
 std::vector<Blend> blends_at(const Corners& corners, const std::vector<Twist>& direction,
                              const std::vector<double>& span) {
   const std::size_t lines = span.size();
@@ -167,8 +168,7 @@ std::vector<Blend> blends_at(const Corners& corners, const std::vector<Twist>& d
     const Sides sides{direction[i - 1], direction[i]};
     blends[i] = of_radius_one(sides);
     blends[i].sharp = reverses(sides);
-    const bool stops = blends[i].sharp || corners.scales[i] == 0;
-    if (!stops) wanted[i] = wanted_radius(blends[i], corners.within[i]);
+    if (!blends[i].sharp) wanted[i] = wanted_radius(blends[i], corners.within[i]);
   }
   for (std::size_t i = 1; i < lines; ++i) {
     const double before_span = (1 - straight) * span[i - 1], after_span = (1 - straight) * span[i];
@@ -176,7 +176,7 @@ std::vector<Blend> blends_at(const Corners& corners, const std::vector<Twist>& d
     const double after = std::max(after_span / 2, after_span - wanted[i + 1]);
     const double radius = std::min({wanted[i], before, after});
     blends[i] = scaled(blends[i], corners.scales[i] * radius);
-    blends[i].shortened = radius < wanted[i];
+    blends[i].shortened = corners.scales[i] > 0 && radius < wanted[i];
   }
   return blends;
 }
@@ -211,6 +211,9 @@ BlendedPath internal::scaled_blends(std::span<const Pose> given, std::span<const
   if (given.size() < 2) throw Error("a path needs at least two poses");
   const std::vector<Pose> checked = checked_poses(given);
   check_tolerances(within, checked.size() - 2);
+  for (const double scale : scales) {
+    if (!(scale >= 0 && scale <= 1)) throw Error("the scale of a blend must be from 0 to 1");
+  }
   const Corners corners = corners_of(checked, within, scales);
   const std::vector<Pose>& poses = corners.poses;
   const std::size_t lines = poses.size() - 1;
@@ -253,7 +256,7 @@ std::vector<std::string> blend_names(const BlendedPath& blended, const PoseNumbe
   const auto name_of = [&](std::size_t pose) {
     return numbers.start_first && pose == 0 ? "start" : numbers.noun + " " + number_of(pose);
   };
-  const std::size_t lines = blended.lines.back() + 1;
+  const std::size_t lines = blended.blends.size() + 1;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < blended.lines.size(); ++k) {
     const std::size_t i = blended.lines[k];

@@ -20,16 +20,16 @@ struct Blend {
   double curvature = 0;        ///< largest curvature of the path of the tool origin, 1/m
 };
 
-/// Lines with blended corners: the segments are the remaining parts of the lines, and
-/// spline segments between them.
+/// Lines with blended corners: the segments are the parts of the lines that remain, and the blends
+/// between them.
 struct BlendedPath {
-  /// Twice continuously differentiable except at sharp corners. Messages name its segments `line 2
-  /// of 5 (pose 2 to 3)` and `the blend at pose 3`.
+  /// Twice continuously differentiable except where the tool stops. Messages name its segments
+  /// `line 2 of 5 (pose 2 to 3)` and `the blend at pose 3`.
   ToolPath path;
-  std::vector<bool> stops;    ///< whether the tool stops after each segment: only at sharp corners
+  std::vector<bool> stops;    ///< whether the tool stops after each segment but the last
   std::vector<Blend> blends;  ///< one blend for each pose between the first and the last
-  std::vector<std::size_t>
-      lines;  ///< of each segment: the line that it is a part of, or blends out
+  /// Of each segment: the number, from 0, of its line, or of the line before its blend.
+  std::vector<std::size_t> lines;
 };
 
 /// Returns the lines through the poses (world_T_tool) with blended corners. At s = 1/2 a blend
@@ -39,11 +39,11 @@ struct BlendedPath {
 /// the blend is
 ///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4,
 /// so poses in reverse order give the reversed path. A sixteenth of each line at least stays
-/// straight: each of its two blends may use half of the rest, or more if the other uses less.
-/// Consecutive poses within 1e-5 m and rad of each other are passed as one, within the smallest of
-/// their tolerances: the last of them has the blend, and the lines between them have no segment.
-/// Throws Error for fewer than two different poses, a pose that is not a rigid motion, and
-/// tolerances below 1e-4 m or rad.
+/// straight: each of its two blends may use half of the rest, or more if the other uses less. The
+/// tool stops at sharp corners only. Consecutive poses within 1e-5 m and rad of each other are
+/// passed as one, within the smallest of their tolerances: the last of them has the blend, and the
+/// lines between them have no segment. Throws Error for fewer than two different poses, a pose that
+/// is not a rigid motion, and tolerances below 1e-4 m or rad.
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 
 /// The same with tolerances for each pose between the first and the last. Throws Error for another
@@ -60,7 +60,7 @@ struct PoseNumbers {
 /// 3)" and "the blend at pose 3".
 std::vector<std::string> blend_names(const BlendedPath& blended, const PoseNumbers& numbers = {});
 
-/// The route along the path; the tool stops at sharp corners only.
+/// The route along the path, with its stops.
 Route route_of(const BlendedPath& blended);
 
 }  // namespace beeline

@@ -120,12 +120,14 @@ class AttachmentError : public Error {
   std::string fault_;
 };
 
-/// What became of the blend of a move with the next one.
+/// What became of the blend of a move with the next one. The search for blends between two stops of
+/// a program ends after 20 motions that are refused, and one more for each joint path along lines;
+/// but every sequence of blends is tried once.
 enum class BlendOutcome {
   none,     ///< the move has no blend
   full,     ///< it is as large as its deviation, both moves and the limits at its samples allow
   smaller,  ///< it is smaller, because a larger one is not possible or proved, or takes longer
-  stop,     ///< the arm stops, because no blend was proved within the budget or a stop is quicker
+  stop,     ///< the arm stops, because no blend is proved in the search or a stop is quicker
 };
 std::string name(BlendOutcome outcome);
 
@@ -200,9 +202,8 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 ///   PlannedMove::blend. So it is where stops take less time than blends, and where a joint motion
 ///   turns back. Where the joints do not move between two waypoints, the arm stops.
 /// - A blend between two lines is made smaller, and in the end a stop, where no motion is found
-/// with
-///   it. Lines within 1e-5 m and rad of one waypoint pass it in one blend, between lines with
-///   length; at the beginning and the end of lines the arm stops there.
+///   with it. Consecutive waypoints within 1e-5 m and rad of each other are passed in one blend, if
+///   there are longer lines before and after them; otherwise the arm stops there.
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///

@@ -62,13 +62,14 @@ std::string jump(const ReasonText& reason) {
              : "";
 }
 
-/// "; its blend allows 0.02 m, and joint elbow is 0.5 rad away from its value".
+/// "; its blend allows 0.02 m and 0.1 rad, and joint elbow is 0.5 rad from the waypoint's value".
 std::string beyond_blend(const ReasonText& reason) {
   if (!reason.has(limit)) return "";
-  std::string text = "; its blend allows " + reason.number(limit) + " m";
+  std::string text =
+      "; its blend allows " + reason.number(limit) + " m and " + reason.number(upper) + " rad";
   if (!reason.has(joint)) return text;
   return text + ", and joint " + reason.text(joint) + " is " + reason.number(error) + " " +
-         reason.text(unit) + " away from its value";
+         reason.text(unit) + " from the waypoint's value";
 }
 
 std::string of_tool(const ReasonText& reason) {

@@ -239,7 +239,7 @@ def test_joint_moves_and_lines_blend(beeline, written, tmp_path, options):
     written("small.csv", PASSING.replace(",0.05,", ",0.005,"))
     refused = beeline(*check, "small.csv", "m.csv")
     assert refused.code == 1 and "the tool is off the waypoint of move 4 (joint, small.csv:5)" in refused.err
-    assert "; its blend allows 0.005 m" in refused.err
+    assert "; its blend allows 0.005 m and 0.025 rad" in refused.err
     written("far.csv", PASSING.replace("10,-20,0,-120,0,100,45", "10,-20,0,-120,0,100,95"))
     far = beeline(*check, "far.csv", "m.csv", "--json").json
     assert far["fields"]["move"] == 4 and far["fields"]["joint"] == "joint7" and far["fields"]["limit"] == 0.05
@@ -260,6 +260,18 @@ def test_blends_between_lines_are_reported(beeline, written):
     assert report["search_ending"] == "complete"
     check = beeline("check", "RRR:3,1,0.5", "m.csv", "--through", "p.csv")
     assert check.code == 0, check.err
+
+
+@pytest.mark.parametrize("blend", ["0.9", "1e308"])
+def test_one_sample_near_a_blended_waypoint_is_refused(beeline, written, tmp_path, blend):
+    line = "line,-2.7,1,0,\nline,0.5,2.35,0,"
+    written("p.csv", f"motion,x,y,theta,blend\n{line}0.9\nline,3.7,1,0,\n")
+    assert beeline("line", "RRR:3,1,0.5", "--through", "p.csv", "--out", "m.csv").code == 0
+    head, *rows = (tmp_path / "m.csv").read_text().splitlines()
+    written("other.csv", f"motion,x,y,theta,blend\n{line}{blend}\nline,3.7,1,0,\n")
+    for row in rows[::max(1, len(rows) // 20)]:
+        written("one.csv", f"{head}\n{row}\n")
+        assert beeline("check", "RRR:3,1,0.5", "one.csv", "--through", "other.csv").code == 1
 
 
 def test_a_blend_that_becomes_a_stop_is_reported(beeline, written):

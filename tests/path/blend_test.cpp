@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/path/blend.h>
+#include <beeline/path/internal/scaled_blends.h>
 
 #include <tests/path/random_segment.h>
 #include <tests/refusal.h>
@@ -259,6 +260,38 @@ TEST(BlendedLines, PassRepeatedPosesAsOne) {
     const BlendedPath nearly = blended_lines(repeated, repeated_within);
     EXPECT_LE(distance_between(pose_at(nearly.path.segments.back(), 1), near), 1e-15);
   }
+}
+
+TEST(BlendedLines, AreSmallerWithoutAnyThatIsLarger) {
+  Random random;
+  int scaled = 0;
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const std::vector<Pose> poses = random_poses(random, random.integer(3, 7), 1, 2);
+    std::vector<Deviation> within;
+    std::vector<double> scales;
+    for (std::size_t k = 2; k < poses.size(); ++k) {
+      within.push_back(random_distance(random));
+      scales.push_back(random.integer(0, 2) == 0 ? 0 : random.uniform(0, 1));
+    }
+    const BlendedPath full = blended_lines(poses, within);
+    const BlendedPath smaller = internal::scaled_blends(poses, within, scales);
+    for (std::size_t k = 0; k < scales.size(); ++k) {
+      EXPECT_NEAR(smaller.blends[k].radius, scales[k] * full.blends[k].radius, 1e-12);
+      scaled += full.blends[k].radius > 0;
+    }
+  }
+  EXPECT_GE(scaled, testing::cases(300));
+  const std::vector poses{at(0, 0), at(1, 0), at(1, 1)};
+  const std::vector<Deviation> within{{1, 1}};
+  for (const double scale : {-1.0, 1.1, double(NAN)}) {
+    EXPECT_REFUSED(internal::scaled_blends(poses, within, std::vector{scale}), "from 0 to 1");
+  }
+}
+
+TEST(BlendedLines, CountTheLinesBeforeARepeatedLastPose) {
+  const BlendedPath blended =
+      blended_lines(std::vector{at(0, 0), at(1, 0), at(1, 1), at(1, 1)}, {0.1, 1});
+  EXPECT_EQ(blended.path.names.back(), "line 2 of 3 (pose 2 to 3)");
 }
 
 TEST(BlendedLines, RefuseWhatMakesNoSense) {

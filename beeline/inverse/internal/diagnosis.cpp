@@ -8,6 +8,7 @@
 #include <beeline/inverse/internal/nearest_search.h>
 #include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/stages.h>
+#include <beeline/inverse/numerical/error_minimum.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/internal/joint_reason.h>

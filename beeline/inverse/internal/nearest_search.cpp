@@ -113,14 +113,15 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
                           const ConfigurationRef& start) {
   Configuration q = nearest_of_searches(request, task, state, start);
   if (state.search().nearest.converged || request.arm.dof() > max_refined) return q;
-  minimise_error(request.arm, goal_within_digits(request), task, no_bounds(request.arm), 0, q);
+  minimise_error(request.arm, goal_within_digits(request), task, no_bounds(request.arm), 0,
+                 request.budget, q);
   return q;
 }
 
 bool is_minimum_above(const Request& request, Configuration q, double least) {
   return request.arm.dof() <= max_refined &&
          minimise_error(request.arm, goal_within_digits(request), request.task,
-                        no_bounds(request.arm), least, q);
+                        no_bounds(request.arm), least, request.budget, q);
 }
 
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,

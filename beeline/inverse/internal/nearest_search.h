@@ -9,10 +9,6 @@ namespace beeline::internal {
 /// More starts find the global minimum more often, and take longer.
 inline constexpr int max_starts = 64;
 
-/// Max joints of an arm for which Newton's method then locates the minimum to rounding. The Hessian
-/// of a longer chain takes too long.
-inline constexpr int max_refined = 12;
-
 Deviation deviation_at(const Request& request, const Configuration& q);
 
 /// Returns the task's rows for the position.
@@ -23,7 +19,8 @@ Task position_part(const Task& task);
 const Configuration& nearest_of_searches(const Request& request, const Task& task,
                                          SolverState& state, const ConfigurationRef& start);
 
-/// The same; a local minimum is then located to rounding.
+/// The same; a local minimum is then located to rounding by Newton's method, up to max_refined
+/// joints.
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
                           const ConfigurationRef& start);
 

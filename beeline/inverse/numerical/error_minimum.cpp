@@ -57,7 +57,7 @@ struct HalfSquare {
 }  // namespace
 
 bool minimise_error(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                    const Bounds& bounds, double least, Configuration& q) {
+                    const Bounds& bounds, double least, BudgetMeter& budget, Configuration& q) {
   constexpr int max_steps = 100;  // it converges in about ten
   // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
   // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
@@ -71,6 +71,7 @@ bool minimise_error(const Arm& arm, const Pose& world_T_tool, const Task& task,
   Eigen::MatrixXd hessian;
   bool moved = true, done = false;
   for (int step = 0; step < max_steps && !done && damping < max_damping; ++step) {
+    if (budget.ended()) return false;
     if (moved) {
       if (!f.is_above(least, q)) return false;
       slope = f.free.cwiseProduct(f.slope(q));

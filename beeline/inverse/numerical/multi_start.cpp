@@ -225,7 +225,8 @@ class Run {
     return converges_at_singularity();
   }
 
-  /// Continues any lane from q_ in the same way, unless a minimum of the error is near it.
+  /// Continues any lane from q_ in the same way, unless a minimum of the error is near it; that is
+  /// looked for up to max_refined joints.
   bool converges_at_singularity() {
     const NumericalOptions options{.tolerance = options_.tolerance,
                                    .max_iterations = slow_convergence * options_.max_iterations,
@@ -233,7 +234,9 @@ class Run {
     const Eigen::Map<const Configuration> start(q_.data(), start_.size());
     constexpr double clear = 1e-5;  // units of length and radians
     Configuration minimum = start;
-    if (minimise_error(arm_, world_T_tool_, problem_.task, problem_.bounds, clear, minimum)) {
+    if (arm_.dof() <= max_refined &&
+        minimise_error(arm_, world_T_tool_, problem_.task, problem_.bounds, clear, options_.budget,
+                       minimum)) {
       return false;
     }
     const NumericalResult run =

@@ -6,7 +6,7 @@ namespace beeline::internal {
 
 /// Returns blended_lines() with smaller blends: the radius of the blend at each pose between the
 /// first and the last is multiplied by its scale, from 0 to 1. With 0 the tool stops there. Of
-/// poses that are passed as one the smallest scale holds.
+/// poses that are passed as one the smallest scale holds. Throws Error for another scale, too.
 BlendedPath scaled_blends(std::span<const Pose> poses, std::span<const Deviation> within,
                           std::span<const double> scales);
 

@@ -159,8 +159,9 @@ bool BlendChain::add_samples(const Refusal& refusal) {
 }
 
 std::optional<BlendedMotion> BlendChain::proved(std::vector<double> radii) {
-  while (refusals_.any_left() && !refused_part_ && !budget_.ended()) {
+  while ((refusals_.any_left() || !tried_) && !refused_part_ && !budget_.ended()) {
     if (std::all_of(radii.begin(), radii.end(), [](double r) { return r == 0; })) break;
+    tried_ = true;
     BlendedMotion motion;
     const std::optional<Refusal> refused = refusal(radii, motion);
     if (!budget_.complete()) break;

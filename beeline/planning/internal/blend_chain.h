@@ -20,11 +20,11 @@ struct BlendedMotion {
 /// one of two neighbours is a joint move. The program is planned with stops before: that motion has
 /// the configurations at the waypoints, and along the lines. With a model of the arm in its scene,
 /// the motion keeps its clearance.
-///
 class BlendChain {
  public:
   /// `largest` are the radii of the largest blends between the parts, above 0. `refusals` counts
-  /// in a search with several chains. All other arguments must outlive the object.
+  /// the refusals of all chains of a search; each chain is tried once, whatever their number. All
+  /// other arguments must outlive the object.
   BlendChain(const PlannedProgram& planned, std::vector<ChainPart> parts,
              std::vector<double> largest, const CollisionModel* model, BlendRefusals& refusals,
              BudgetMeter& budget);
@@ -71,6 +71,7 @@ class BlendChain {
   std::vector<int> refused_ = {};     ///< how often each blend was
   std::vector<int> additions_ = {};   ///< of grid points to each part
   std::optional<std::size_t> refused_part_ = std::nullopt;
+  bool tried_ = false;
 };
 
 }  // namespace beeline::internal

@@ -25,10 +25,18 @@ std::vector<bool> refused_segments(const Arm& arm, const PathMotion& refused,
   return segments;
 }
 
+/// Whether a motion is refused for the number of its samples, or for its rate: with smaller blends
+/// it would be so, too.
+bool needs_other_samples(const PathMotion& refused) {
+  return refused.status == MotionStatus::too_many_samples ||
+         refused.reason.code == ReasonCode::no_motion_at_rate;
+}
+
 }  // namespace
 
 std::vector<std::size_t> refused_blends(const Arm& arm, const ProgramPart& part,
                                         const PathMotion& refused, const Deviation& tolerance) {
+  if (needs_other_samples(refused)) return {};
   const std::size_t count = part.moves.size();
   const auto is_blend = [&](std::size_t i) {
     return i < count && part.blend_radii[part.moves[i] - part.first] > 0 &&
@@ -74,7 +82,10 @@ bool LineBlends::make_smaller(const Program& program, double tool_speed,
     const std::size_t i = move - part.first;
     scales[i] *= refusals.fraction(++refused[i]);
   }
-  if (refusals.rest_stops()) std::fill(scales.begin(), scales.end(), 0.0);
+  if (refusals.rest_stops()) {
+    const std::size_t first = moves_.front() - part.first;  // they are in order
+    std::fill(scales.begin() + static_cast<std::ptrdiff_t>(first), scales.end(), 0.0);
+  }
   part = with_blend_scales(program, part, tool_speed, scales);
   moves_.clear();
   return true;

@@ -9,7 +9,8 @@ namespace beeline::internal {
 
 /// Returns the moves of a part whose blends between two lines may be why motion_along() refuses its
 /// route: the blend where the branch ends; otherwise the blends where the motion is not proved
-/// or leaves the limits, or those next to the lines where it is so; all blends if it has no times.
+/// or leaves the limits, or those next to the lines where it is so; all blends if it has no times;
+/// none if it needs fewer samples or another rate.
 std::vector<std::size_t> refused_blends(const Arm& arm, const ProgramPart& part,
                                         const PathMotion& refused, const Deviation& tolerance);
 

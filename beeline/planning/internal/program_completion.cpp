@@ -102,6 +102,7 @@ Completion complete_program(const DividedProgram& program, const std::vector<Pla
   const bool blends =
       has_joint_blends(program.program) && blend(program, planned, last_proof, budget, motion);
   if (blends || with_stops) return {true};
+  if (motion.search_ending != Ending::complete) return {};  // blends may have been proved
   return {false, program_refusal(planned_with(program, planned, motion), found, budget)};
 }
 

@@ -26,7 +26,8 @@ struct Completion {
 /// moves: proves it by verify(), as a check of its file does, and replaces stops by blends with
 /// joint moves as far as the whole is proved with them. With a model, blends keep the clearance. If
 /// the budget ends after the motion with stops is proved, it has the blends that are proved by
-/// then, and ProgramMotion::search_ending says so.
+/// then, and ProgramMotion::search_ending says so. If it is not proved with stops either, nothing
+/// is known, and ProgramMotion::search_ending says why.
 Completion complete_program(const DividedProgram& program, const std::vector<PlannedPart>& planned,
                             BudgetMeter& budget, ProgramMotion& motion);
 

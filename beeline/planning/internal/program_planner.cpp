@@ -66,8 +66,8 @@ class ProgramPlanner {
   }
 
   bool fail_ended(std::size_t move) {
-    return fail(move, status_of<MotionStatus>(budget_.ending()),
-                ended_reason(ReasonCode::ended, budget_.ending()));
+    const Ending ending = budget_.complete() ? motion_.search_ending : budget_.ending();
+    return fail(move, status_of<MotionStatus>(ending), ended_reason(ReasonCode::ended, ending));
   }
 
   bool plan(const std::optional<Configuration>& start) {

@@ -96,7 +96,8 @@ JointRun ProgramVerifier::joint_run() const {
 
 /// Fails at a waypoint that is not passed within the deviation of its blend, at the nearest sample
 /// from `first` on: with what the blend allows, and the joint that is farthest off. If the waypoint
-/// is passed, but not on the line before it, fails at the line.
+/// is passed, but not on the line before it, fails at the line. If the tool is on the line there,
+/// but does not follow it far enough, fails with the distance from the waypoint.
 bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first, const Line* line) {
   const Move& goal = program_.moves[move];
   std::size_t nearest = first;
@@ -105,7 +106,8 @@ bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first, const Li
     const double here = passages_.distance(goal, k);
     if (here < least) nearest = k, least = here;
   }
-  const bool passed = line != nullptr && least <= 1;
+  double fraction = 0;
+  const bool passed = line != nullptr && least <= 1 && !is_on(*line, nearest, fraction);
   const Pose waypoint = waypoint_of(arm_, goal), tool = tool_at(nearest);
   Reason reason =
       deviation_reason(ReasonCode::off_path, passed ? deviation_from(*line, tool, task_)
@@ -114,7 +116,9 @@ bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first, const Li
   reason.set(ReasonField::move, move + 1)
       .set(ReasonField::segment_name, passed ? name : "the waypoint of " + name);
   if (passed) return fail(Fault::deviation, nearest, std::move(reason));
-  reason.set(ReasonField::limit, goal.blend);
+  if (least <= 1) return fail(Fault::not_through, nearest, std::move(reason));
+  const Deviation most = blend_deviation(goal);
+  reason.set(ReasonField::limit, most.position).set(ReasonField::upper, most.orientation);
   double largest = 1;
   for (int i = 0; goal.q && i < arm_.dof(); ++i) {
     const double error = std::abs(trajectory_.positions[nearest][i] - (*goal.q)[i]);

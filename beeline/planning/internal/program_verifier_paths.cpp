@@ -88,7 +88,9 @@ std::vector<double> ProgramVerifier::seen_blend_scales(const ProgramPart& part) 
       continue;
     }
     const Deviation largest = task_deviation(task_, move.target, pose_at(*blend, 0.5));
-    const double seen = passed->distance / blend_distance(move, largest);
+    const double size = blend_distance(move, largest);
+    const double seen = passed->distance / size;
+    if (!(size > 0) || !(seen >= 0)) continue;
     const double times = std::log(seen) / std::log(BlendRefusals::smaller);
     constexpr double most = BlendRefusals::max_smaller;
     scales[index] = std::pow(BlendRefusals::smaller, std::clamp(std::round(times), 0.0, most));

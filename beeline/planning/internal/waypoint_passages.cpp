@@ -71,7 +71,10 @@ std::size_t WaypointPassages::next_near(const Pose& waypoint, const Deviation& b
 }
 
 double WaypointPassages::distance_at(const Move& move, const Pose& waypoint, double at) const {
-  const auto k = std::min(static_cast<std::size_t>(at), trajectory_.size() - 2);
+  const auto k = static_cast<std::size_t>(at);
+  if (at == static_cast<double>(k)) {  // the last sample, too, has no interval after it
+    return blend_distance(arm_, task_, move, waypoint, trajectory_.positions[k], tool_[k]);
+  }
   Configuration q(arm_.dof());
   for (int i = 0; i < arm_.dof(); ++i) {
     q[i] = interval_polynomial(trajectory_, k, i)(at - static_cast<double>(k));
@@ -91,8 +94,8 @@ bool WaypointPassages::joints_may_be_within(const Move& move, std::size_t k) con
 }
 
 /// Whether the motion between the neighbours of sample k may be within the deviation of a blend of
-/// its waypoint, from which the sample has a distance. The tool is hardly farther from the sample
-/// than at its neighbours.
+/// its waypoint, from which the sample has a distance. It only proposes: the tool is taken to be
+/// hardly farther from the sample than at its neighbours, so a passage may be missed.
 bool WaypointPassages::may_be_within(const Move& move, std::size_t k, double distance) const {
   constexpr double hardly = 1.5;
   if (distance <= 1) return true;
@@ -131,7 +134,14 @@ Passage WaypointPassages::refined(const Move& move, const Pose& waypoint, std::s
 std::optional<NearestSample> WaypointPassages::nearest(const Move& move, std::size_t first) const {
   const std::vector<Passage> passed = passages(move, static_cast<double>(first), 1);
   if (passed.empty()) return std::nullopt;
+  // Where the tool comes near the waypoint it may be at rest, or come nearer a second time.
   NearestSample nearest{passed.front().nearest()};
+  double least = distance(move, nearest.sample);
+  for (std::size_t k = nearest.sample + 1; k < trajectory_.size() && !budget_.ended(); ++k) {
+    const double here = distance(move, k);
+    if (!(here <= 1)) break;
+    if (here < least) nearest.sample = k, least = here;
+  }
   refined(move, waypoint_of(arm_, move), nearest.sample, static_cast<double>(first),
           nearest.distance);
   return nearest;

@@ -51,8 +51,8 @@ class WaypointPassages {
   /// `most`. Fewer if the budget ends the search.
   std::vector<Passage> passages(const Move& move, double first, std::size_t most) const;
 
-  /// Returns the sample nearest to the first passage from `first` on that is within the deviation
-  /// of the blend of a move.
+  /// Returns the nearest sample of the first stay from `first` on within the deviation of the blend
+  /// of a move.
   std::optional<NearestSample> nearest(const Move& move, std::size_t first) const;
 
   /// The distance of sample k from the waypoint of a move, as a multiple of the deviation of its

@@ -67,13 +67,16 @@ std::vector<WaypointRests::Rest> WaypointRests::all_rests() const {
 
 /// The first rest from `first` on that may be within tolerance of a move's waypoint.
 std::size_t WaypointRests::next_rest(const Move& move, std::size_t first) const {
-  constexpr double rounding = 1 + 1e-9;
+  const auto with_rounding = [](double most, const Vector3& goal) {
+    return (1 + 1e-9) * most + 1e-12 * goal.norm();
+  };
   if (!move.q) {
-    return tool_boxes_->next_near(constrained(task_, move.target.translation()),
-                                  rounding * tolerance_.position, first);
+    const Vector3 goal = constrained(task_, move.target.translation());
+    return tool_boxes_->next_near(goal, with_rounding(tolerance_.position, goal), first);
   }
+  const Vector3 goal = first_joints(*move.q);
   const double most = std::sqrt(3.0) * std::max(tolerance_.position, tolerance_.orientation);
-  return joint_boxes_->next_near(first_joints(*move.q), rounding * most, first);
+  return joint_boxes_->next_near(goal, with_rounding(most, goal), first);
 }
 
 double WaypointRests::offset(const Pose& goal, std::size_t k) const {

@@ -179,7 +179,8 @@ std::vector<std::size_t> intervals_outside_limits(const Arm& arm, const Trajecto
     for (int i = 0; i < arm.dof(); ++i) {
       const Limits& limits = arm.limits(i);
       const auto inside = [&](const Extremes& q) {
-        return q.smallest >= limits.lower && q.largest <= limits.upper;
+        return within_position_limits(limits, q.smallest) &&
+               within_position_limits(limits, q.largest);
       };
       const Polynomial between = interval_polynomial(trajectory, k, i);
       if (inside(enclosure(between)) || inside(extremes(between))) continue;

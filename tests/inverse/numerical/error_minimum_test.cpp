@@ -37,7 +37,7 @@ TEST(ErrorMinimum, IsALocalMinimumWithinTheLimits) {
       pose.translation() *= 1.5;
       Configuration q =
           levenberg_marquardt(arm, pose, Task::spatial(), bounds, random.configuration(arm)).q;
-      if (!minimise_error(arm, pose, Task::spatial(), bounds, least, q)) continue;
+      if (!minimise_error(arm, pose, Task::spatial(), bounds, least, unlimited(), q)) continue;
       ++found;
       EXPECT_TRUE(within(bounds, q));
       const double smallest = half_square(arm, pose, q);
@@ -62,9 +62,32 @@ TEST(ErrorMinimum, IsNotNextToASolution) {
       q = clamped(bounds_of(arm), q);
       const Pose pose = forward_kinematics(arm, q);
       Configuration from = beside(arm, q, 1e-3, random);
-      EXPECT_FALSE(minimise_error(arm, pose, Task::spatial(), bounds_of(arm), least, from)) << q;
+      EXPECT_FALSE(
+          minimise_error(arm, pose, Task::spatial(), bounds_of(arm), least, unlimited(), from))
+          << q;
     }
   }
+}
+
+TEST(ErrorMinimum, EndsByTheBudget) {
+  Random random;
+  const Arm arm = built_in("ur5");
+  int steps = 0;
+  for (int i = 0; i < testing::cases(20); ++i) {
+    Pose pose = forward_kinematics(arm, random.configuration(arm));
+    pose.translation() *= 1.5;
+    const Configuration q = random.configuration(arm);
+    Configuration whole = q;
+    minimise_error(arm, pose, Task::spatial(), bounds_of(arm), least, unlimited(), whole);
+    Budget limits;
+    limits.max_work = 1;
+    BudgetMeter budget(limits);
+    Configuration ended = q;
+    EXPECT_FALSE(minimise_error(arm, pose, Task::spatial(), bounds_of(arm), least, budget, ended));
+    steps += whole != ended;
+    EXPECT_LE(budget.spent().work, 2);
+  }
+  EXPECT_GE(2 * steps, testing::cases(20));
 }
 
 }  // namespace

@@ -43,5 +43,18 @@ TEST(IntervalsOutsideLimits, AreWhereAJointIsOutsideBetweenTwoSamples) {
   EXPECT_GT(inside, 0);
 }
 
+TEST(IntervalsOutsideLimits, AllowTheRoundingOfTheirEnds) {
+  const Arm arm = built_in("panda");
+  for (const double excess : {0.5 * position_slack, 2 * position_slack}) {
+    Configuration q = middle_configuration(arm);
+    q[1] = arm.limits(1).upper + excess;
+    q[2] = arm.limits(2).lower - excess;
+    const Configuration rest = 0 * q;
+    const Trajectory motion{arm.joint_names(), {0, 1}, {q, q}, {rest, rest}, {}};
+    EXPECT_EQ(intervals_outside_limits(arm, motion).empty(), excess < position_slack);
+    EXPECT_EQ(limit_violations(arm, q).empty(), excess < position_slack);
+  }
+}
+
 }  // namespace
 }  // namespace beeline::internal
