@@ -1,5 +1,6 @@
 #include <beeline/planning/internal/blend_chain.h>
 #include <beeline/planning/internal/line_blends.h>
+#include <beeline/planning/internal/motion_along.h>
 #include <beeline/planning/internal/program_completion.h>
 #include <beeline/planning/internal/waypoint_passages.h>
 
@@ -72,7 +73,32 @@ TEST(BlendBounds, TheBlendsBeforeARefusedOneStay) {
     if (!blends.make_smaller(program, Limits::none, parts)) break;
   }
   EXPECT_GE(times, 10);
-  EXPECT_EQ(parts[0].blend_scales, (std::vector<double>{1, 0, 0, 1}));
+  EXPECT_EQ(parts[0].blend_scales, (std::vector<double>{1, 0, 0, 0}));
+}
+
+// With smaller blends there would be no fewer samples.
+TEST(BlendBounds, NoBlendIsRefusedForTheNumberOfSamples) {
+  const Arm arm = built_in("scara");
+  Configuration q = middle_configuration(arm);
+  q[1] += 1.5;  // bent
+  const Pose here = forward_kinematics(arm, q);
+  Program program;
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {-0.05, 0.0}, {-0.05, 0.05}}) {
+    Pose target = here;
+    target.translation() += Vector3(x, y, 0);
+    program.moves.push_back({.target = target, .blend = 0.01});
+  }
+  program.moves.back().blend = 0;
+  const ProgramPart part = program_parts(arm, program, 1, here, Limits::none)[0];
+  PathMotionOptions few, fast;
+  few.max_samples = 10;
+  fast.max_samples = 80;
+  fast.rate = 1000;
+  for (const PathMotionOptions& options : {few, fast}) {
+    const PathMotion refused = motion_along(arm, q, part.route, options);
+    EXPECT_EQ(refused.status, MotionStatus::too_many_samples) << refused;
+    EXPECT_TRUE(refused_blends(arm, part, refused, {1e-4, 1e-3}).empty()) << refused;
+  }
 }
 
 // Before the search for blends has ended, the motion with stops that is not proved refuses nothing.
@@ -157,7 +183,9 @@ TEST(WaypointPassages, OfOneSample) {
 // The tool follows a line, but not as far as a large blend after it allows it to leave.
 TEST(VerifyProgram, ALineThatIsNotFollowedFarEnoughIsNotReached) {
   const Arm arm = built_in("scara");
-  const Pose here = forward_kinematics(arm, middle_configuration(arm));
+  Configuration q = middle_configuration(arm);
+  q[1] += 1.5;  // bent
+  const Pose here = forward_kinematics(arm, q);
   const auto at = [&](double y) {
     return make_pose(here.translation() + Vector3(0, y, 0), here.linear());
   };
@@ -166,9 +194,8 @@ TEST(VerifyProgram, ALineThatIsNotFollowedFarEnoughIsNotReached) {
   const ProgramMotion motion = move_program(arm, std::nullopt, part);
   ASSERT_TRUE(motion) << motion;
   Program program;
-  program.moves = {{.target = at(0)},
-                   {.target = at(0.1), .blend = 0.2},
-                   {.kind = MoveKind::joint, .q = middle_configuration(arm)}};
+  program.moves = {
+      {.target = at(0)}, {.target = at(0.1), .blend = 0.2}, {.kind = MoveKind::joint, .q = q}};
   const Verification found = verify(arm, motion.trajectory, program);
   EXPECT_EQ(found.fault, Fault::not_through) << found;
   EXPECT_EQ(found.reason.find(ReasonField::limit), nullptr);
