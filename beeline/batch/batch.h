@@ -39,8 +39,8 @@ struct BatchResult {
 // value in a column of q is not finite, the results of this column are not finite either. The work
 // is divided among threads. All functions throw Error when the size of a matrix does not fit.
 
-// The stride is written out, as the compilers name Eigen's default of it differently: Clang would not find these functions
-// in a library of GCC's.
+// The stride is written out, as the compilers name Eigen's default of it differently: Clang would
+// not find these functions in a library of GCC's.
 template <class Real>
 using ColumnsRef =
     Eigen::Ref<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
