@@ -53,17 +53,21 @@ void bind_scene(nb::module_& m) {
              "Poses (4, 4) in the world of frames that a PlanningScene names, such as "
              "`ArmShapes.base_links`.",
              "{}")
+      .takes("moving_frames", argument_type<std::vector<std::string>>(),
+             "Frames that move with the arm's base: an object in one of them is refused.", "()")
       .takes("radius", "float | None",
              "Radius, m, of the spheres around the points of a point cloud, which needs it.",
              "None");
   define(
       m,
       [](nb::handle path, nb::handle hold, nb::handle package, nb::handle frames,
-         nb::handle radius) {
+         nb::handle moving_frames, nb::handle radius) {
         const std::string file = path_from(path, "path");
         ShapeOptions options = shape_options(hold, package);
         options.radius = Value<std::optional<double>>::from(radius, "radius");
         options.frames = Value<std::map<std::string, Pose>>::from(frames, "frames");
+        options.moving_frames =
+            Value<std::vector<std::string>>::from(moving_frames, "moving_frames");
         Scene cell = read_scene(file, options);
         if (!cell.links_without_shapes.empty()) {
           warn_of_input(file + ": links with <visual> and without <collision> are no obstacles: " +
@@ -73,7 +77,7 @@ void bind_scene(nb::module_& m) {
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
       nb::arg("package") = nb::dict(), nb::arg("frames") = nb::dict(),
-      nb::arg("radius") = nb::none());
+      nb::arg("moving_frames") = nb::tuple(), nb::arg("radius") = nb::none());
 
   Signature text("scene_to_json", "str", comment("scene_to_json"));
   text.takes("scene", "Scene", "The scene.");

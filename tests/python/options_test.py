@@ -38,6 +38,7 @@ KEYWORDS = {
     "ReachMapOptions::shard": ("compute_reach_map", "shard"),
     "ShapeOptions::frames": ("read_scene", "frames"),
     "ShapeOptions::hold": ("read_arm_shapes", "hold"),
+    "ShapeOptions::moving_frames": ("read_scene", "moving_frames"),
     "ShapeOptions::package": ("read_arm_shapes", "package"),
     "ShapeOptions::radius": ("read_scene", "radius"),
     "ShapeOptions::srdf": ("read_arm_shapes", "srdf"),
