@@ -156,9 +156,10 @@ TEST(BlendSearch, KeepsTheBlendsThatAreProvedWhenItsBudgetEnds) {
       break;
     }
     EXPECT_EQ(motion.search_ending, Ending::work_limit);
-    std::ostringstream text;
+    std::ostringstream text, ended;
     text << motion;
-    EXPECT_NE(text.str().find("blends: the limit of work ended the search"), std::string::npos);
+    ended << "blends: " << Reason{ReasonCode::ended, {{ReasonField::ending, Ending::work_limit}}};
+    EXPECT_NE(text.str().find(ended.str()), std::string::npos);
   }
   EXPECT_EQ(before, blend_count(whole));
   EXPECT_GE(kept, 2);
