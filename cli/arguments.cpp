@@ -30,6 +30,18 @@ std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
   return all;
 }
 
+std::vector<std::string> items_of(std::string_view list, char separator) {
+  std::vector<std::string> items(1);
+  for (const char letter : list) {
+    if (letter == separator) {
+      items.emplace_back();
+    } else {
+      items.back() += letter;
+    }
+  }
+  return items;
+}
+
 std::vector<Option> UnitArgument::options() {
   return {Option("--degrees", "Read and print angles in degrees instead of radians.", &degrees),
           Option("--millimetres",

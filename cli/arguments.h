@@ -19,6 +19,9 @@ namespace beeline::command {
 /// Lists of options in one.
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
+/// The items of a list as typed, between separators; empty ones too.
+std::vector<std::string> items_of(std::string_view list, char separator);
+
 /// --degrees, --millimetres and --pose-form: angles, positions of poses and orientations, read and
 /// printed.
 struct UnitArgument {

@@ -46,14 +46,8 @@ std::vector<std::string> known_names() {
 
 /// The names between the commas of --of.
 std::vector<std::string> wanted_names(std::string_view list) {
-  std::vector<std::string> wanted;
-  for (bool more = true; more;) {
-    const std::size_t comma = list.find(',');
-    wanted.emplace_back(list.substr(0, comma));
-    check_choice("--of", wanted.back(), known_names());
-    more = comma != std::string_view::npos;
-    list.remove_prefix(more ? comma + 1 : 0);
-  }
+  std::vector<std::string> wanted = items_of(list, ',');
+  for (const std::string& name : wanted) check_choice("--of", name, known_names());
   return wanted;
 }
 

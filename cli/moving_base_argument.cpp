@@ -12,18 +12,6 @@
 namespace beeline::command {
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char letter : text) {
-    if (letter == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
-
 /// The limits LOWER:UPPER, without an order: the arm refuses a lower limit above the upper one.
 Limits range(const std::string& lower, const std::string& upper, const std::string& what) {
   return {.lower = parse_number(lower, what), .upper = parse_number(upper, what)};
@@ -55,7 +43,7 @@ Vector3 direction(const std::string& text) {
 }
 
 Arm on_rail(const Arm& arm, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ':');
+  const std::vector<std::string> parts = items_of(text, ':');
   if (parts.size() < 2 || parts.size() > 3) {
     throw Error("a rail is AXIS:LENGTH or AXIS:LOWER:UPPER, such as x:2 or y:-1:1.5, not \"" +
                 text + "\"");
@@ -75,10 +63,10 @@ Arm on_rail(const Arm& arm, const std::string& text) {
 }
 
 Arm on_mobile_base(const Arm& arm, const std::string& text, const UnitArgument& unit) {
-  const std::vector<std::string> ranges = split(text, ',');
+  const std::vector<std::string> ranges = items_of(text, ',');
   std::vector<Limits> limits;
   for (const std::string& each : ranges) {
-    const std::vector<std::string> ends = split(each, ':');
+    const std::vector<std::string> ends = items_of(each, ':');
     if (ends.size() != 2 || ranges.size() < 2 || ranges.size() > 3) {
       throw Error(
           "a mobile base has the ranges XMIN:XMAX,YMIN:YMAX or "

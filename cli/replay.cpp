@@ -40,16 +40,13 @@ struct ReplayArguments {
 /// "2:0.5,4:0,6:1": times and the speeds from then on.
 std::vector<SpeedChange> speed_changes(const std::string& text) {
   std::vector<SpeedChange> changes;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string change = text.substr(begin, end - begin);
+  for (const std::string& change : items_of(text, ',')) {
     const std::size_t colon = change.find(':');
     if (colon == std::string::npos) {
       throw Error("--speed-at takes TIME:SPEED pairs, such as 2:0.5,4:0,6:1, not " + change);
     }
     changes.push_back({parse_number(change.substr(0, colon), "--speed-at, time"),
                        parse_number(change.substr(colon + 1), "--speed-at, speed")});
-    begin = end + 1;
   }
   return changes;
 }

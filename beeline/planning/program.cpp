@@ -1,4 +1,5 @@
 #include <beeline/certificate/internal/printed_bound.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/printed_motion.h>
@@ -64,8 +65,7 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion) {
   out << ", " << motion.moves.size() << (motion.moves.size() == 1 ? " move, " : " moves, ");
   print_assumed(print_bound(out, motion.deviation.bound), motion.limits);
   if (motion.search_ending == Ending::complete) return out;
-  return out << "; blends: "
-             << Reason{ReasonCode::ended, {{ReasonField::ending, motion.search_ending}}};
+  return out << "; blends: " << internal::ended_reason(ReasonCode::ended, motion.search_ending);
 }
 
 MoveError::MoveError(const Program& program, std::size_t move, const std::string& fault)

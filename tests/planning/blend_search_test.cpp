@@ -279,11 +279,7 @@ TEST(BlendSearch, NoMoveEndsAtAMovingSampleUnlessItBlends) {
 TEST(BlendSearch, StopsAtARepeatedPoseAtTheEndsOfLines) {
   const Arm arm = built_in("panda");
   const Configuration home = Configuration{{0, -45, 0, -135, 0, 90, 45}} * deg;
-  const auto away = [&](double x, double y) {
-    Pose pose = forward_kinematics(arm, home);
-    pose.translation() += Vector3(x, y, 0);
-    return pose;
-  };
+  const auto away = [&](double x, double y) { return moved_tool(arm, home, x, y); };
   Program program;
   for (const Pose& pose : {away(0, 0), away(0.1, 0.1), away(0, 0.1), away(0, 0.2), away(0, 0.2)}) {
     program.moves.push_back({.target = pose, .blend = 0.01});

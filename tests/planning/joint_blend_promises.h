@@ -19,6 +19,13 @@ inline Configuration near_middle(Random& random, const Arm& arm, double part) {
   return middle + part * (random.configuration(arm) - middle);
 }
 
+/// The pose of the tool at q, moved along x and y of the world.
+inline Pose moved_tool(const Arm& arm, const Configuration& q, double x, double y) {
+  Pose pose = forward_kinematics(arm, q);
+  pose.translation() += Vector3(x, y, 0);
+  return pose;
+}
+
 inline Program with_stops(Program program) {
   for (Move& move : program.moves) move.blend = 0;
   return program;

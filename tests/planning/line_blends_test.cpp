@@ -97,11 +97,7 @@ TEST(LineBlends, OnlyTheImpossibleOneChanges) {
 TEST(LineBlends, PassLinesOfAlmostNoLengthWithoutALoss) {
   const Arm arm = built_in("panda");
   const Configuration home = Configuration{{0, -45, 0, -135, 0, 90, 45}} * deg;
-  const auto away = [&](double x, double y) {
-    Pose pose = forward_kinematics(arm, home);
-    pose.translation() += Vector3(x, y, 0);
-    return pose;
-  };
+  const auto away = [&](double x, double y) { return moved_tool(arm, home, x, y); };
   const auto program_of = [&](std::optional<double> tiny) {
     Program program;
     program.moves.push_back({.target = away(0.1, 0), .blend = 0.01});

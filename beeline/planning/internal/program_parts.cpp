@@ -131,8 +131,8 @@ std::vector<Pose> poses_to_stop(const Program& program, std::size_t i, const Pos
   return poses;
 }
 
-/// The scales of the moves from move i to move `last`. Of a
-/// waypoint that lines pass as one the first move has the smallest one from there on.
+/// The scales of the moves from move i to move `last`. Of a waypoint that lines pass as one the
+/// first move has the smallest one from there on.
 std::vector<double> scales_of(const Program& program, std::size_t i, std::size_t last,
                               std::span<const double> scales) {
   std::vector<double> own(last - i + 1, 1);
