@@ -1,10 +1,8 @@
 # beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
 # it included; "." stands for the files beside the folders. MOTION: further folders of it, compiled by a target of their
-# own, beeline_core_motion, which a sanitizer optimises less (BEELINE_OPTIMISE_MOTION), but where headers are verified: that
-# would wait for its objects. Its public headers are installed with it
-# and must each compile alone. Not public: headers in a folder internal/, in math/,
-# reason/, inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
-# each instruction set.
+# own, beeline_core_motion, which a sanitizer optimises less (BEELINE_OPTIMISE_MOTION). Its public headers are installed
+# with it. Not public: headers in a folder internal/, in math/, reason/, inverse/analytic/ and inverse/numerical/, and the
+# kernels in -inl.h, which Highway compiles once for each instruction set.
 function(beeline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;MOTION")
   set(sources)
@@ -16,7 +14,7 @@ function(beeline_library name)
       set(mode GLOB)
     endif()
     file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.cpp)
-    if(folder IN_LIST arg_MOTION AND NOT CMAKE_VERIFY_INTERFACE_HEADER_SETS)
+    if(folder IN_LIST arg_MOTION)
       list(APPEND motion ${found})
     else()
       list(APPEND sources ${found})
