@@ -39,6 +39,21 @@ TEST(FirstJointFault, TellsEachKind) {
   expect_first(motion, Fault::jerk, 0);
 }
 
+// The limits of the first joint are 1, 2 and 6: derivatives of t, t^2 and t^3.
+TEST(FirstJointFault, AllowsAMillionthAboveALimitAndNoMore) {
+  for (const int order : {1, 2, 3}) {
+    for (const double excess : {-2e-6, 0.5e-6, 2e-6, 1e-4}) {
+      const Trajectory motion =
+          along([=](double t) { return (1 + excess) * std::pow(t, order) - 1; }, nothing, 0.3);
+      const auto found = first_joint_fault(two_joints(), motion, {.start = true, .end = true});
+      ASSERT_EQ(found.has_value(), excess > 1e-6) << order << " " << excess;
+      if (!found) continue;
+      constexpr Fault kinds[] = {Fault::velocity, Fault::acceleration, Fault::jerk};
+      EXPECT_EQ(found->kind, kinds[order - 1]) << found->reason;
+    }
+  }
+}
+
 TEST(FirstJointFault, NamesAnExcessThatSixDigitsDoNotShow) {
   Trajectory motion = along(nothing, nothing, 10);
   motion.positions[7][0] = 1 + 2.5e-8;
