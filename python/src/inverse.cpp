@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -40,6 +41,15 @@ int solve_into(const Arm& arm, const Pose& world_T_tool, nb::handle out, Inverse
   columns.rightCols(columns.cols() - count).setConstant(std::numeric_limits<double>::quiet_NaN());
   results.finish();
   return count;
+}
+
+/// The result, computed in the memory of its object: a result is large, and a move takes long.
+nb::object solved_object(const Arm& arm, const Pose& world_T_tool, InverseOptions& with) {
+  nb::object result = nb::inst_alloc(nb::type<InverseResult>());
+  new (nb::inst_ptr<InverseResult>(result)) InverseResult(
+      unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); }));
+  nb::inst_mark_ready(result);
+  return result;
 }
 
 /// Poses of a batch as columns of the layout.
@@ -152,8 +162,7 @@ nb::object inverse(const Arm& arm, nb::handle pose, nb::handle seed, nb::handle 
   with.seed = Value<std::optional<Configuration>>::from(seed, "seed");
   const Pose world_T_tool = plane.pose(pose, "world_T_tool");
   if (!out.is_none()) return nb::cast(solve_into(arm, world_T_tool, out, with));
-  return nb::cast(
-      unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); }));
+  return solved_object(arm, world_T_tool, with);
 }
 
 Signature& takes_pose(Signature& signature) {
@@ -243,7 +252,9 @@ void bind_inverse(nb::module_& m) {
   bind_record<NearestMiss>(m);
   bind_record<SolutionGrid>(m);
   bind_record<BlockedSolution>(m);
-  nb::class_<InverseResult> result = bind_record<InverseResult>(m);
+  // Objects that a loop has dropped are used again, without an allocation.
+  constexpr std::uint32_t kept = 16;
+  nb::class_<InverseResult> result = bind_record<InverseResult>(m, nb::pooled(kept));
   result.def_prop_ro(
       "q",
       [](const InverseResult& self) {

@@ -255,10 +255,11 @@ void bind_state(nb::class_<T>& bound) {
       nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
 }
 
-template <class T>
-nb::class_<T> bind_record(nb::module_& module) {
+/// `extra`: further annotations of the class, such as nb::pooled.
+template <class T, class... Extra>
+nb::class_<T> bind_record(nb::module_& module, const Extra&... extra) {
   using Described = Fields<T>;
-  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), struct_doc<T>());
+  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), struct_doc<T>(), extra...);
   if constexpr (has_trajectory<T>) {
     bound.def_prop_ro(
         "duration", [](const T& self) { return self.trajectory.duration(); },
