@@ -304,7 +304,7 @@ Verb ik_verb() {
             "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec --millimetres"},
            {"All solutions with joint 7 at 45 degrees",
             "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
-           {"A pose that a UR5 reaches from a rail of 3 m alone",
+           {"A pose that a UR5 reaches only on a rail, here of 3 m",
             "beeline ik ur5 --rail x:3 --pose 2.2,0.4,0.4,180,0,0 --degrees"},
            {"The solutions of an arm with shapes that keep 2 cm from a post and from itself",
             "printf '{\"name\": \"mine\", \"joint_string\": \"RRR:3.5,3.5,2\", \"shapes\": "
