@@ -176,9 +176,17 @@ double SectionJointPath::parameter_at(double path_parameter) const {
   return joint_path_.s[static_cast<std::size_t>(sample - parameters.begin())];
 }
 
+/// Whether coordinate i rests at a limit at sample k, such as a joint whose limits are equal. With
+/// another derivative it would leave the limits between the samples.
+bool SectionJointPath::rests_at_limit(std::size_t k, Eigen::Index i) const {
+  const double q = joint_path_.q[k][i];
+  return joint_path_.dq[k][i] == 0 && joint_path_.ddq[k][i] == 0 &&
+         (q <= bounds_.lower[i] || q >= bounds_.upper[i]);
+}
+
 /// Changes the derivatives at sample k as little as possible, so that the tool has the path's
-/// tangent and curvature in the task's rows. Near a singularity, where the change is large, they
-/// remain the derivatives of the spline.
+/// tangent and curvature in the task's rows. A coordinate that rests at a limit remains at rest.
+/// Near a singularity, where the change is large, the derivatives of the spline remain.
 void SectionJointPath::follow(std::size_t k, const SegmentPoint& place) {
   const Configuration& q = joint_path_.q[k];
   Configuration &dq = joint_path_.dq[k], &ddq = joint_path_.ddq[k];
@@ -187,7 +195,10 @@ void SectionJointPath::follow(std::size_t k, const SegmentPoint& place) {
   ParameterRates rates = following(segment, place.fraction, task_, tool);
   rates.first = std::max(rates.first, 0.0);  // not backwards
   const PoseMotion path = motion_along(segment, place.fraction, rates);
-  const Eigen::MatrixXd equations = error_jacobian(task_, tool.pose, path.pose) * jacobian(arm_, q);
+  Eigen::MatrixXd equations = error_jacobian(task_, tool.pose, path.pose) * jacobian(arm_, q);
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    if (rests_at_limit(k, i)) equations.col(i).setZero();  // and so its row of the inverse
+  }
   const Eigen::MatrixXd inverse = pseudo_inverse(equations);
   const auto correction = [&](const Twist& error) -> Configuration {
     return -inverse * in_task_rows(task_, tool.pose.linear(), error);

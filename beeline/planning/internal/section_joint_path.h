@@ -53,6 +53,7 @@ class SectionJointPath {
   void interpolate();
   Deviation deviation(std::size_t k, const Polynomial& p, double u) const;
   bool add_samples(const Deviation& tolerance, BudgetMeter& budget);
+  bool rests_at_limit(std::size_t k, Eigen::Index i) const;
   void follow(std::size_t k, const SegmentPoint& place);
 
   const Arm& arm_;
