@@ -3,8 +3,6 @@
 #include <numbers>
 #include <utility>
 
-#include <beeline/inverse/internal/arm_defaults.h>
-#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/reach/internal/pose_solver.h>
@@ -43,6 +41,7 @@ PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_b
       any_{.task = default_task(arm), .redundancy = Redundancy::any},
       any_free_{.task = default_task(arm), .blocked_by = blocked_by, .redundancy = Redundancy::any},
       redundant_(redundant_joint(arm)),
+      volume_(arm),
       seed_(middle_configuration(arm)),
       blocked_by_(std::move(blocked_by)) {
   if (redundant_) {
@@ -111,10 +110,7 @@ void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
   has_solution_ = false;
   blocked_ = {};
-  if (redundant_ && out_of_reach(Kept<ArmDefaults>(arm_)->ball, world_T_tool, default_task(arm_),
-                                 InverseOptions{}.tolerance)) {
-    return;
-  }
+  if (volume_.excludes(world_T_tool.translation(), any_.tolerance)) return;
   if (all_ && !redundant_) {
     add_all(world_T_tool, *all_);
     // Along a self-motion, each branch is represented by one of its solutions.

@@ -6,6 +6,7 @@
 
 #include <beeline/inverse/analytic/pieper_solver.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/reach/internal/tool_volume.h>
 
 namespace beeline::internal {
 
@@ -50,6 +51,7 @@ class PoseSolver {
   /// The closed form of three axes that meet, which takes the value of the redundant joint.
   std::optional<PieperSolver> form_;
   PieperRequest loop_;
+  ToolVolume volume_;
   Configuration seed_;
   Eigen::MatrixXd found_;
   Eigen::Index count_ = 0;
