@@ -109,10 +109,26 @@ double largest_translation(const Joint& joint, const Limits& limits,
                           std::abs(coupling.ratio * limits.upper + coupling.shift));
 }
 
+/// The translations of a prismatic joint within its limits, metres: around `middle` by up to
+/// `half`, which is infinite for a joint without limits.
+struct Translations {
+  double middle = 0, half = 0;
+};
+
+Translations translations_of(const Limits& limits, const Arm::JointCoupling& coupling) {
+  if (coupling.ratio == 0) return {.middle = coupling.shift};
+  const double a = coupling.ratio * limits.lower + coupling.shift;
+  const double b = coupling.ratio * limits.upper + coupling.shift;
+  if (!std::isfinite(a - b)) return {.half = Limits::none};
+  const double middle = a + (b - a) / 2;
+  return {middle, std::max(std::abs(a - middle), std::abs(b - middle))};
+}
+
 /// The centre is a point on the first axis of rotation. A sequence of points, one on each axis of
 /// rotation, leads from there to the tool: two neighbours are fixed to one link, so their distance
-/// is constant except for the translations of joints between them. The radius is the sum of all
-/// distances and translations.
+/// is constant except for the translations of joints between them. Prismatic joints before the
+/// first axis of rotation, such as a rail, translate the whole arm: they are in the middle of their
+/// ranges. The radius is the sum of all distances and translations.
 Arm::Reach reach_ball(const Arm& arm) {
   Arm::Reach reach;
   Pose base_T_link = arm.base();
@@ -121,8 +137,15 @@ Arm::Reach reach_ball(const Arm& arm) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::JointCoupling& coupling = arm.couplings()[i];
+    const Limits& limits = arm.limits(coupling.coordinate);
     base_T_link = base_T_link * joint.offset;
-    reach.radius += largest_translation(joint, arm.limits(coupling.coordinate), coupling);
+    if (!rotates && kind(joint) == JointKind::prismatic) {
+      const Translations along = translations_of(limits, coupling);
+      base_T_link.translation() += base_T_link.linear() * joint.screw.head<3>() * along.middle;
+      reach.radius += along.half;
+      continue;
+    }
+    reach.radius += largest_translation(joint, limits, coupling);
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();

@@ -3,6 +3,7 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/model/moving_base.h>
 #include <beeline/pose/se3.h>
 
 #include <tests/random_arm.h>
@@ -61,6 +62,24 @@ TEST(Reach, IsTightForAStretchedChain) {
     const Arm arm("chain", joints);
     ASSERT_NEAR(arm.reach().radius, sum, 3e-14);
     ASSERT_NEAR(forward_kinematics(arm, Configuration::Zero(5)).translation().norm(), sum, 3e-14);
+  }
+}
+
+// A rail translates the ball of the arm on it: around the middle of its range, by half of it.
+TEST(Reach, OfAnArmOnARailIsAroundItsMiddle) {
+  testing::Random random;
+  for (int i = 0; i < 300; ++i) {
+    const Arm alone = testing::random_arm(random, random.integer(1, 6), i % 2 == 0 ? 0 : 3);
+    const double lower = random.uniform(-3, 3), length = random.uniform(0, 4);
+    const Vector3 axis = random.direction();
+    const Arm railed = with_rail(alone, axis, {.lower = lower, .upper = lower + length});
+    ASSERT_NEAR(railed.reach().radius, alone.reach().radius + length / 2, 1e-12);
+    const Vector3 centre = alone.reach().centre + (lower + length / 2) * axis;
+    ASSERT_LT((railed.reach().centre - centre).norm(), 1e-12);
+    expect_never_left(railed, random, 50);
+    const Arm based = with_mobile_base(railed, {.x = {.lower = -1, .upper = random.uniform(-1, 3)},
+                                                .y = {.lower = 2, .upper = 3}});
+    expect_never_left(based, random, 50);
   }
 }
 
