@@ -15,7 +15,6 @@ from compile_units import ROOT, check_units, closure, compile_units
 sys.path.append(str(ROOT / "tests"))
 from layers import UMBRELLA, is_public, sources  # noqa: E402
 
-WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Wno-sign-conversion", "-Werror"]
 # Half of the time goes into this one, which is compiled once, for the headers that include it.
 EIGEN = "Eigen/Core"
 
@@ -27,11 +26,11 @@ def public_headers():
 
 
 def compiler(build):
-    """The command that the build folder compiles C++ with, and where it finds Eigen."""
+    """The command that the build folder compiles C++ with: its standard, its warnings, and where it finds Eigen."""
     unit = next(unit for unit in compile_units(build) if unit["file"] == f"{ROOT}/cli/main.cpp")
     words = [word for word in shlex.split(unit["command"]) if not word.endswith("ccache")]
     places = [word for name, place in zip(words, words[1:]) if name == "-isystem" for word in (name, place)]
-    return [words[0], "-std=c++20", *WARNINGS, f"-I{ROOT}", *places]
+    return [words[0], *(word for word in words if word.startswith(("-std=", "-W"))), f"-I{ROOT}", *places]
 
 
 def main(build):
@@ -51,7 +50,8 @@ def main(build):
             return "" if done.returncode == 0 else done.stderr or f"{path}: the compiler failed\n"
 
         units = [{"file": str(path), "command": shlex.join(compile)} for path in public_headers()]
-        return int(check_units("public headers", units, EIGEN.encode(), alone))
+        version = subprocess.run([compile[0], "--version"], capture_output=True, check=True).stdout
+        return int(check_units("public headers", units, version + EIGEN.encode(), alone))
 
 
 if __name__ == "__main__":

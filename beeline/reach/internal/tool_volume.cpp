@@ -26,8 +26,8 @@ ToolVolume::ToolVolume(const Arm& arm) : planar_(arm.planar()) {
   const std::vector<Joint>& joints = arm.joints();
   Pose base_T_link = arm.base();
   std::size_t first = 0;  // joint behind the slides
-  while (!has_mimic_joint(arm) && first + 1 < joints.size() && add_slide(arm, first, base_T_link)) {
-    ++first;
+  if (!has_mimic_joint(arm)) {
+    while (first + 1 < joints.size() && add_slide(arm, first, base_T_link)) ++first;
   }
   const auto behind = joints.begin() + static_cast<std::ptrdiff_t>(first);
   ball_ = smallest_ball({arm.name(), {behind, joints.end()}, arm.tool(), base_T_link});
