@@ -3,33 +3,31 @@ import { toolPose } from "../core/pose.js";
 import { iconButton } from "../elements/button.js";
 import { element } from "../elements/element.js";
 import { reducedMotion } from "../elements/motion.js";
-import { planReport, type LineAnswer } from "../panels/motion_report.js";
+import type { LineAnswer } from "../panels/motion_report.js";
 import type { Ghost, Mark, Trail } from "../scene/picture.js";
 import type { PageState } from "../state/page_state.js";
 import { MotionPlayer } from "./motion_player.js";
+import { ReportedMotion } from "./reported_motion.js";
 import type { Services, Shown } from "./section.js";
-import { Work } from "./work.js";
 
 const same = 1e-6; // rad or m
 
 /** A joint motion around the obstacles to a goal: planned and proved when the goal is dropped, and played. */
 export class AroundMove {
   readonly root = element("section", { class: "around", "aria-label": "A way around" });
-  private readonly report = element("div", { role: "status" });
   private readonly player: MotionPlayer;
-  private readonly work: Work;
+  private readonly report: ReportedMotion;
   private readonly plan: HTMLButtonElement;
   private readonly remove: HTMLButtonElement;
   private shown: Shown | null = null;
   private trails: Trail[] = [];
-  private found: LineAnswer | null = null;
   private plannedFor = "";
   private drawn = "";
 
   constructor(private readonly services: Services) {
     const { store } = services;
     this.player = new MotionPlayer(services, null);
-    this.work = new Work(services, (reason) => this.report.replaceChildren(element("p", { class: "refusal" }, reason)));
+    this.report = new ReportedMotion(services);
     const set = iconButton("add", "Set the goal here", "The arm’s joint values become the goal", () =>
       store.set({ goal: store.get().q }),
     );
@@ -48,9 +46,9 @@ export class AroundMove {
         "Drag the arm beyond an obstacle and let go, or drag the goal: a way around is planned, proved and played.",
       ),
       element("p", { class: "pair" }, set, this.plan, this.remove),
-      this.work.root,
+      this.report.work.root,
       this.player.bar,
-      this.report,
+      this.report.root,
       this.player.root,
     );
   }
@@ -58,6 +56,7 @@ export class AroundMove {
   take(shown: Shown): void {
     this.shown = shown;
     this.player.take(shown);
+    this.report.take(shown);
     this.clear();
   }
 
@@ -66,7 +65,7 @@ export class AroundMove {
     if (changed.has("q") && !this.player.places) this.player.pause();
     if (changed.has("degrees")) {
       this.player.showCurves();
-      this.write();
+      this.report.unitsChanged();
     }
     if (this.key !== this.plannedFor) this.clear();
     const { goal } = this;
@@ -82,7 +81,7 @@ export class AroundMove {
 
   /** Another section is shown: nothing is planned any more. */
   leave(): void {
-    this.work.stop();
+    this.report.work.stop();
     this.player.pause();
   }
 
@@ -117,12 +116,11 @@ export class AroundMove {
   }
 
   private clear(): void {
-    this.work.stop();
+    this.report.work.stop();
     this.player.clear();
     this.plannedFor = this.key;
     this.trails = [];
-    this.found = null;
-    this.write();
+    this.report.show(null);
   }
 
   private async go(): Promise<void> {
@@ -133,11 +131,10 @@ export class AroundMove {
     this.draw();
     const ends = [`--from=${q.join(",")}`, `--to=${goal.join(",")}`];
     const args = ["move", "arm.json", ...ends, "--method=around", "--out=motion.csv", "--json"];
-    await this.work.run(async (progress, current) => {
+    await this.report.work.run(async (progress, current) => {
       const result = await this.services.inScene(args, {}, progress);
       if (!current()) return;
-      this.found = answer<LineAnswer>(result);
-      this.write();
+      this.report.show(answer<LineAnswer>(result));
       const csv = result.files["motion.csv"];
       if (csv === undefined) return;
       this.player.show("motion.csv", csv);
@@ -160,13 +157,5 @@ export class AroundMove {
       ? [{ pose: Array.from(toolPose(shown.arm, goal)), label: "goal", held: true }]
       : [];
     this.services.draw({ ghosts, waypoints, trails: this.trails });
-  }
-
-  private write(): void {
-    const { found, shown } = this;
-    const { degrees } = this.services.store.get();
-    const wording = { degrees, planar: shown?.arm.planar === true };
-    const joints = shown?.description.joints ?? [];
-    this.report.replaceChildren(...(found ? [planReport(found, joints, wording, this.services.unchecked())] : []));
   }
 }

@@ -2,12 +2,12 @@ import { answer } from "../core/command.js";
 import { tooLarge } from "../core/limits.js";
 import { element } from "../elements/element.js";
 import { reducedMotion } from "../elements/motion.js";
-import { exceedsLimits, planReport, type LineAnswer } from "../panels/motion_report.js";
+import { exceedsLimits, type LineAnswer } from "../panels/motion_report.js";
 import { Recorder, type Recorded } from "../panels/recorder.js";
 import type { Trail } from "../scene/picture.js";
 import { MotionPlayer } from "./motion_player.js";
+import { ReportedMotion } from "./reported_motion.js";
 import type { Services, Shown } from "./section.js";
-import { Work } from "./work.js";
 
 type PosesFile = { name: string; text: string };
 
@@ -18,13 +18,11 @@ export class Recording {
   trails: Trail[] = [];
   /** Stands beside the picture in all sections. */
   readonly light: HTMLElement;
-  private readonly report = element("div", { role: "status" });
   private readonly compare: HTMLButtonElement;
   private readonly player: MotionPlayer;
   private readonly recorder: Recorder;
-  private readonly work: Work;
+  private readonly report: ReportedMotion;
   private shown: Shown | null = null;
-  private found: LineAnswer | null = null;
   private text: { name: string; content: string } | null = null;
   /** What the report depends on: the obstacles with their clearance, and whether the line is a part of it. */
   private checkedIn = "";
@@ -40,7 +38,7 @@ export class Recording {
   ) {
     const { store } = services;
     this.player = new MotionPlayer(services, () => void this.retime());
-    this.work = new Work(services, (reason) => this.report.replaceChildren(element("p", { class: "refusal" }, reason)));
+    this.report = new ReportedMotion(services);
     this.recorder = new Recorder(
       () => store.get().q,
       (samples) => this.openRecorded(samples),
@@ -68,8 +66,8 @@ export class Recording {
           "limits of the joints.",
       ),
       element("p", { class: "pair" }, this.recorder.button, load),
-      this.work.root,
-      this.report,
+      this.report.work.root,
+      this.report.root,
       element("p", { class: "pair" }, this.compare),
       this.player.bar,
       this.player.root,
@@ -80,6 +78,7 @@ export class Recording {
     this.shown = shown;
     this.recorder.drop();
     this.player.take(shown);
+    this.report.take(shown);
     this.clear();
   }
 
@@ -95,8 +94,7 @@ export class Recording {
   update(): void {
     if (!this.text || this.services.surroundings() === this.checkedIn) return;
     const isNew = this.trails.length === 0;
-    this.found = null;
-    this.report.replaceChildren();
+    this.report.show(null);
     this.trails = this.player.trail("planned");
     this.drawn();
     void this.check(this.isCompared ? this.line() : null, isNew);
@@ -112,29 +110,28 @@ export class Recording {
 
   unitsChanged(): void {
     this.player.showCurves();
-    if (this.found) this.write(this.found);
+    this.report.unitsChanged();
   }
 
   private clear(): void {
-    this.work.stop();
+    this.report.work.stop();
     this.player.clear();
     this.text = null;
     this.compare.hidden = true;
     this.trails = [];
-    this.found = null;
-    this.report.replaceChildren();
+    this.report.show(null);
   }
 
   private async read(file: File): Promise<void> {
     const refusal = tooLarge(file);
     if (refusal !== null) {
       this.clear();
-      return this.report.replaceChildren(element("p", { class: "refusal" }, refusal));
+      return this.report.refuse(refusal);
     }
     try {
       this.open(file.name, await file.text());
     } catch (error) {
-      this.report.replaceChildren(element("p", { class: "refusal" }, `${file.name}: ${(error as Error).message}`));
+      this.report.refuse(`${file.name}: ${(error as Error).message}`);
     }
   }
 
@@ -151,7 +148,7 @@ export class Recording {
     if (!text) return;
     this.checkedIn = this.services.surroundings();
     this.isCompared = poses !== null;
-    await this.work.run(async (progress, current) => {
+    await this.report.work.run(async (progress, current) => {
       await new Promise((resolve) => setTimeout(resolve)); // the progress is drawn before a long file is read
       if (!current()) return;
       if (isNew) this.show(text.name, text.content);
@@ -165,16 +162,9 @@ export class Recording {
   }
 
   private judge(found: LineAnswer): void {
-    this.found = found;
-    this.write(found);
+    this.report.show(found);
     this.compare.hidden = this.line() === null;
     if (exceedsLimits(found)) this.draw("refused");
-  }
-
-  private write(found: LineAnswer): void {
-    const wording = { degrees: this.services.store.get().degrees, planar: this.shown?.arm.planar === true };
-    const joints = this.shown?.description.joints ?? [];
-    this.report.replaceChildren(planReport(found, joints, wording, this.services.unchecked()));
   }
 
   private draw(tone: Trail["tone"]): void {
@@ -195,7 +185,7 @@ export class Recording {
     this.player.pause();
     this.checkedIn = this.services.surroundings();
     this.isCompared = false;
-    await this.work.run(async (progress, current) => {
+    await this.report.work.run(async (progress, current) => {
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
       const result = await this.services.inScene(args, { "motion.csv": text }, progress);
       if (!current()) return;
