@@ -68,8 +68,8 @@ enum class RatesStatus {
 std::string name(RatesStatus status);
 
 struct JointRatesOptions {
-  /// The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a planar arm
-  /// also of x, y, theta such as 110; default: default_task().
+  /// The rows of the velocity: spatial, position, planar, direction, approach:xy, a mask such as
+  /// 111010, of a planar arm also 110 for x and y; default: default_task().
   std::optional<Task> task = std::nullopt;
   /// Frame of the velocity, as for jacobian(); default: the task's frame.
   std::optional<Frame> frame = std::nullopt;
