@@ -1,7 +1,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/jacobian_frame.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/model/internal/chain.h>
+#include <beeline/model/internal/mimic_joints.h>
 
 namespace beeline {
 namespace {
@@ -77,8 +77,6 @@ Pose joint_columns(const Arm& arm, const ConfigurationRef& q, Jacobian& columns)
   return world_T_tool;
 }
 
-bool has_mimic_joints(const Arm& arm) { return !internal::chain_angles_of(arm).in_order; }
-
 void check_columns(const Arm& arm, const char* what, Eigen::Index columns, Eigen::Index wanted) {
   if (columns == wanted) return;
   throw Error("the " + std::string(what) + " of arm " + arm.name() + " has " +
@@ -91,7 +89,7 @@ Pose jacobian_derivative(const Arm& arm, const ConfigurationRef& q, const Config
                          Eigen::Ref<Jacobian> derivative, Frame frame) {
   check_configuration(arm, dq);
   check_columns(arm, "Jacobian", derivative.cols(), arm.dof());
-  if (!has_mimic_joints(arm)) {
+  if (!internal::has_mimic_joints(arm)) {
     const Pose world_T_tool = jacobian(arm, q, derivative);
     differentiate(
         world_T_tool, frame, [&](Eigen::Index i) { return dq[i]; }, derivative);
@@ -125,7 +123,7 @@ Pose hessian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> col
   const Eigen::Index n = arm.dof();
   check_columns(arm, "Hessian", derivatives.cols(), n * n);
   const Pose world_T_tool = jacobian(arm, q, columns);
-  if (!has_mimic_joints(arm)) {
+  if (!internal::has_mimic_joints(arm)) {
     for (Eigen::Index k = 0; k < n; ++k) {
       for (Eigen::Index i = 0; i < n; ++i) {
         derivatives.col(k * n + i) = second_derivative(world_T_tool, frame, columns, i, k);
