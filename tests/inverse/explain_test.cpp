@@ -4,8 +4,8 @@
 
 #include <beeline/batch/batch.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/solve.h>
+#include <beeline/inverse/internal/tool_volume.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>

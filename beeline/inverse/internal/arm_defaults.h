@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/internal/tool_volume.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/kinematics/internal/tool_plane.h>
 #include <beeline/model/internal/kept.h>
@@ -18,7 +19,7 @@ struct ArmDefaults {
   Configuration middle;            ///< the default seed
   Configuration ones;              ///< the default weights
   std::optional<ToolPlane> plane;  ///< the plane in which poses for the default task must be
-  Arm::Reach ball;                 ///< ball_of_tool()
+  ToolVolume volume;
 
   using Key = OnlyKey;
   static constexpr SharedBy shared_by = SharedBy::copies;

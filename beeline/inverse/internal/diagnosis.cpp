@@ -267,9 +267,7 @@ std::optional<InverseStatus> status_by_position(SolverState& state, const Reques
 
 std::optional<InverseStatus> status_without_nearest(SolverState& state, const Request& request,
                                                     const UnconstrainedResult& evidence) {
-  if (out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance)) {
-    return InverseStatus::unreachable;
-  }
+  if (is_out_of_reach(state, request)) return InverseStatus::unreachable;
   if (evidence.violation) {
     return evidence.violation->of_orientation ? std::nullopt
                                               : std::optional(InverseStatus::unreachable);
@@ -294,8 +292,7 @@ void set_unexplained(const Request& request, InverseStatus status, StageResult& 
 
 void diagnose(SolverState& state, const Request& request, StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
-  const bool proved = evidence.violation || out_of_reach(state.defaults->ball, request.goal,
-                                                         request.task, request.tolerance);
+  const bool proved = evidence.violation || is_out_of_reach(state, request);
   const bool outside = evidence.least_outside && evidence.excess > 0;
   if (!request.budget.complete() && !proved && !(outside && evidence.complete)) {
     const Configuration& met = state.search().nearest.q;

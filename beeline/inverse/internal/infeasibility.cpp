@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <beeline/error.h>
@@ -16,8 +15,6 @@ namespace {
 /// rotations. Its effect over the length of the arm is added to the tolerance, so that
 /// infeasibility remains proved.
 constexpr double parallel = 1e-12;
-
-constexpr double rounding = 1e-12;  // more than the rounding error of a length, relative
 
 bool rows(const Task& task, std::size_t first) {
   return task.rows[first] && task.rows[first + 1] && task.rows[first + 2];
@@ -35,40 +32,6 @@ std::vector<Twist> screws(const Arm& arm) {
 }
 
 bool rotates(const Twist& screw) { return !screw.tail<3>().isZero(0); }
-
-/// A point of an axis of rotation.
-struct AxisPoint {
-  Vector3 axis, point;
-
-  /// Moves the point along the axis to where the sum of its distances from two points is least:
-  /// rotated about the axis into a plane with it, on opposite sides, they are connected by a
-  /// straight line.
-  void move_between(const Vector3& a, const Vector3& b) {
-    const double along_a = axis.dot(a - point), along_b = axis.dot(b - point);
-    const double from_a = axis.cross(a - point).norm(), from_b = axis.cross(b - point).norm();
-    const double apart = from_a + from_b;
-    const double along = apart > 0 ? (along_a * from_b + along_b * from_a) / apart : along_a;
-    point += along * axis;
-  }
-};
-
-/// Moves the points along their axes so that the way from the first one over the others to the tool
-/// is short, and returns its length. Neighbours are fixed to one link, so their distance is
-/// constant and the length is a bound for any choice of the points.
-double shortest_way(std::vector<AxisPoint>& axes, const Vector3& tool) {
-  constexpr int rounds = 30;
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = axes.size(); i-- > 0;) {
-      const Vector3& next = i + 1 < axes.size() ? axes[i + 1].point : tool;
-      axes[i].move_between(i > 0 ? axes[i - 1].point : next, next);
-    }
-  }
-  double length = 0;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    length += ((i + 1 < axes.size() ? axes[i + 1].point : tool) - axes[i].point).norm();
-  }
-  return length;
-}
 
 /// Checks the invariants of an arm whose joint axes are all parallel to `axis`. No joint changes
 /// the tilt relative to the axis, and none changes the height unless one moves along the axis.
@@ -139,31 +102,6 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
 }
 
 }  // namespace
-
-Arm::Reach ball_of_tool(const Arm& arm) {
-  Arm::Reach ball{.radius = std::numeric_limits<double>::infinity()};
-  const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
-  std::vector<AxisPoint> axes;
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    if (arm.couplings()[i].ratio == 0) continue;
-    if (kind(arm.joints()[i]) != JointKind::revolute) return ball;
-    const Twist screw = adjoint(world_T_link[i + 1], arm.joints()[i].screw);
-    const Vector3 axis = screw.tail<3>();
-    axes.push_back({axis, axis.cross(screw.head<3>())});
-  }
-  const Vector3 tool = forward_kinematics(arm, Configuration::Zero(arm.dof())).translation();
-  ball.radius = shortest_way(axes, tool) * (1 + rounding);
-  ball.centre = axes.empty() ? tool : axes.front().point;
-  return ball;
-}
-
-bool out_of_reach(const Arm::Reach& ball, const Pose& world_T_tool, const Task& task,
-                  double tolerance) {
-  const Vector3 offset = world_T_tool.translation() - ball.centre;
-  if (rows(task, 0)) return offset.norm() - ball.radius > tolerance;
-  return task.frame != Frame::tool &&
-         masked_position(task, offset).norm() - ball.radius > tolerance;
-}
 
 std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
                                                  const Task& task, double tolerance) {

@@ -13,14 +13,6 @@ struct Infeasibility {
   Reason reason;
 };
 
-/// Returns a ball that the tool never leaves, with or without joint limits; smaller than
-/// Arm::reach(). The radius is infinite if a joint that moves is not revolute.
-Arm::Reach ball_of_tool(const Arm& arm);
-
-/// Whether the pose is outside ball_of_tool(), so that no search is needed.
-bool out_of_reach(const Arm::Reach& ball, const Pose& world_T_tool, const Task& task,
-                  double tolerance);
-
 /// Whether the pose violates an invariant of the tool's motion. If all axes are parallel, the
 /// invariants are the tilt relative to the axes and, if no joint moves along them, the height. If
 /// all joints are prismatic, they are the orientation and the components of the position outside

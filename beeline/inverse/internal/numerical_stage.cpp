@@ -220,12 +220,15 @@ bool solve_from_outside(SolverState& state, const Request& request, const LeastO
 
 void solve_numerical(SolverState& state, const Request& request, StageResult& found) {
   const bool first = found.solutions->empty(), all = request.options.all;
+  const bool may_be_within = !is_out_of_reach_within_bounds(state, request);
   // If one solution is requested, the branch of the seed is tried first.
-  if (!all && !request.quick) solve_from_seed(request, found);
+  if (!all && !request.quick && may_be_within) solve_from_seed(request, found);
   if (request.quick && !all) {
-    search_quickly(state, request, found);
+    if (may_be_within) search_quickly(state, request, found);
   } else if (all || found.solutions->empty()) {
-    search(state, request, search_within_bounds(state), request.options.max_restarts, all, found);
+    if (may_be_within) {
+      search(state, request, search_within_bounds(state), request.options.max_restarts, all, found);
+    }
     if (found.solutions->empty() && any_finite(request.bounds) && !found.unconstrained.complete &&
         !request.budget.ended()) {
       // More restarts find more postures, but most requests in this stage have no solution.

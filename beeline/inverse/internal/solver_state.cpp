@@ -1,6 +1,5 @@
 #include <beeline/error.h>
 #include <beeline/inverse/internal/analytic_family.h>
-#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/internal/solver_state.h>
 #include <beeline/inverse/internal/stages.h>
@@ -13,7 +12,7 @@ ArmDefaults ArmDefaults::make(const Arm& arm, const Key&) {
           middle_configuration(arm),
           Configuration::Ones(arm.dof()),
           ToolPlane::required(arm, std::nullopt),
-          ball_of_tool(arm)};
+          ToolVolume(arm)};
 }
 
 std::size_t ArmDefaults::heap_bytes() const {
@@ -63,6 +62,16 @@ SearchResult& SolverState::search() {
 
 void SolverState::reset_search() {
   if (scratch) (*scratch)->result.iterations = (*scratch)->result.restarts = 0;
+}
+
+bool is_out_of_reach(const SolverState& state, const Request& request) {
+  return state.defaults->volume.excludes(request.goal, request.task, request.tolerance,
+                                         /*ignore_limits=*/true);
+}
+
+bool is_out_of_reach_within_bounds(const SolverState& state, const Request& request) {
+  return state.defaults->volume.excludes(request.goal, request.task, request.tolerance,
+                                         state.options.ignore_limits);
 }
 
 const NumericalProblem& problem_within_bounds(SolverState& state) {

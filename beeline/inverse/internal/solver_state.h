@@ -11,6 +11,7 @@
 namespace beeline::internal {
 
 struct AnalyticFamily;
+struct Request;
 
 /// The memory of a request's searches, which a thread uses again.
 struct SearchScratch {
@@ -63,6 +64,12 @@ struct SolverState {
   int iterations() const { return scratch ? (*scratch)->result.iterations : 0; }
   void reset_search();
 };
+
+/// Whether it is proved that no configuration reaches the request's position, within limits or not.
+bool is_out_of_reach(const SolverState& state, const Request& request);
+
+/// Whether it is proved that no configuration within state.bounds reaches the request's position.
+bool is_out_of_reach_within_bounds(const SolverState& state, const Request& request);
 
 /// The problem of the searches within state.bounds.
 const NumericalProblem& problem_within_bounds(SolverState& state);

@@ -47,10 +47,6 @@ void check_invariants(const Request& request, StageResult& found) {
   evidence.complete = evidence.branches_complete = evidence.violation.has_value();
 }
 
-bool in_reach(const SolverState& state, const Request& request) {
-  return !out_of_reach(state.defaults->ball, request.goal, request.task, request.tolerance);
-}
-
 /// Whether a search may find solutions that are missing.
 bool needs_search(const SolverState& state, const Request& request, StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
@@ -60,7 +56,7 @@ bool needs_search(const SolverState& state, const Request& request, StageResult&
   const bool proved =
       evidence.range_examined || (evidence.complete && !(evidence.continuum && none));
   return missing && !proved && state.options.method != InverseMethod::closed_form &&
-         in_reach(state, request);
+         !is_out_of_reach(state, request);
 }
 
 /// Adds the solutions of the family, and replaces the evidence by its own.
@@ -141,7 +137,7 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
   if (seed_solves && !options.all) return false;
   UnconstrainedResult& evidence = found.unconstrained;
   const bool searches = state.family == nullptr || !request.finitely_many();
-  if (searches && !in_reach(state, request)) return state.family && !options.pose_tolerance;
+  if (searches && is_out_of_reach(state, request)) return state.family && !options.pose_tolerance;
   if (state.family != nullptr) run_family(*state.family, state, request, found);
   const bool none = found.solutions->empty();
   if (searches && none && !evidence.range_examined) solve_numerical(state, request, found);

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include <beeline/inverse/internal/arm_defaults.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/reach/internal/pose_solver.h>
@@ -41,7 +42,7 @@ PoseSolver::PoseSolver(const Arm& arm, int redundant_values, BlockedBy blocked_b
       any_{.task = default_task(arm), .redundancy = Redundancy::any},
       any_free_{.task = default_task(arm), .blocked_by = blocked_by, .redundancy = Redundancy::any},
       redundant_(redundant_joint(arm)),
-      volume_(arm),
+      volume_(Kept<ArmDefaults>(arm)->volume),
       seed_(middle_configuration(arm)),
       blocked_by_(std::move(blocked_by)) {
   if (redundant_) {
@@ -110,7 +111,9 @@ void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
   has_solution_ = false;
   blocked_ = {};
-  if (volume_.excludes(world_T_tool.translation(), any_.tolerance)) return;
+  if (volume_.excludes(world_T_tool, *any_.task, any_.tolerance,
+                       /*ignore_limits=*/false))
+    return;
   if (all_ && !redundant_) {
     add_all(world_T_tool, *all_);
     // Along a self-motion, each branch is represented by one of its solutions.

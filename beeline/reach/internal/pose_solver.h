@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/internal/tool_volume.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/reach/internal/tool_volume.h>
 
 namespace beeline::internal {
 
