@@ -100,25 +100,21 @@ bool rather_in_degrees(const Limits& limits, double angle) {
          angle * degree <= limits.upper;
 }
 
-/// The largest |d| of the link along the joint's axis within its limits, metres.
-double largest_translation(const Joint& joint, const Limits& limits,
-                           const Arm::JointCoupling& coupling) {
-  const double along = kind(joint) == JointKind::prismatic ? 1 : std::abs(pitch(joint));
-  if (along == 0 || coupling.ratio == 0) return along * std::abs(coupling.shift);
-  return along * std::max(std::abs(coupling.ratio * limits.lower + coupling.shift),
-                          std::abs(coupling.ratio * limits.upper + coupling.shift));
-}
-
-/// The translations of a prismatic joint within its limits, metres: around `middle` by up to
-/// `half`, which is infinite for a joint without limits.
+/// The translations of a link along its joint's axis within the limits, metres: around `middle` by
+/// up to `half`, which is infinite for a joint without limits.
 struct Translations {
   double middle = 0, half = 0;
+
+  double largest() const { return std::abs(middle) + half; }
 };
 
-Translations translations_of(const Limits& limits, const Arm::JointCoupling& coupling) {
-  if (coupling.ratio == 0) return {.middle = coupling.shift};
-  const double a = coupling.ratio * limits.lower + coupling.shift;
-  const double b = coupling.ratio * limits.upper + coupling.shift;
+Translations translations_of(const Joint& joint, const Limits& limits,
+                             const Arm::JointCoupling& coupling) {
+  const double along = kind(joint) == JointKind::prismatic ? 1 : pitch(joint);
+  if (along == 0) return {};
+  if (coupling.ratio == 0) return {.middle = along * coupling.shift};
+  const double a = along * (coupling.ratio * limits.lower + coupling.shift);
+  const double b = along * (coupling.ratio * limits.upper + coupling.shift);
   if (!std::isfinite(a - b)) return {.half = Limits::none};
   const double middle = a + (b - a) / 2;
   return {middle, std::max(std::abs(a - middle), std::abs(b - middle))};
@@ -137,15 +133,14 @@ Arm::Reach reach_ball(const Arm& arm) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::JointCoupling& coupling = arm.couplings()[i];
-    const Limits& limits = arm.limits(coupling.coordinate);
+    const Translations along = translations_of(joint, arm.limits(coupling.coordinate), coupling);
     base_T_link = base_T_link * joint.offset;
     if (!rotates && kind(joint) == JointKind::prismatic) {
-      const Translations along = translations_of(limits, coupling);
       base_T_link.translation() += base_T_link.linear() * joint.screw.head<3>() * along.middle;
       reach.radius += along.half;
       continue;
     }
-    reach.radius += largest_translation(joint, limits, coupling);
+    reach.radius += along.largest();
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();
