@@ -218,7 +218,6 @@ void begin_with_recovery(const Arm& arm, const Trajectory& section, const Route&
 PathMotion recovering_motion(const Arm& arm, const Configuration& start, const Route& route,
                              const PathMotionOptions& options, BudgetMeter& budget) {
   constexpr double planned = 0.9;  // of the progress
-  const auto most = static_cast<std::size_t>(options.max_samples);
   PathMotion motion;
   const Retimed section = recovery_section(arm, start, timing_options(options), budget);
   const bool too_many = section.reason.code == ReasonCode::too_many_samples_at_rate;
@@ -227,20 +226,18 @@ PathMotion recovering_motion(const Arm& arm, const Configuration& start, const R
                 section.reason, budget, motion);
     return motion;
   }
-  if (section.trajectory.size() >= most) {
-    set_refused(MotionStatus::too_many_samples,
-                {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}}, budget, motion);
+  SamplesBehind behind = samples_behind(section.trajectory, options.max_samples);
+  if (behind.reason) {
+    set_refused(MotionStatus::too_many_samples, std::move(behind.reason), budget, motion);
     return motion;
   }
   PathMotionOptions after = options;
   after.duration.reset();
-  after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+  after.max_samples = behind.max_samples;
   after.budget = budget.part(0, planned);
   BudgetMeter planning(after.budget);
   motion = planned_or_suggestions(arm, section.trajectory.positions.back(), route, after, planning);
-  for (const ReasonField field : {ReasonField::max_samples, ReasonField::more_samples}) {
-    if (motion.reason.has(field)) motion.reason.set(field, most);
-  }
+  set_max_samples(options.max_samples, motion.reason);
   if (motion) begin_with_recovery(arm, section.trajectory, route, options, budget, motion);
   if (motion) budget.report(1);
   return motion;

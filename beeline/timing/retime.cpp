@@ -154,23 +154,22 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
     if (section.trajectory.size() > 0) section.recovery = recovery_of(arm, section.trajectory);
     return section;
   }
-  const auto most = static_cast<std::size_t>(options.max_samples);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
   if (moves(trajectory)) {
     RetimeOptions after = options;
     after.duration.reset();
     if (options.rate > 0) {
-      if (section.trajectory.size() >= most) {
-        timed.reason = {ReasonCode::too_many_samples, {{ReasonField::max_samples, most}}};
+      internal::SamplesBehind behind =
+          internal::samples_behind(section.trajectory, options.max_samples);
+      if (behind.reason) {
+        timed.reason = std::move(behind.reason);
         return internal::without_motion(std::move(timed));
       }
-      after.max_samples -= static_cast<int>(section.trajectory.size()) - 1;
+      after.max_samples = behind.max_samples;
     }
     timed = retimed_positions(arm, trajectory, after, budget);
-    if (timed.reason.has(ReasonField::max_samples)) {
-      timed.reason.set(ReasonField::max_samples, most);
-    }
+    internal::set_max_samples(options.max_samples, timed.reason);
     if (!timed && timed.ending == Ending::complete) return timed;
     if (timed.trajectory.size() == 0) {
       timed.trajectory = section.trajectory;
