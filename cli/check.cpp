@@ -221,7 +221,7 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
   const auto recovery = accepted_recovery(arm, trajectory, options.recover);
-  const Pose begin = forward_kinematics(arm, trajectory.positions[recovery ? recovery->sample : 0]);
+  const Pose begin = forward_kinematics(arm, trajectory.positions[begin_of_path(recovery)]);
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }

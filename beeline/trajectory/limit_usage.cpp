@@ -58,6 +58,10 @@ Configuration nearest_within_limits(const Arm& arm, const ConfigurationRef& q) {
   return nearest;
 }
 
+std::size_t begin_of_path(const std::optional<Recovery>& recovery) {
+  return recovery ? recovery->sample : 0;
+}
+
 std::optional<Recovery> recovery_of(const Arm& arm, const Trajectory& given) {
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) return std::nullopt;

@@ -57,6 +57,10 @@ struct Recovery {
 /// proves that the excess falls between the samples too. Throws Error as matched_to() does.
 std::optional<Recovery> recovery_of(const Arm& arm, const Trajectory& trajectory);
 
+/// Returns the index of the sample at which the path of a motion begins: the last one of its
+/// recovery, without one the first.
+std::size_t begin_of_path(const std::optional<Recovery>& recovery);
+
 /// Returns the recovery of a trajectory whose path begins after it: recovery_of(), if its excess is
 /// at most `recover`, the option of verify(), to rounding. Throws Error as verify() does for
 /// `recover`.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include <beeline/trajectory/limit_usage.h>
 
@@ -21,11 +20,6 @@ double largest_excess(const Arm& arm, const ConfigurationRef& q);
 /// Whether a motion must recover from this excess, and may, to rounding.
 constexpr bool may_recover(double excess, double recover) {
   return excess > position_slack && excess <= recover + position_slack;
-}
-
-/// Returns the sample at which the path of a motion begins: the last one of its recovery.
-inline std::size_t begin_of_path(const std::optional<Recovery>& recovery) {
-  return recovery ? recovery->sample : 0;
 }
 
 /// Returns whether a motion that starts at q must recover: whether q exceeds the position limits by
