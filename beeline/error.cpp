@@ -68,10 +68,12 @@ std::string located(std::string_view path, int line, std::string_view message) {
   return text.append(": ").append(message);
 }
 
-/// Returns the position of a name in a message; npos if a long message was cut before it.
-std::size_t position_of(std::string_view name, std::size_t position, std::string_view message) {
-  const bool whole = position <= message.size() && message.substr(position).starts_with(name);
-  return whole ? position : std::string::npos;
+/// Returns the position of a name behind `before` in a message; npos if a long message is cut off
+/// before the name's end.
+std::size_t position_behind(std::string_view before, std::size_t offset, std::string_view name) {
+  const std::size_t position = internal::one_line(before).size() + offset;
+  const bool is_whole = position + name.size() <= internal::max_message_bytes;
+  return is_whole ? position : std::string::npos;
 }
 
 /// Returns the first `bytes` bytes, fewer if they would end within a UTF-8 character.
@@ -88,7 +90,7 @@ Error::Error(const std::string& message) : std::runtime_error(internal::one_line
 Error::Error(std::string_view before, std::string_view argument, std::string_view after)
     : Error(std::string(before).append(argument).append(after)) {
   argument_ = argument;
-  position_ = position_of(argument_, internal::one_line(before).size(), what());
+  position_ = position_behind(before, 0, argument_);
 }
 
 Error Error::of(std::string_view argument, const std::string& message) {
@@ -100,10 +102,7 @@ Error Error::of(std::string_view argument, const std::string& message) {
 Error Error::behind(std::string_view text) const {
   Error error(std::string(text) + what());
   error.argument_ = argument_;
-  if (names_argument()) {
-    error.position_ =
-        position_of(argument_, internal::one_line(text).size() + position_, error.what());
-  }
+  if (names_argument()) error.position_ = position_behind(text, position_, argument_);
   return error;
 }
 

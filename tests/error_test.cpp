@@ -46,6 +46,25 @@ TEST(Error, OfAnArgumentInALongMessageIsWorded) {
   EXPECT_LT(cut.message_for("--rate").size(), 1000u);
 }
 
+// A name at the end of what a message keeps is replaced as a whole, or not at all.
+TEST(Error, OfAnArgumentThatIsCutOffDoesNotNameIt) {
+  int named = 0, cut = 0;
+  for (std::size_t before = 880; before < 910; ++before) {
+    const std::string text(before, 'x');
+    const Error error(text, "rate", " is bad");
+    const Error behind = Error("", "rate", " is bad").behind(text);
+    for (const Error& each : {error, behind}) {
+      const bool is_whole = std::string_view(each.what()).starts_with(text + "rate");
+      EXPECT_EQ(each.names_argument(), is_whole) << before;
+      ++(is_whole ? named : cut);
+      const std::string begin = is_whole ? text + "--rate" : "--rate: xxx";
+      EXPECT_TRUE(each.message_for("--rate").starts_with(begin)) << before;
+    }
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_GT(cut, 0);
+}
+
 TEST(FileError, BeginsWithPathAndLineAsCompilersDo) {
   EXPECT_STREQ(FileError("a.urdf", 12, "bad").what(), "a.urdf:12: bad");
   EXPECT_STREQ(FileError("a.urdf", 0, "bad").what(), "a.urdf: bad");

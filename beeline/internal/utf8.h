@@ -31,8 +31,11 @@ constexpr bool continues_character(char byte) {
 /// Whether a byte is an ASCII control character.
 bool is_control(char c);
 
+/// The length of a message of an error, at about which it is cut off.
+inline constexpr std::size_t max_message_bytes = 900;
+
 /// Returns `text` as one line of UTF-8 of about `max_bytes` at most: a control character becomes a
 /// space, a byte that is not UTF-8 a question mark, and what is cut off `...`.
-std::string one_line(std::string_view text, std::size_t max_bytes = 900);
+std::string one_line(std::string_view text, std::size_t max_bytes = max_message_bytes);
 
 }  // namespace beeline::internal
