@@ -170,6 +170,7 @@ enum class ReasonField {
   upper,
   is_upper,  ///< whether the limit is the upper one
   limit,
+  angle_limit,  ///< max deviation of the orientation, where `limit` is the position's
   excess,
   quantity,  ///< position, velocity, acceleration or jerk
   use,       ///< value as a fraction of the limit

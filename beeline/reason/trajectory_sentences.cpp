@@ -65,8 +65,8 @@ std::string jump(const ReasonText& reason) {
 /// "; its blend allows 0.02 m and 0.1 rad, and joint elbow is 0.5 rad from the waypoint's value".
 std::string beyond_blend(const ReasonText& reason) {
   if (!reason.has(limit)) return "";
-  std::string text =
-      "; its blend allows " + reason.number(limit) + " m and " + reason.number(upper) + " rad";
+  std::string text = "; its blend allows " + reason.number(limit) + " m and " +
+                     reason.number(angle_limit) + " rad";
   if (!reason.has(joint)) return text;
   return text + ", and joint " + reason.text(joint) + " is " + reason.number(error) + " " +
          reason.text(unit) + " from the waypoint's value";

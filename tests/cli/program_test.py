@@ -243,6 +243,7 @@ def test_joint_moves_and_lines_blend(beeline, written, tmp_path, options):
     written("far.csv", PASSING.replace("10,-20,0,-120,0,100,45", "10,-20,0,-120,0,100,95"))
     far = beeline(*check, "far.csv", "m.csv", "--json").json
     assert far["fields"]["move"] == 4 and far["fields"]["joint"] == "joint7" and far["fields"]["limit"] == 0.05
+    assert far["fields"]["angle_limit"] == 0.25 and "upper" not in far["fields"]
     assert 0.5 < far["fields"]["error"] < 1
     assert "and joint joint7 is 0." in beeline(*check, "far.csv", "m.csv").err
 

@@ -11,7 +11,7 @@ Fields near_its_limit() {
 
 Said off_beyond_blend() {
   using enum ReasonField;
-  const Fields blend = with(of_joint, {{limit, 0.02}, {upper, 0.1}, {error, 0.5}});
+  const Fields blend = with(of_joint, {{limit, 0.02}, {angle_limit, 0.1}, {error, 0.5}});
   return {{ReasonCode::off_path, with(with(off, {{segment_name, "line 1"}}), blend)},
           "the tool is off line 1 by " + by_both +
               "; its blend allows 0.02 m and 0.1 rad, and joint j2 is 0.5 rad from the waypoint's "

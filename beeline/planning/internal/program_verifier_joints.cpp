@@ -118,7 +118,7 @@ bool ProgramVerifier::fail_to_pass(std::size_t move, std::size_t first, const Li
   if (passed) return fail(Fault::deviation, nearest, std::move(reason));
   if (least <= 1) return fail(Fault::not_through, nearest, std::move(reason));
   const Deviation most = blend_deviation(goal);
-  reason.set(ReasonField::limit, most.position).set(ReasonField::upper, most.orientation);
+  reason.set(ReasonField::limit, most.position).set(ReasonField::angle_limit, most.orientation);
   double largest = 1;
   for (int i = 0; goal.q && i < arm_.dof(); ++i) {
     const double error = std::abs(trajectory_.positions[nearest][i] - (*goal.q)[i]);
