@@ -103,8 +103,7 @@ ArmShapes ArmArgument::shapes(ShapeOptions options) const {
   options.srdf = srdf;
   ArmShapes read = read_arm_shapes(text, ends(), options);
   if (!read.links_with_planes.empty()) {
-    warn(text + ": planes are obstacles, not shapes of the arm; they are left out of " +
-         listed(read.links_with_planes) + ", and a scene may have a half_space for each");
+    warn(planes_note(text, read.links_with_planes));
   }
   read.links = behind_joints(std::move(read.links), moving_base.joints(), read.standing);
   return read;

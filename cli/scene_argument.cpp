@@ -233,7 +233,7 @@ void warn_about(const CheckedScene& scene, const std::vector<std::string>& far) 
     warn("links without shapes are not checked: " + listed(scene.links_without_shapes));
   }
   for (const auto& [path, links] : scene.scenes_without_shapes) {
-    warn(path + ": links with <visual> and without <collision> are no obstacles: " + listed(links));
+    warn(visual_links_note(path, links));
   }
 }
 

@@ -152,14 +152,7 @@ void write_out(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
   } else if (!shapes.empty()) {
     warn(arguments.out + " has no shapes of the links; a .json file has them");
   }
-  if (!file.without_rates.empty()) {
-    warn(arguments.out + " has no limits of velocity, acceleration and jerk, as MJCF has none: " +
-         listed(file.without_rates));
-  }
-  if (!file.tip.empty()) {
-    warn(arguments.out + " ends with the joints of a gripper; --tip " + shell_word(file.tip) +
-         " reads them too");
-  }
+  for (const std::string& note : file_notes(file, arguments.out, OptionStyle::command)) warn(note);
   warn_of_lost_parts(arguments);
   write_file(arguments.out, file.text);
 }

@@ -70,8 +70,7 @@ void bind_scene(nb::module_& m) {
             Value<std::vector<std::string>>::from(moving_frames, "moving_frames");
         Scene cell = read_scene(file, options);
         if (!cell.links_without_shapes.empty()) {
-          warn_of_input(file + ": links with <visual> and without <collision> are no obstacles: " +
-                        listed(cell.links_without_shapes));
+          warn_of_input(visual_links_note(file, cell.links_without_shapes));
         }
         return cell;
       },
@@ -119,8 +118,7 @@ void bind_shape_files(nb::module_& m) {
         const std::string path = path_from(source, "source");
         ArmShapes read = read_arm_shapes(path, {end(base, "base"), end(tip, "tip")}, options);
         if (!read.links_with_planes.empty()) {
-          warn_of_input(path + ": planes are obstacles and no shapes of the arm; they are left " +
-                        "out of " + listed(read.links_with_planes));
+          warn_of_input(planes_note(path, read.links_with_planes));
         }
         return read;
       },

@@ -16,24 +16,16 @@ struct Fields<DhTable> : Members<&DhTable::convention, &DhTable::base, &DhTable:
 
 namespace {
 
-/// The text of a format. Throws Error, which names all gaps, and issues warnings of what the text
-/// does not say.
-std::string text_of(const Arm& arm, ArmFileFormat format) {
+/// The text of a format, which messages call `where`. Throws Error, which names all gaps, and
+/// issues warnings of what the text does not say.
+std::string text_of(const Arm& arm, ArmFileFormat format, const std::string& where = "the text") {
   const ArmFile file = arm_file(arm, format);
   std::string reasons;
   for (const ArmGap& gap : file.gaps) {
     reasons += (reasons.empty() ? "" : "; ") + sentence(gap, format);
   }
   if (!file) throw Error("the arm is not written: " + reasons);
-  if (!file.without_rates.empty()) {
-    warn_of_input(
-        "MJCF has no limits of velocity, acceleration and jerk; they are not written of " +
-        listed(file.without_rates));
-  }
-  if (!file.tip.empty()) {
-    warn_of_input("the arm ends with the joints of a gripper; tip=\"" + file.tip +
-                  "\" reads them too");
-  }
+  for (const std::string& note : file_notes(file, where)) warn_of_input(note);
   return file.text;
 }
 
@@ -62,7 +54,7 @@ void bind_written_arms(nb::module_& m, nb::class_<Arm>& arm) {
       arm,
       [](const Arm& self, nb::handle path) {
         const std::string file = path_from(path, "path");
-        write_file(file, text_of(self, arm_file_format(file)));
+        write_file(file, text_of(self, arm_file_format(file), file));
       },
       save, nb::arg("path"));
   Signature table("dh_table", "DhTable", comment("dh_table"));

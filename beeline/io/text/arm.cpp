@@ -125,6 +125,10 @@ std::string name(ElementFault fault) {
   return names.of(fault);
 }
 
+std::string internal::tip_option(const std::string& tip, OptionStyle style) {
+  return style == OptionStyle::command ? "--tip " + shell_word(tip) : "tip=\"" + tip + "\"";
+}
+
 std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
   const bool command = style == OptionStyle::command;
   const std::string dashes = command ? "--" : "";
@@ -138,9 +142,7 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
              dashes + "tip selects another";
     case ReadWarningKind::before_gripper:
       return "the tip is " + warning.link + ", before joint " + warning.joint +
-             ", which moves a gripper; " +
-             (command ? "--tip " + shell_word(listed(warning.others))
-                      : "tip=\"" + listed(warning.others) + "\"") +
+             ", which moves a gripper; " + tip_option(listed(warning.others), style) +
              " includes it";
     case ReadWarningKind::below_free_joint:
       return "the base is " + warning.link + ", below joint " + warning.joint +

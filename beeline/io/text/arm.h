@@ -237,6 +237,12 @@ struct ArmFile {
 /// arm_to_json().
 ArmFile arm_file(const Arm& arm, ArmFileFormat format);
 
+/// Returns sentences without a full stop about what the text lacks and which option reads the arm
+/// from it, such as `ur5.xml has no limits of velocity, acceleration and jerk, as MJCF has none:
+/// joint1`. `where` names the text, such as the path of its file.
+std::vector<std::string> file_notes(const ArmFile& file, const std::string& where,
+                                    OptionStyle style = OptionStyle::keyword);
+
 /// Writes arm_file() in the format of the path's ending. Throws Error for a gap, another ending and
 /// invalid names, and FileError when the file cannot be written.
 void write_arm(const std::string& path, const Arm& arm);

@@ -6,6 +6,7 @@
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/arm_tree.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/urdf.h>
 
 namespace beeline {
@@ -84,6 +85,21 @@ ArmFile arm_file(const Arm& arm, ArmFileFormat format) {
   }
   file.tip = needed_tip(arm, file.text, tree.links.back().name);
   return file;
+}
+
+std::vector<std::string> file_notes(const ArmFile& file, const std::string& where,
+                                    OptionStyle style) {
+  std::vector<std::string> notes;
+  if (!file.without_rates.empty()) {
+    notes.push_back(where +
+                    " has no limits of velocity, acceleration and jerk, as MJCF has none: " +
+                    listed(file.without_rates));
+  }
+  if (!file.tip.empty()) {
+    notes.push_back(where + " ends with the joints of a gripper; " +
+                    internal::tip_option(file.tip, style) + " reads them too");
+  }
+  return notes;
 }
 
 void write_arm(const std::string& path, const Arm& arm) {

@@ -123,6 +123,11 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   return {};
 }
 
+std::string planes_note(const std::string& path, const std::vector<std::string>& links) {
+  return path + ": planes are obstacles, not shapes of the arm; they are left out of " +
+         listed(links) + ", and a scene may have a half_space for each";
+}
+
 std::vector<LinkShapes> behind_joints(std::vector<LinkShapes> links, std::size_t joints,
                                       const std::vector<std::string>& standing) {
   if (joints > internal::max_joints) {

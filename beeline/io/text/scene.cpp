@@ -138,6 +138,10 @@ Scene read_scene(const std::string& path, const ShapeOptions& options) {
   return scene_from_text(read_file(path), path, options);
 }
 
+std::string visual_links_note(const std::string& path, const std::vector<std::string>& links) {
+  return path + ": links with <visual> and without <collision> are no obstacles: " + listed(links);
+}
+
 std::string scene_to_json(const Scene& scene) {
   std::string text = "{\n  \"obstacles\": [";
   bool first = true;

@@ -98,6 +98,9 @@ Scene scene_from_json(std::string_view text, const std::string& path);
 Scene scene_from_urdf(std::string_view text, const std::string& path,
                       const ShapeOptions& options = {});
 
+/// Returns a sentence without a full stop about Scene::links_without_shapes of a file.
+std::string visual_links_note(const std::string& path, const std::vector<std::string>& links);
+
 /// Returns the scene as JSON, which reads back exactly. Throws Error for an obstacle without
 /// shapes, and a name that is empty, not UTF-8, longer than 1000 bytes, or has control characters.
 std::string scene_to_json(const Scene& scene);
@@ -171,6 +174,9 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends = {},
 /// The same from the text of a file; the ending of `path` gives its format.
 ArmShapes arm_shapes_from_text(std::string_view text, const std::string& path,
                                const ChainEnds& ends = {}, const ShapeOptions& options = {});
+
+/// Returns a sentence without a full stop about ArmShapes::links_with_planes of a file.
+std::string planes_note(const std::string& path, const std::vector<std::string>& links);
 
 /// Returns the shapes of the links of an arm as shapes of the arm with `joints` more joints before
 /// its own: one after with_rail(), three after with_mobile_base(). The last of these joints carries

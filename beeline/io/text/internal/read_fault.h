@@ -16,4 +16,7 @@ std::string fact(const ReadWarning& fault);
 /// Returns the sentence() of any warning without the place in the file.
 std::string statement(const ReadWarning& warning, OptionStyle style);
 
+/// The option that ends the chain at a link, as the style writes it: `--tip hand`.
+std::string tip_option(const std::string& tip, OptionStyle style);
+
 }  // namespace beeline::internal
