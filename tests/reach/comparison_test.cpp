@@ -30,8 +30,10 @@ void expect_same(const ReachSide& a, const ReachSide& b) {
 
 TEST(ReachComparison, OfAMapWithItselfHasNoDifference) {
   for (const char* name : {"puma560", "rrr"}) {
-    const double turn = (testing::slow_build ? 90 : 60) * deg;
-    const ReachMap map = map_of(built_in(name), {.directions = turn});
+    const Arm arm = built_in(name);
+    ReachGridOptions options{.directions = 60 * deg};
+    if (testing::slow_build) options = {.resolution = arm.reach().radius / 5, .directions = 90 * deg};
+    const ReachMap map = map_of(arm, options);
     const ReachComparison same = compare_reach(map, map);
     expect_same(same.sides[0], same.sides[1]);
     EXPECT_EQ(same.sides[0].volume_only_here, 0);
