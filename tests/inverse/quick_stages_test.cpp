@@ -61,6 +61,32 @@ TEST(QuickStages, GiveWhatAllStagesGive) {
   }
 }
 
+/// One solution from a seed that is it, also at the singular configurations of joints at zero,
+/// which the closed form may lose to rounding.
+TEST(QuickStages, GiveWhatAllStagesGiveForASeedThatSolves) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    int quick = 0;
+    const int count = testing::cases(30);
+    for (int i = 0; i < count; ++i) {
+      SCOPED_TRACE(name + ", pose " + std::to_string(i));
+      Configuration q = random.configuration(arm);
+      if (i % 3 == 2) q[random.integer(0, arm.dof() - 1)] = 0;
+      q = internal::clamped(internal::bounds_of(arm), q);
+      const InverseOptions options{.seed = q};
+      const Pose pose = forward_kinematics(arm, q);
+      const InverseResult result = inverse_kinematics(arm, pose, options);
+      expect_same_result(result, thorough(arm, pose, options));
+      EXPECT_EQ(result.solutions.front(), q);
+      quick += suffice(arm, pose, options);
+    }
+    if (has_closed_form(arm)) {
+      EXPECT_GE(quick, count / 2) << name;
+    }
+  }
+}
+
 /// A locked first or last joint is an input of the closed form; the other stages see an arm of six
 /// joints.
 TEST(QuickStages, GiveWhatAllStagesGiveWithALockedJoint) {

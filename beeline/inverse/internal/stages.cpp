@@ -21,10 +21,9 @@ bool is_solution(const Request& request, const ConfigurationRef& q) {
   return within(request.bounds, q) && error_at(request, q) <= request.tolerance;
 }
 
-/// Adds the seed if it is a solution, because no other one is nearer. Next to a singularity the
-/// closed form may lose it to rounding.
-void add_seed(const Request& request, StageResult& found) {
-  if (!is_solution(request, request.seed)) return;
+/// Adds the seed, which is a solution, because no other one is nearer. Next to a singularity the
+/// closed form may lose it to rounding. Returns whether the family has not found it.
+bool add_seed(const Request& request, StageResult& found) {
   Solutions& solutions = *found.solutions;
   const auto same = std::find_if(solutions.begin(), solutions.end(), [&](const Solution& each) {
     return same_posture(request.arm, each.q, request.seed);
@@ -37,6 +36,7 @@ void add_seed(const Request& request, StageResult& found) {
   solution.regular = regular;
   UnconstrainedResult& evidence = found.unconstrained;
   if (is_new && !evidence.continuum) evidence.complete = evidence.branches_complete = false;
+  return is_new;
 }
 
 /// Searches for a proof that there is no solution.
@@ -106,7 +106,8 @@ void select_family(SolverState& state) {
 }
 
 void run_stages(SolverState& state, const Request& request, StageResult& found) {
-  if (!request.options.all) add_seed(request, found);
+  const bool seed_solves = is_solution(request, request.seed);
+  if (seed_solves && !request.options.all) add_seed(request, found);
   check_invariants(request, found);
   if (state.family && !found.unconstrained.violation) {
     run_family(*state.family, state, request, found);
@@ -117,7 +118,7 @@ void run_stages(SolverState& state, const Request& request, StageResult& found) 
     run_family(*state.fallback, state, request, found);
   }
   if (needs_search(state, request, found)) solve_numerical(state, request, found);
-  if (request.options.all) add_seed(request, found);
+  if (seed_solves && request.options.all) add_seed(request, found);
   approach_seed(state, request, found);
 }
 
@@ -134,11 +135,12 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
     add_seed(request, found);
     return true;
   }
-  if (seed_solves && !options.all) return false;
   UnconstrainedResult& evidence = found.unconstrained;
   const bool searches = state.family == nullptr || !request.finitely_many();
+  if (seed_solves && searches && !options.all) return false;
   if (searches && is_out_of_reach(state, request)) return state.family && !options.pose_tolerance;
   if (state.family != nullptr) run_family(*state.family, state, request, found);
+  if (seed_solves && !options.all) return !add_seed(request, found) && !evidence.continuum;
   const bool none = found.solutions->empty();
   if (searches && none && !evidence.range_examined) solve_numerical(state, request, found);
   if (options.all) {
