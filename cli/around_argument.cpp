@@ -58,6 +58,14 @@ Json path_document(const Arm& arm, const FreeMotion& motion, const UnitArgument&
           {"edges", motion.path.edges}};
 }
 
+/// What the start adds to the reason of a motion that is refused because bodies are too close.
+std::string clause_of(const FreeMotion& motion, const SceneArgument& scene_argument,
+                      const CheckedScene& scene, const Configuration& start) {
+  const bool is_blocked =
+      motion.status == MotionStatus::collides || motion.status == MotionStatus::not_decided;
+  return is_blocked ? scene_argument.start_clause(scene, start) : "";
+}
+
 }  // namespace
 
 std::vector<Option> AroundArgument::options() {
@@ -87,6 +95,7 @@ Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
   if (!goals.configurations.empty()) {
     FreeMotionOptions options = motion;
     path.set_on(options);
+    options.recover_clearance = scene_argument.recover_clearance.value_or(0);
     Progress progress;
     options.budget = progress.of(budget.next());
     found = move_around(scene.model, from, goals.configurations, options);
@@ -112,7 +121,8 @@ Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
                    {"samples", found.trajectory.size()},
                    {"duration", reached ? Json(found.duration()) : Json()}},
       .yes = reached,
-      .reason = clearance && !reached ? clearance->reason_text() : sentence(found.reason)};
+      .reason = clearance ? clearance->reason_text()
+                          : sentence(found.reason) + clause_of(found, scene_argument, scene, from)};
   answer.document.add(json_reason(found.reason));
   if (!found.path.waypoints.empty()) {
     answer.text += path_text(found);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <fmt/format.h>
 
+#include "format.h"
 #include "program_argument.h"
 #include "scene_argument.h"
 
@@ -33,7 +35,28 @@ void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
 ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
   ClearanceOptions options{.closest = true, .budget = budget};
   if (resolution) options.resolution = *resolution;
+  options.recover_clearance = recover_clearance.value_or(0);
   return options;
+}
+
+std::string SceneArgument::start_clause(const CheckedScene& scene,
+                                        const Configuration& start) const {
+  if (!can_recover) return "";
+  const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
+  if (pairs.empty()) return "";
+  const BodyDistance& deepest = pairs.front();
+  const double depth = rounded_up(deepest.clearance - deepest.lower, 3);
+  const std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
+                                           names_text(deepest), shown(depth));
+  if (depth > max_recover_clearance) {
+    return at_start + fmt::format(", more than the {} m from which a motion may lead out",
+                                  shown(max_recover_clearance));
+  }
+  if (depth <= recover_clearance.value_or(0)) {
+    return at_start + ", from where the motion must lead out, and no pair may come closer before";
+  }
+  return at_start +
+         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(depth));
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
@@ -44,6 +67,10 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   warn_if_unchecked(scene);
   set_configuration(scene, motion, report);
   set_too_close(scene, report);
+  if (!report.proof) {
+    const Trajectory matched = matched_to(scene.model.arm(), motion);
+    report.start_clause = start_clause(scene, matched.positions.front());
+  }
   return report;
 }
 

@@ -169,6 +169,27 @@ Json json_attached(const ClearanceReport& report) {
   return list;
 }
 
+/// The beginning of a motion that leads out of the clearance.
+std::string recovery_text(const ClearanceRecovery& recovery) {
+  const std::string others =
+      recovery.pairs == 1 ? "" : fmt::format(", the deepest of {} pairs", recovery.pairs);
+  return fmt::format(
+      "recovery      starts {} m closer than the clearance, {}{}; out of it from {} s on\n",
+      shown(rounded_up(recovery.depth, 3)), pair_text(recovery.names), others,
+      shown(recovery.time));
+}
+
+Json json_recovery(const ClearanceProof& proof) {
+  if (!proof || !proof.recovery) return nullptr;
+  const ClearanceRecovery& recovery = *proof.recovery;
+  return {{"pair", std::vector<std::string>{recovery.names[0], recovery.names[1]}},
+          {"depth", recovery.depth},
+          {"distance", recovery.distance},
+          {"pairs", recovery.pairs},
+          {"sample", recovery.sample + 1},
+          {"time", recovery.time}};
+}
+
 /// How a contact is exempted: in the row that attaches one of the two bodies, if it is attached
 /// then, or by options.
 std::string exemption(const ClearanceReport& report) {
@@ -212,9 +233,9 @@ void ClearanceReport::add_search_ending(const Reason& of_motion) {
 
 std::string ClearanceReport::reason_text() const {
   const std::string text = sentence(proof.reason);
-  if (proof.status != ClearanceStatus::collides) return text;
-  return text + hulls_clause(*scene, proof.pair.names) + "; if this contact is meant, " +
-         exemption(*this);
+  if (proof.status != ClearanceStatus::collides) return text + start_clause;
+  return text + hulls_clause(*scene, proof.pair.names) + start_clause +
+         "; if this contact is meant, " + exemption(*this);
 }
 
 bool ClearanceReport::checks_nothing() const {
@@ -291,8 +312,11 @@ std::string ClearanceReport::text() const {
   if (proof && checks_nothing()) {
     text += "clearance     nothing was checked: no pair of bodies counts\n";
   } else if (proof) {
-    text += fmt::format("clearance     kept at all times, proved; {}\n", guarantee());
+    const std::string when =
+        proof.recovery ? "from " + shown(proof.recovery->time) + " s on" : "at all times";
+    text += fmt::format("clearance     kept {}, proved; {}\n", when, guarantee());
   }
+  if (proof && proof.recovery) text += recovery_text(*proof.recovery);
   if (proof && !proof.pair.names[0].empty()) {
     text +=
         fmt::format("closest       {}: {} m at {} s, {} m are required\n", names_text(proof.pair),
@@ -335,6 +359,7 @@ Json ClearanceReport::document() const {
       {"normal", has_pair ? Json(Eigen::VectorXd(proof.pair.normal)) : Json()},
       {"begin", undecided ? Json(proof.begin) : Json()},
       {"end", undecided ? Json(proof.end) : Json()}};
+  document.add("recovery", json_recovery(proof));
   document.add("picture", picture.empty() ? Json() : Json(picture));
   document.add("too_close", json_pairs(too_close));
   document.add("nothing_checked", checks_nothing());

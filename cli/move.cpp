@@ -284,7 +284,8 @@ std::vector<Option> quickest_options(MoveArguments& arguments) {
               "return to "
               "them, in which the excess of each joint falls; with --through to the nearest "
               "configuration within them, at rest. `beeline check` needs the same option.",
-              {.methods = {quickest}})};
+              {.methods = {quickest}}),
+          arguments.scene.recover_option({.methods = {quickest, around}})};
 }
 
 }  // namespace

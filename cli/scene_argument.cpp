@@ -260,13 +260,15 @@ ArmShapes SceneArgument::shapes_of(const ArmArgument& arm_argument, const Arm& a
 }
 
 void SceneArgument::refuse_without_scene() const {
-  const std::pair<const char*, bool> options[] = {{"--clearance", clearance.has_value()},
-                                                  {"--radius", radius.has_value()},
-                                                  {"--allow", !allow.empty()},
-                                                  {"--hold", !hold.empty()},
-                                                  {"--package", !package.empty()},
-                                                  {"--tool-shape", !tool_shape.empty()},
-                                                  {"--resolution", resolution.has_value()}};
+  const std::pair<const char*, bool> options[] = {
+      {"--clearance", clearance.has_value()},
+      {"--radius", radius.has_value()},
+      {"--allow", !allow.empty()},
+      {"--hold", !hold.empty()},
+      {"--package", !package.empty()},
+      {"--tool-shape", !tool_shape.empty()},
+      {"--resolution", resolution.has_value()},
+      {"--recover-clearance", recover_clearance.has_value()}};
   for (const auto& [option, typed] : options) {
     if (typed) throw Error(std::string(option) + " needs --scene or --self");
   }

@@ -85,6 +85,7 @@ struct ClearanceReport {
   Configuration q = {};                   ///< of a motion that is refused, at the time of `proof`
   std::string picture = {};               ///< the file that shows it, see draw_refusal()
   std::vector<NamedPair> too_close = {};  ///< at the time of a collision, at most 100
+  std::string start_clause = {};          ///< see SceneArgument::start_clause()
   std::vector<Attachment> attachments = {};  ///< of the program; the times and poses of each:
   std::vector<AttachedPart> attached = {};
 
@@ -105,20 +106,24 @@ struct ClearanceReport {
 };
 
 /// --scene, --radius, --self, --no-self, --clearance, --allow, --hold, --package, --tool-shape and
-/// --resolution: a motion is proved to keep its clearance.
+/// --resolution: a motion is proved to keep its clearance. --recover-clearance: after it has led
+/// out of it.
 struct SceneArgument {
   std::vector<std::string> scenes = {}, allow = {}, hold = {}, package = {};
   std::string tool_shape = {};
   bool self = false, no_self = false;
-  std::optional<double> clearance, resolution, radius;
+  std::optional<double> clearance, resolution, radius, recover_clearance;
   /// False where mounts are searched: no obstacle is then given in a frame that moves with them.
   bool fixed_mount = true;
+  bool can_recover = false;  ///< whether the verb has --recover-clearance
 
   std::vector<Option> options();
   /// The same without --resolution, for single configurations.
   std::vector<Option> distance_options();
   /// --scene, --tool-shape, --hold and --package, which say what the bodies are.
   std::vector<Option> body_options();
+  /// --recover-clearance, of the verbs that have it.
+  Option recover_option(const OptionRules& rules = {});
   bool given() const { return self || !scenes.empty(); }
   /// The files that are read, for refuse_overwriting().
   std::vector<std::string> inputs() const;
@@ -127,6 +132,11 @@ struct SceneArgument {
   /// of links without shapes. Throws Error for an option without them, for an arm without shapes,
   /// and for names that are not known.
   std::optional<CheckedScene> read(const ArmArgument& arm_argument, const Arm& arm) const;
+
+  /// Returns what the reason of a refused motion adds if it starts closer than the clearance: the
+  /// deepest pair, its depth and the value of --recover-clearance that accepts it. Empty if it does
+  /// not start there, and for verbs without the option.
+  std::string start_clause(const CheckedScene& scene, const Configuration& start) const;
 
   /// Proves or refutes that the motion keeps its clearance.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,

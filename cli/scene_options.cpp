@@ -14,6 +14,18 @@ std::vector<Option> SceneArgument::options() {
                &resolution, {.range = {1e-6, 1}})}});
 }
 
+Option SceneArgument::recover_option(const OptionRules& rules) {
+  can_recover = true;
+  OptionRules accepted = rules;
+  accepted.range = {0, max_recover_clearance};
+  return Option("--recover-clearance METRES",
+                "Accept a motion that starts closer than the clearance, or in contact, by at most "
+                "this much, and leads out of it: until then, no pair of bodies that is too close "
+                "at the start comes closer, and all others keep the clearance; all keep it "
+                "afterwards. The depth of a contact is added to the clearance.",
+                &recover_clearance, std::move(accepted));
+}
+
 std::vector<Option> SceneArgument::obstacle_options() {
   return {
       Option(

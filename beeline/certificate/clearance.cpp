@@ -2,8 +2,8 @@
 #include <ostream>
 
 #include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/certificate/internal/clearance_search.h>
-#include <beeline/certificate/internal/closest_approach.h>
 #include <beeline/collision/internal/pair_reason.h>
 #include <beeline/internal/enum_names.h>
 
@@ -17,6 +17,7 @@ void check_options(const ClearanceOptions& options) {
     throw Error("", "resolution",
                 " of " + number(options.resolution) + "; it must be from 1e-6 to 1");
   }
+  internal::check_recover_clearance(options.recover_clearance);
 }
 
 Reason reason_of(const ClearanceProof& proof, Ending ending, std::span<const LinkShapes> links) {
@@ -47,6 +48,7 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof) {
                            : ", each of the " + std::to_string(proof.pairs) +
                                  " pairs that count keeps at least ")
       << number(rounded_down(proof.least_distance, 6)) << " m";
+  if (proof.recovery) out << " from " << number(proof.recovery->time) << " s on";
   if (proof.pair.names[0].empty()) return out;
   return out << "; nearest " << names_text(proof.pair) << " at " << number(proof.time) << " s";
 }
@@ -57,9 +59,9 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
   const Trajectory adapted = internal::adapted_motion(model, trajectory);
   internal::BudgetMeter budget(options.budget);
   const internal::MotionTubes tubes(adapted.size() > 0 ? adapted : trajectory);
-  ClearanceProof proof = internal::ClearanceSearch(model.bodies(), tubes, options, budget).run();
-  if (options.closest && proof)
-    internal::find_closest_approach(model, tubes, options, budget, proof);
+  ClearanceProof proof = options.recover_clearance > 0
+                             ? internal::prove_with_recovery(model, tubes, options, budget)
+                             : internal::prove_throughout(model, tubes, options, budget);
   if (!proof) proof.least_distance = ClearanceProof().least_distance;
   proof.pairs = internal::counted_pairs(model, tubes);
   proof.reason = reason_of(proof, budget.ending(), model.links());

@@ -33,7 +33,35 @@ struct ClearanceOptions {
   /// Whether a motion that is clear is examined for its closest approach: `pair` and `time` are
   /// set, and `least_distance` is raised to within 2 % of their distance where that can be proved.
   bool closest = false;
+  /// Largest depth from which the motion may lead out of the clearance, m, 0 to
+  /// max_recover_clearance: by how much pairs may be closer than their clearance at the first
+  /// sample. See ClearanceRecovery.
+  double recover_clearance = 0;
   Budget budget = {};
+};
+
+/// The largest depth from which a motion may lead out of the clearance, m.
+constexpr double max_recover_clearance = 0.1;
+
+/// The beginning of a motion that starts closer than the clearance, or in contact, and leads out.
+/// Let d(t) be the signed distance of a pair: the distance or, in contact, the negative depth. Let
+/// l(t) <= d(t) be its lower bound, BodyDistance::lower, which is d(t) to rounding for bodies that
+/// are apart. The beginning is divided into 64 parts or more, at its samples and between them. For
+/// each pair that starts closer than its clearance c, and for the first time a of each part, it is
+/// proved that
+///
+///     d(t) >= min(c, l(a)) - 1e-9 m    for all t from a to the end of the beginning.
+///
+/// So the pair never comes closer than it is at the start, its distances at these times do not
+/// fall, and it keeps its clearance as soon as it does at one of them, all to 1e-9 m. All other
+/// pairs keep their clearance from the start, and all pairs keep it after the beginning.
+struct ClearanceRecovery {
+  NamedPair names = {};    ///< the deepest pair at the start
+  double depth = 0;        ///< its clearance less its signed distance there, m, rounded up
+  double distance = 0;     ///< its signed distance there, m, rounded down
+  std::size_t pairs = 0;   ///< number of pairs that are closer than their clearance there
+  std::size_t sample = 0;  ///< index of the first sample at which all pairs keep their clearance
+  double time = 0;         ///< time of that sample, s
 };
 
 /// The proof that a motion keeps its clearance, or the first place where it does not.
@@ -42,7 +70,7 @@ struct ClearanceProof {
   Reason reason = {};  ///< bodies, time, place and distance; none if `status` is clear
   /// Lower bound of the distances of all pairs that count, at all times, m, rounded down, if
   /// `status` is clear; infinite without pairs. -infinity, which bounds nothing, for any other
-  /// status.
+  /// status. With a recovery, at all times after it.
   double least_distance = -std::numeric_limits<double>::infinity();
   /// The pair that is too close, or that is not decided. If `status` is clear, the pair of the
   /// closest approach that was found, with ClearanceOptions::closest; else without names.
@@ -54,8 +82,11 @@ struct ClearanceProof {
   /// Number of pairs that count: CollisionModel::pair_count(), and CollisionModel::apart_count()
   /// if the motion leaves the position limits.
   std::size_t pairs = 0;
+  /// The beginning that leads out of the clearance, with ClearanceOptions::recover_clearance; of a
+  /// motion that starts clear none. If `status` is not clear, only what it says of the start holds.
+  std::optional<ClearanceRecovery> recovery = std::nullopt;
 
-  /// Returns whether the motion is proved to keep its clearance.
+  /// Returns whether the motion is proved to keep its clearance, after its recovery if it has one.
   explicit operator bool() const { return status == ClearanceStatus::clear; }
 };
 
@@ -73,6 +104,10 @@ std::ostream& operator<<(std::ostream& out, const ClearanceProof& proof);
 /// (collision/internal/tube_gap.h, chain_motion.h). A part for which no n suffices is halved. An
 /// algorithm for the nearest points proposes n: a wrong one costs a division, and never a proof.
 /// All bounds include the rounding errors of their evaluation.
+///
+/// A motion that starts closer than the clearance collides, unless the depth is at most
+/// ClearanceOptions::recover_clearance and the motion leads out: see ClearanceRecovery. The bound
+/// above holds for signed distances, too.
 ///
 /// Throws Error where matched_to() does, for a trajectory without samples, and for options out of
 /// their range.

@@ -81,17 +81,22 @@ struct FreeMotionOptions {
   /// shortest.
   std::optional<double> duration = std::nullopt;
   int max_samples = default_max_samples;  ///< max samples of the motion, 2 or more
-  Budget budget = {};                     ///< budget of search, timing and proof
+  /// Largest depth from which the motion may lead out of the clearance, m, see
+  /// ClearanceOptions::recover_clearance.
+  double recover_clearance = 0;
+  Budget budget = {};  ///< budget of search, timing and proof
 };
 
 /// A motion from rest to rest that keeps the clearance of a model.
 struct FreeMotion {
   MotionStatus status = MotionStatus::not_found;
-  Reason reason = {};               ///< why there is none; none if reached
-  Trajectory trajectory = {};       ///< motion; empty unless reached
-  FreePath path = {};               ///< the path that was found
+  Reason reason = {};          ///< why there is none; none if reached
+  Trajectory trajectory = {};  ///< motion; empty unless reached
+  /// The path that was found. With a recovery its first motion, which leads out of the clearance,
+  /// is added to it, and the arm stops after it.
+  FreePath path = {};
   std::vector<double> blends = {};  ///< radius of the blend at each inner waypoint; 0: a stop
-  ClearanceProof clearance = {};    ///< proof for the trajectory
+  ClearanceProof clearance = {};    ///< proof for the trajectory, with the recovery
   LimitUsage limits = {};           ///< fractions of the limits that the trajectory uses
 
   /// Returns whether a goal is reached.
@@ -106,9 +111,11 @@ std::ostream& operator<<(std::ostream& out, const FreeMotion& motion);
 /// Plans a motion to one of the goals that keeps the clearance of the model: the path of
 /// find_free_path(), with a blend at each inner waypoint, in minimum time as retime() does. The
 /// finished trajectory is proved by prove_clearance(). A blend that is not proved is made smaller,
-/// down to a stop; if the finished trajectory is not, the arm stops at each waypoint. The status
-/// and the reason are as of find_free_path(), prove_clearance() and retime(). Throws Error where
-/// these do, and for a joint_blend below 0.
+/// down to a stop; if the finished trajectory is not, the arm stops at each waypoint. From a start
+/// that is closer than the clearance, by options.recover_clearance or less, the path begins with a
+/// straight joint motion out of it, which is searched by descent. The status and the reason are as
+/// of find_free_path(), prove_clearance() and retime(). Throws Error where these do, and for a
+/// joint_blend below 0.
 FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options = {});
 

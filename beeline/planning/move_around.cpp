@@ -2,7 +2,9 @@
 #include <limits>
 #include <ostream>
 
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/planning/free_path.h>
+#include <beeline/planning/internal/clearance_exit.h>
 #include <beeline/planning/internal/free_edges.h>
 #include <beeline/planning/internal/unblocked_motion.h>
 #include <beeline/timing/internal/blended_path.h>
@@ -70,8 +72,9 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
     motion.reason = std::move(timed.reason);
     return;
   }
-  motion.clearance =
-      prove_clearance(model, timed.trajectory, {.closest = true, .budget = budget.part()});
+  motion.clearance = prove_clearance(
+      model, timed.trajectory,
+      {.closest = true, .recover_clearance = options.recover_clearance, .budget = budget.part()});
   motion.reason = motion.clearance.reason;
   if (motion.clearance) {
     motion.status = MotionStatus::reached;
@@ -80,6 +83,14 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
     return;
   }
   motion.status = status_of_blocked(motion.reason);
+}
+
+/// Puts the motion out of the clearance before the path, with a stop after it.
+void begin_with(const Configuration& start, FreeMotion& motion) {
+  std::vector<Configuration>& waypoints = motion.path.waypoints;
+  motion.path.length += (waypoints.front() - start).norm();
+  waypoints.insert(waypoints.begin(), start);
+  motion.blends.push_back(0);
 }
 
 /// Replaces the motion by the one that stops where its blends are smaller than a radius, if there
@@ -106,8 +117,14 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
                        std::span<const Configuration> goals, const FreeMotionOptions& options) {
   check_options(timing_of(options));
   BudgetMeter budget(options.budget);
+  check_recover_clearance(options.recover_clearance);
+  check_configuration(model.arm(), start);
+  std::optional<Configuration> exit;
+  if (options.recover_clearance > 0) {
+    exit = clearance_exit(model, start, options.recover_clearance, budget);
+  }
   FreeMotion motion;
-  motion.path = find_free_path(model, start, goals,
+  motion.path = find_free_path(model, exit.value_or(start), goals,
                                {.random_seed = options.random_seed,
                                 .max_edges = options.max_edges,
                                 .shortcuts = options.shortcuts,
@@ -115,9 +132,10 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
   motion.status = motion.path.status;
   motion.reason = motion.path.reason;
   if (!motion.path) return motion;
-  FreeEdges edges(model, std::numeric_limits<int>::max(), budget);
   const std::vector<Configuration>& waypoints = motion.path.waypoints;
-  for (std::size_t k = 1; k + 1 < waypoints.size(); ++k) {
+  if (exit) begin_with(start, motion);
+  FreeEdges edges(model, std::numeric_limits<int>::max(), budget);
+  for (std::size_t k = 1 + motion.blends.size(); k + 1 < waypoints.size(); ++k) {
     motion.blends.push_back(proved_radius(edges, model.bodies().joint_names,
                                           largest_blend(waypoints, k, options.joint_blend)));
   }

@@ -289,7 +289,8 @@ std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Traj
 ///
 /// Throws Error for arrivals that are not a sample for each move, in order; AttachmentError as
 /// verify() does, for a part that is no obstacle of the scene, that is a half-space, and for an
-/// unknown name in Attachment::touch; and as the other prove_clearance() does.
+/// unknown name in Attachment::touch; for ClearanceOptions::recover_clearance, because the motion
+/// of a program does not recover; and as the other prove_clearance() does.
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const Program& program, std::span<const std::size_t> arrivals,
                                const ClearanceOptions& options = {});

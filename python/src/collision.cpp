@@ -337,6 +337,7 @@ void bind_collisions(nb::module_& m) {
   bind_record<LinkShapes>(m);
   bind_record<ArmShapes>(m);
   bind_record<BodyDistance>(m);
+  bind_record<ClearanceRecovery>(m);
   bind_record<ClearanceProof>(m);
   bind_record<ClearanceOverTime>(m);
   bind_scene(m);

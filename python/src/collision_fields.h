@@ -182,14 +182,21 @@ struct Fields<CollisionOptions>
 template <>
 inline constexpr bool reports<ClearanceOptions> = false;
 template <>
-struct Fields<ClearanceOptions> : Members<&ClearanceOptions::resolution, &ClearanceOptions::closest,
-                                          &ClearanceOptions::budget> {};
+struct Fields<ClearanceOptions>
+    : Members<&ClearanceOptions::resolution, &ClearanceOptions::closest,
+              &ClearanceOptions::recover_clearance, &ClearanceOptions::budget> {};
+
+template <>
+struct Fields<ClearanceRecovery>
+    : Members<&ClearanceRecovery::names, &ClearanceRecovery::depth, &ClearanceRecovery::distance,
+              &ClearanceRecovery::pairs, &ClearanceRecovery::sample, &ClearanceRecovery::time> {};
 
 template <>
 struct Fields<ClearanceProof>
     : Members<&ClearanceProof::status, &ClearanceProof::reason, &ClearanceProof::least_distance,
               &ClearanceProof::pair, &ClearanceProof::time, &ClearanceProof::begin,
-              &ClearanceProof::end, &ClearanceProof::parts, &ClearanceProof::pairs> {};
+              &ClearanceProof::end, &ClearanceProof::parts, &ClearanceProof::pairs,
+              &ClearanceProof::recovery> {};
 
 template <>
 struct Fields<ClearanceOverTime>

@@ -26,7 +26,8 @@ struct Fields<FreeMotionOptions>
               &FreeMotionOptions::profile, &FreeMotionOptions::interpolation,
               &FreeMotionOptions::speed_scale, &FreeMotionOptions::tool_speed,
               &FreeMotionOptions::rate, &FreeMotionOptions::duration,
-              &FreeMotionOptions::max_samples, &FreeMotionOptions::budget> {};
+              &FreeMotionOptions::max_samples, &FreeMotionOptions::recover_clearance,
+              &FreeMotionOptions::budget> {};
 
 template <>
 struct Fields<FreeMotion>

@@ -74,6 +74,13 @@ ClearanceProof ClearanceSearch::run(const Part& part) {
   return finished();
 }
 
+std::vector<OpenPair> ClearanceSearch::open_at(const Configuration& q) {
+  add_all_pairs();
+  const Configuration none = Configuration::Zero(q.size());
+  const Pairs open = test({q, none, none}, {0, open_.size()}, Nodes::all);
+  return {open_.begin() + static_cast<std::ptrdiff_t>(open.begin), open_.end()};
+}
+
 ClearanceProof ClearanceSearch::finished() const {
   ClearanceProof proof = proof_;
   if (!budget_.complete() && proof.status != ClearanceStatus::collides) {
@@ -215,8 +222,7 @@ bool ClearanceSearch::is_small(Pairs pairs) const {
                      [&](const OpenPair& pair) {
                        if (!pair.is_of_bodies()) return false;
                        return tube_test_.displacement(pair) <=
-                              std::max(options_.resolution * tube_test_.clearance(pair),
-                                       16 * tube_test_.rounding(pair));
+                              tube_test_.smallest_motion(pair, options_.resolution);
                      });
 }
 
@@ -229,7 +235,7 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
   const double time = part.middle();
   for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
     const BodyDistance pair = tube_test_.distance(open_[i]);
-    const bool collides = pair.upper < pair.clearance + beyond_;
+    const bool collides = tube_test_.is_too_close(open_[i], pair);
     const bool is_first = proof_.status == ClearanceStatus::clear;
     const bool is_deeper = proof_.status == ClearanceStatus::collides &&
                            pair.lower - pair.clearance < proof_.pair.lower - proof_.pair.clearance;

@@ -41,6 +41,16 @@ class ClearanceSearch {
     return *this;
   }
 
+  /// Lets these pairs keep other distances, see TubeTest::release().
+  ClearanceSearch& release(std::span<const ReleasedPair> pairs) {
+    tube_test_.release(pairs);
+    return *this;
+  }
+
+  /// Returns the pairs of bodies that are not proved to keep their clearance at a configuration.
+  /// Once only, instead of run().
+  std::vector<OpenPair> open_at(const Configuration& q);
+
   /// Searches the whole motion, some intervals of it, or a part of one. Once only.
   ClearanceProof run() { return run(tubes_.all()); }
   ClearanceProof run(const MotionTubes::Range& range);

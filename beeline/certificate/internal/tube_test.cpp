@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <beeline/certificate/internal/tube_test.h>
 
@@ -95,6 +96,34 @@ double TubeTest::clearance(const OpenPair& pair) const {
       return bodies_.tree.node(pair.other).clearance;
   }
   return bodies_.options.clearance;
+}
+
+bool TubeTest::comes_before(const OpenPair& a, const OpenPair& b) {
+  return std::tie(a.with, a.body, a.other) < std::tie(b.with, b.body, b.other);
+}
+
+const ReleasedPair* TubeTest::released(const OpenPair& pair) const {
+  const auto found = std::lower_bound(
+      released_.begin(), released_.end(), pair,
+      [](const ReleasedPair& a, const OpenPair& b) { return comes_before(a.pair, b); });
+  return found == released_.end() || comes_before(pair, found->pair) ? nullptr : &*found;
+}
+
+double TubeTest::required(const OpenPair& pair) const {
+  const ReleasedPair* const other = released(pair);
+  return other == nullptr ? clearance(pair) + beyond_ : other->distance;
+}
+
+bool TubeTest::is_too_close(const OpenPair& pair, const BodyDistance& found) const {
+  const ReleasedPair* const other = released(pair);
+  if (other == nullptr) return found.upper < found.clearance + beyond_;
+  return found.upper < found.clearance && found.lower < other->distance;
+}
+
+double TubeTest::smallest_motion(const OpenPair& pair, double resolution) const {
+  const double smallest =
+      released(pair) == nullptr ? resolution * clearance(pair) : smallest_released_motion;
+  return std::max(smallest, 16 * rounding(pair));
 }
 
 double TubeTest::displacement(const OpenPair& pair) const {
@@ -202,7 +231,8 @@ void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
 
 TubeTest::Bound TubeTest::bound(OpenPair& pair) {
   place_both(pair);
-  Bound found{nothing_proved, clearance(pair) + beyond_};
+  Bound found{nothing_proved, required(pair)};
+  const bool is_tried = released(pair) != nullptr;  // the groups have no direction in contact
   switch (pair.with) {
     case OpenPair::With::node:  // search_tree() tests them
       break;
@@ -211,11 +241,13 @@ TubeTest::Bound TubeTest::bound(OpenPair& pair) {
       break;
     case OpenPair::With::link:
       found.distance = gap_of_groups(pair);
-      if (!found.proves() && !is_exact(pair) && may_improve(pair, found)) improve(pair, found);
+      if (!found.proves() && (is_tried || !is_exact(pair)) && may_improve(pair, found)) {
+        improve(pair, found);
+      }
       break;
     case OpenPair::With::obstacle:
       found.distance = gap_to_obstacle(pair);
-      if (!found.proves() && !is_exact(pair)) improve(pair, found);
+      if (!found.proves() && (is_tried || !is_exact(pair))) improve(pair, found);
       break;
   }
   return found;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <beeline/certificate/internal/motion_tubes.h>
@@ -27,12 +28,26 @@ struct OpenPair {
   bool is_of_bodies() const { return with == With::link || with == With::obstacle; }
 };
 
+/// A pair of bodies that must keep another distance than its clearance.
+struct ReleasedPair {
+  OpenPair pair;
+  /// Distance, m; below 0 a translation by so much may be needed to separate the bodies.
+  double distance = 0;
+};
+
 /// Tests whether pairs of bodies keep their clearance over a joint tube.
 class TubeTest {
  public:
   /// All tubes are parts of the motion that the tube `whole` contains. `beyond` is added to the
   /// clearances.
   TubeTest(const CollisionBodies& bodies, const TubeValues& whole, double beyond);
+
+  /// Sets the pairs that must keep another distance, in the order of comes_before(). The argument
+  /// outlives the tests.
+  void release(std::span<const ReleasedPair> pairs) { released_ = pairs; }
+
+  /// An order of pairs of bodies.
+  static bool comes_before(const OpenPair& a, const OpenPair& b);
 
   /// Begins the tests of a tube.
   void place(const JointTube& tube);
@@ -49,6 +64,14 @@ class TubeTest {
 
   /// The distance that the bodies of a pair must keep, m; of a node the largest of its obstacles.
   double clearance(const OpenPair& pair) const;
+
+  /// The distance that is to be proved for a pair, m: its clearance and `beyond`, unless it is
+  /// released.
+  double required(const OpenPair& pair) const;
+
+  /// The motion, m, up to which a pair is divided that the resolution, a fraction of the clearance,
+  /// does not decide. A released pair begins at the distance that it must keep.
+  double smallest_motion(const OpenPair& pair, double resolution) const;
 
   /// A bound of the motion of the pair relative to each other from the middle of the tube, m.
   double displacement(const OpenPair& pair) const;
@@ -72,6 +95,10 @@ class TubeTest {
   };
   /// Tests a group with the nodes of the search and with the nodes below.
   void search_tree(std::uint32_t group, TreeSearch& search);
+
+  /// Whether a pair, at the middle of the tube, is closer than what is to be proved. A released one
+  /// is closer than its clearance and, as far as its lower bound says, than it must keep.
+  bool is_too_close(const OpenPair& pair, const BodyDistance& found) const;
 
   /// Returns the pair at the middle of the tube.
   BodyDistance distance(const OpenPair& pair);
@@ -99,7 +126,11 @@ class TubeTest {
   void place_group(std::uint32_t i);
   void place_both(const OpenPair& pair);
   const JointReach& reach(std::uint32_t i) const;
+  /// Far less than the rounding that a released pair is left, m.
+  static constexpr double smallest_released_motion = 2.5e-10;
+
   bool is_of_links(const OpenPair& pair) const;
+  const ReleasedPair* released(const OpenPair& pair) const;  ///< null: it is not
 
   /// Whether a pair of a group and a node is to be divided, likewise.
   bool is_coarse_node(std::uint32_t group, std::uint32_t index) const;
@@ -116,6 +147,7 @@ class TubeTest {
 
   const CollisionBodies& bodies_;
   double beyond_;
+  std::span<const ReleasedPair> released_ = {};
   std::size_t tube_ = 0;  ///< number of tubes so far
   ThreadScratch<Scratch> scratch_;
   ChainMotion& motion_;

@@ -235,6 +235,9 @@ std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Traj
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const Program& program, std::span<const std::size_t> arrivals,
                                const ClearanceOptions& options) {
+  if (options.recover_clearance != 0) {
+    throw Error("", "recover_clearance", " is not for motions of programs");
+  }
   const ProgramScenes scenes(model, trajectory, program, arrivals);
   BudgetMeter budget(options.budget);
   ClearanceProof whole{.status = ClearanceStatus::clear,
