@@ -58,12 +58,11 @@ Json path_document(const Arm& arm, const FreeMotion& motion, const UnitArgument&
           {"edges", motion.path.edges}};
 }
 
-/// What the start adds to the reason of a motion that is refused because bodies are too close.
+/// What the reason of a refusal adds if the start is not free.
 std::string clause_of(const FreeMotion& motion, const SceneArgument& scene_argument,
                       const CheckedScene& scene, const Configuration& start) {
-  const bool is_blocked =
-      motion.status == MotionStatus::collides || motion.status == MotionStatus::not_decided;
-  return is_blocked ? scene_argument.start_clause(scene, start) : "";
+  const bool at_start = motion.reason.code == ReasonCode::start_not_free;
+  return at_start ? scene_argument.start_clause(scene, start) : "";
 }
 
 }  // namespace

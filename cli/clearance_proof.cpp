@@ -30,6 +30,11 @@ void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
   }
 }
 
+/// Whether a motion may be refused because of its start: it is not out of the clearance before.
+bool may_be_of_start(const ClearanceProof& proof) {
+  return !proof && (!proof.recovery || proof.time <= proof.recovery->time);
+}
+
 }  // namespace
 
 ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
@@ -42,21 +47,24 @@ ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
 std::string SceneArgument::start_clause(const CheckedScene& scene,
                                         const Configuration& start) const {
   if (!can_recover) return "";
+  constexpr double rounding = 1e-9;  // m, see ClearanceOptions::recover_clearance
   const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
   if (pairs.empty()) return "";
   const BodyDistance& deepest = pairs.front();
-  const double depth = rounded_up(deepest.clearance - deepest.lower, 3);
+  const double depth = deepest.clearance - deepest.lower;
+  if (depth <= rounding) return "";
   const std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
                                            names_text(deepest), shown(depth));
-  if (depth > max_recover_clearance) {
+  if (depth > max_recover_clearance + rounding) {
     return at_start + fmt::format(", more than the {} m from which a motion may lead out",
                                   shown(max_recover_clearance));
   }
-  if (depth <= recover_clearance.value_or(0)) {
+  if (recover_clearance.value_or(0) > 0 && depth <= *recover_clearance + rounding) {
     return at_start + ", from where the motion must lead out, and no pair may come closer before";
   }
+  const double accepted = rounded_up(depth - rounding, 3);
   return at_start +
-         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(depth));
+         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(accepted));
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
@@ -67,7 +75,7 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   warn_if_unchecked(scene);
   set_configuration(scene, motion, report);
   set_too_close(scene, report);
-  if (!report.proof) {
+  if (may_be_of_start(report.proof)) {
     const Trajectory matched = matched_to(scene.model.arm(), motion);
     report.start_clause = start_clause(scene, matched.positions.front());
   }

@@ -170,16 +170,15 @@ Json json_attached(const ClearanceReport& report) {
 }
 
 /// The beginning of a motion that leads out of the clearance.
-std::string recovery_text(const ClearanceRecovery& recovery) {
+std::string clearance_recovery_text(const ClearanceRecovery& recovery) {
   const std::string others =
       recovery.pairs == 1 ? "" : fmt::format(", the deepest of {} pairs", recovery.pairs);
   return fmt::format(
       "recovery      starts {} m closer than the clearance, {}{}; out of it from {} s on\n",
-      shown(rounded_up(recovery.depth, 3)), pair_text(recovery.names), others,
-      shown(recovery.time));
+      shown(recovery.depth), pair_text(recovery.names), others, shown(recovery.time));
 }
 
-Json json_recovery(const ClearanceProof& proof) {
+Json json_clearance_recovery(const ClearanceProof& proof) {
   if (!proof || !proof.recovery) return nullptr;
   const ClearanceRecovery& recovery = *proof.recovery;
   return {{"pair", std::vector<std::string>{recovery.names[0], recovery.names[1]}},
@@ -316,7 +315,7 @@ std::string ClearanceReport::text() const {
         proof.recovery ? "from " + shown(proof.recovery->time) + " s on" : "at all times";
     text += fmt::format("clearance     kept {}, proved; {}\n", when, guarantee());
   }
-  if (proof && proof.recovery) text += recovery_text(*proof.recovery);
+  if (proof && proof.recovery) text += clearance_recovery_text(*proof.recovery);
   if (proof && !proof.pair.names[0].empty()) {
     text +=
         fmt::format("closest       {}: {} m at {} s, {} m are required\n", names_text(proof.pair),
@@ -359,7 +358,7 @@ Json ClearanceReport::document() const {
       {"normal", has_pair ? Json(Eigen::VectorXd(proof.pair.normal)) : Json()},
       {"begin", undecided ? Json(proof.begin) : Json()},
       {"end", undecided ? Json(proof.end) : Json()}};
-  document.add("recovery", json_recovery(proof));
+  document.add("recovery", json_clearance_recovery(proof));
   document.add("picture", picture.empty() ? Json() : Json(picture));
   document.add("too_close", json_pairs(too_close));
   document.add("nothing_checked", checks_nothing());

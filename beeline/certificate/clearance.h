@@ -35,7 +35,7 @@ struct ClearanceOptions {
   bool closest = false;
   /// Largest depth from which the motion may lead out of the clearance, m, 0 to
   /// max_recover_clearance: by how much pairs may be closer than their clearance at the first
-  /// sample. See ClearanceRecovery.
+  /// sample, to 1e-9 m. See ClearanceRecovery.
   double recover_clearance = 0;
   Budget budget = {};
 };

@@ -9,7 +9,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double recovery_slack = 1e-9;  // by which a distance may fall, m
 constexpr std::size_t least_parts = 64;  // of the recovery
 constexpr double margin_of_end = 0.1;    // of the resolution, at which a pair is clear for sure
 

@@ -6,6 +6,9 @@
 
 namespace beeline::internal {
 
+/// Distance by which a pair may come closer in a recovery, and a start may be deeper, m.
+constexpr double recovery_slack = 1e-9;
+
 /// Throws Error unless `depth` is from 0 to max_recover_clearance.
 void check_recover_clearance(double depth);
 

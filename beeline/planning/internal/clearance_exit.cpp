@@ -1,7 +1,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/planning/internal/clearance_exit.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -45,7 +45,8 @@ std::optional<Configuration> descent(const CollisionModel& model, const Configur
 std::optional<Configuration> clearance_exit(const CollisionModel& model, const Configuration& start,
                                             double depth, BudgetMeter& budget) {
   const std::vector<BodyDistance> pairs = pairs_too_close(model, start);
-  const bool is_deeper = !pairs.empty() && pairs.front().clearance - pairs.front().lower > depth;
+  const bool is_deeper =
+      !pairs.empty() && pairs.front().clearance - pairs.front().lower > depth + recovery_slack;
   if (pairs.empty() || is_deeper || !limit_violations(model.arm(), start).empty()) {
     return std::nullopt;
   }

@@ -1,0 +1,96 @@
+"""--recover-clearance: motions that start closer to an obstacle than the clearance, or in contact, and lead out."""
+
+import csv
+import json
+
+import pytest
+
+
+@pytest.fixture
+def cell(written):
+    """A disc of radius 0.2 m on two slides, above a table whose top is at y = 0, with a post at x = 0.7."""
+    limits = {"lower": -2, "upper": 2, "velocity": 1, "acceleration": 4}
+    slides = [{"name": name, "type": "prismatic", "axis": axis, "limits": limits}
+              for name, axis in (("x", [1, 0, 0]), ("y", [0, 1, 0]))]
+    shapes = [{"name": "disc", "joint": "y", "shapes": [{"sphere": {"radius": 0.2}}]}]
+    written("disc.json", json.dumps({"name": "disc", "joints": slides, "shapes": shapes}))
+    written("cell.json", json.dumps({"obstacles": [
+        {"name": "table", "shapes": [{"box": {"size": [4, 1, 4]}, "pose": {"xyz": [0, -0.5, 0]}}]},
+        {"name": "post", "shapes": [{"box": {"size": [0.2, 0.6, 1]}, "pose": {"xyz": [0.7, 0.3, 0]}}]}]}))
+    return ["--scene", "cell.json", "--clearance", "0.005"]
+
+
+def move(beeline, cell, method, start, goal, *more):
+    return beeline("move", "disc.json", f"--from={start}", f"--to={goal}", "--method", method, *cell, "--out", "out.csv", *more)
+
+
+def heights(path):
+    return [float(row["y"]) for row in csv.DictReader(path.open())]
+
+
+@pytest.mark.parametrize("method", ["quickest", "around"])
+@pytest.mark.parametrize("distance", [0.003, -0.001])
+def test_a_move_leads_out_and_check_needs_the_option(beeline, cell, tmp_path, method, distance):
+    depth = 0.005 - distance
+    start, goal = f"0,{0.2 + distance}", "-0.5,0.5" if method == "quickest" else "1.5,0.5"
+    refused = move(beeline, cell, method, start, goal)
+    assert refused.code == 1 and not (tmp_path / "out.csv").exists()
+    says = f"at the start, disc and table are {depth:g} m closer than the clearance; --recover-clearance {depth:g} accepts"
+    assert says in refused.err
+    answer = move(beeline, cell, method, start, goal, "--recover-clearance", f"{depth:g}", "--json")
+    assert answer.code == 0, answer.err
+    recovery = answer.json["clearance"]["recovery"]
+    assert recovery["pair"] == ["disc", "table"] and recovery["pairs"] == 1
+    assert recovery["depth"] == pytest.approx(depth, abs=1e-9)
+    assert recovery["distance"] == pytest.approx(distance, abs=1e-9)
+    section = heights(tmp_path / "out.csv")[: recovery["sample"]]
+    assert all(a <= b + 1e-12 for a, b in zip(section, section[1:]))
+    assert section[-2] < 0.205 + 1e-3 and min(heights(tmp_path / "out.csv")[recovery["sample"] - 1 :]) >= 0.205
+    check = ["check", "disc.json", "out.csv", *cell]
+    without = beeline(*check)
+    assert without.code == 1 and without.out.startswith("collides") and says in without.err
+    assert beeline(*check, "--recover-clearance", f"{0.9 * depth:g}").code == 1
+    for amount in (f"{depth:g}", "0.1"):
+        passed = beeline(*check, "--recover-clearance", amount)
+        assert passed.code == 0 and passed.out.startswith("passed"), passed.err
+        assert f"recovery      starts {depth:g} m closer than the clearance, disc and table; out of it from " in passed.out
+        assert f"clearance     kept from {recovery['time']:g} s on, proved" in passed.out
+    again = beeline(*check, "--recover-clearance", "0.1", "--json").json["clearance"]
+    assert again["recovery"] == recovery
+    assert beeline(*check, "--json").json["clearance"]["recovery"] is None
+
+
+def test_the_text_of_a_move_says_where_the_recovery_ends(beeline, cell):
+    answer = move(beeline, cell, "around", "0,0.203", "1.5,0.5", "--recover-clearance", "0.002")
+    assert answer.code == 0, answer.err
+    assert "recovery      starts 0.002 m closer than the clearance, disc and table; out of it from " in answer.out
+
+
+def test_a_motion_that_comes_closer_first_is_refused(beeline, cell, written):
+    written("down.csv", "t,x,y\n0,0,0.203\n1,0,0.2029\n2,0,0.5\n3,0,0.5\n")
+    answer = beeline("check", "disc.json", "down.csv", *cell, "--recover-clearance", "0.01", "--moving-start")
+    assert answer.code == 1
+    assert "from where the motion must lead out, and no pair may come closer before" in answer.err
+    still = move(beeline, cell, "quickest", "0,0.203", "0.2,0.203", "--recover-clearance", "0.01")
+    assert still.code == 1 and "from where the motion must lead out" in still.err
+
+
+def test_a_start_that_is_clear_needs_no_recovery(beeline, cell):
+    for option in ([], ["--recover-clearance", "0.01"]):
+        answer = move(beeline, cell, "quickest", "0,0.3", "0,0.5", "--json", *option)
+        assert answer.code == 0 and answer.json["clearance"]["recovery"] is None
+
+
+def test_a_start_too_deep_says_so(beeline, cell):
+    answer = move(beeline, cell, "around", "0,0.05", "0,0.5", "--recover-clearance", "0.1")
+    assert answer.code == 1 and "are 0.155 m closer than the clearance, more than the 0.1 m from which" in answer.err
+
+
+def test_hostile_values_and_places(beeline, refused, cell, written):
+    start = ["move", "disc.json", "--from=0,0.203", "--to=0,0.5"]
+    for value in ("-1", "-1e-300", "0.11", "1e308", "nan", "inf", "x", "", "slight"):
+        refused(2, *start, "--method", "quickest", *cell, "--recover-clearance", value, says=["--recover-clearance"])
+    refused(2, *start, "--method", "quickest", "--recover-clearance", "0.01", says=["--recover-clearance needs --scene"])
+    refused(2, *start, *cell, "--recover-clearance", "0.01", says=["--recover-clearance"])
+    zero = move(beeline, cell, "quickest", "0,0.203", "0,0.5", "--recover-clearance", "0")
+    assert zero.code == 1 and "--recover-clearance 0.002" in zero.err
