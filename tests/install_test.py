@@ -52,6 +52,19 @@ def test_a_program_on_the_core_needs_eigen_only(prefix, root, tmp_path):
     assert run(program) == "9.000 0.000\n"
 
 
+def test_a_program_of_another_alignment_does_not_link(prefix, root, tmp_path):
+    """A matrix of Eigen that crosses to the library would crash it."""
+    command = [os.environ.get("CXX", "c++"), *os.environ.get("BEELINE_CXX_FLAGS", "").split(), "-std=c++20",
+               "-isystem", "/usr/include/eigen3", f"-I{prefix}/include", root / "tests" / "install" / "consumer.cpp",
+               "-o", tmp_path / "consumer", f"-L{next(prefix.glob('lib*/**/libbeeline_core.a')).parent}",
+               "-lbeeline_core", "-lhwy", "-ldl"]  # fmt: skip
+    wider = "-DEIGEN_MAX_ALIGN_BYTES=64"  # which -march=native may set
+    refused = subprocess.run([str(word) for word in [*command, wider]], capture_output=True, text=True)
+    assert refused.returncode != 0 and "aligns_eigen_as_the_library<" in refused.stderr
+    run(*command)
+    assert run(tmp_path / "consumer") == "9.000 0.000\n"
+
+
 def test_an_example_builds_against_the_installed_copy(prefix, root, tmp_path):
     first = min((root / "examples").glob("*.cpp")).stem
     program = built_against(prefix, root / "examples", tmp_path, first)

@@ -92,4 +92,16 @@ Pose make_pose(const Vector3& position, const Rotation& rotation = Rotation::Ide
 /// `using beeline::operator<<;` for `out << pose`.
 std::ostream& operator<<(std::ostream& out, const Pose& pose);
 
+namespace internal {
+
+/// Declared for every alignment of Eigen's matrices, in bytes, in objects and on the heap, and
+/// defined for the library's. So a program of another alignment does not link, because a matrix
+/// that crosses from one to the other may crash it. -mavx and -march=native change the alignment.
+template <int in_objects, int on_heap>
+void aligns_eigen_as_the_library();
+
+[[gnu::used]] inline void (*const alignment_of_eigen)() =
+    &aligns_eigen_as_the_library<EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_DEFAULT_ALIGN_BYTES>;
+
+}  // namespace internal
 }  // namespace beeline

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Time of forward kinematics with Jacobian: Beeline's generated code beside the library's jacobian(), the
-code of CasADi and the code of SymPy's cse, all compiled alike, in one run.
+code of CasADi and the code of SymPy's cse, in one run.
 
 Usage: timing.py BEELINE FOLDER [ARM...], where FOLDER has libbeeline_core.a of a release build. Needs
 SymPy and CasADi."""
@@ -21,14 +21,25 @@ except ImportError as error:
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SUBSCRIPT = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₜ−", "0123456789t-")
+# In a file of its own: the instruction set of the others would change the alignment of Eigen's matrices.
+LIBRARY = """
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/model/catalog.h>
+constexpr int n = @n@;
+static beeline::Arm arm = beeline::built_in("@arm@");
+void by_library(const double* q, double* T, double* J) {
+  static beeline::Jacobian columns(6, n);
+  const beeline::Pose pose = beeline::jacobian(arm, Eigen::Map<const Eigen::VectorXd>(q, n), columns);
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(T, 4, 4) = pose.matrix();
+  Eigen::Map<Eigen::Matrix<double, 6, n, Eigen::RowMajor>>(J, 6, n) = columns;
+}
+"""
 MAIN = """
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <random>
 #include <vector>
-#include <beeline/kinematics/jacobian.h>
-#include <beeline/model/catalog.h>
 extern "C" {
 #include "casadi.c"
 }
@@ -36,19 +47,13 @@ extern "C" {
 #include "beeline.h"
 constexpr int n = @n@, count = 1000;
 using Row = std::vector<double>;
-static beeline::Arm arm = beeline::built_in("@arm@");
 static double check(const double* T, const double* J) {
   double sum = 0;
   for (int k = 0; k < 12; ++k) sum += (k + 1) * T[k];
   for (int k = 0; k < 6 * n; ++k) sum += (k + 3) * J[k];
   return sum;
 }
-static void by_library(const double* q, double* T, double* J) {
-  static beeline::Jacobian columns(6, n);
-  const beeline::Pose pose = beeline::jacobian(arm, Eigen::Map<const Eigen::VectorXd>(q, n), columns);
-  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(T, 4, 4) = pose.matrix();
-  Eigen::Map<Eigen::Matrix<double, 6, n, Eigen::RowMajor>>(J, 6, n) = columns;
-}
+void by_library(const double* q, double* T, double* J);
 static void by_casadi(const double* q, double* T, double* J) {
   static casadi_real w[100000];
   static casadi_int iw[1000];
@@ -147,10 +152,13 @@ def main(beeline, library, *arms):
             (folder / "beeline.h").write_text(code)
             by_casadi(document, n, constants, folder)
             by_sympy(document, n, constants, folder)
-            (folder / "main.cpp").write_text(MAIN.replace("@n@", str(n)).replace("@arm@", arm))
-            subprocess.run(["c++", "-std=c++20", "-O3", "-march=native", "-w", f"-I{ROOT}",
-                            "-isystem/usr/include/eigen3", folder / "main.cpp", "-o", folder / "main",
-                            f"-L{library}", "-lbeeline_core", "-lhwy"], check=True)
+            for file, text in {"library": LIBRARY, "main": MAIN}.items():
+                (folder / f"{file}.cpp").write_text(text.replace("@n@", str(n)).replace("@arm@", arm))
+            compiler = ["c++", "-std=c++20", "-O3", "-w"]
+            subprocess.run([*compiler, f"-I{ROOT}", "-isystem/usr/include/eigen3", "-c", "library.cpp"],
+                           cwd=folder, check=True)
+            subprocess.run([*compiler, "-march=native", "main.cpp", "library.o", "-o", "main",
+                            f"-L{Path(library).resolve()}", "-lbeeline_core", "-lhwy"], cwd=folder, check=True)
             run = subprocess.run(["taskset", "-c", "0", folder / "main"], check=True,
                                  capture_output=True, text=True)
         rows = [line.split() for line in run.stdout.splitlines()]
