@@ -56,12 +56,14 @@ constexpr double max_recover_clearance = 0.1;
 /// fall, and it keeps its clearance as soon as it does at one of them, all to 1e-9 m. All other
 /// pairs keep their clearance from the start, and all pairs keep it after the beginning.
 struct ClearanceRecovery {
-  NamedPair names = {};    ///< the deepest pair at the start
-  double depth = 0;        ///< its clearance less its signed distance there, m, rounded up
-  double distance = 0;     ///< its signed distance there, m, rounded down
-  std::size_t pairs = 0;   ///< number of pairs that are closer than their clearance there
-  std::size_t sample = 0;  ///< index of the first sample at which all pairs keep their clearance
-  double time = 0;         ///< time of that sample, s
+  NamedPair names = {};   ///< the deepest pair at the start
+  double depth = 0;       ///< its clearance less its signed distance there, m, rounded up
+  double distance = 0;    ///< its signed distance there, m, rounded down
+  std::size_t pairs = 0;  ///< number of pairs that are closer than their clearance there
+  /// Index of the first sample at which all pairs keep their clearance, or of the last one if there
+  /// is none.
+  std::size_t sample = 0;
+  double time = 0;  ///< time of that sample, s
 };
 
 /// The proof that a motion keeps its clearance, or the first place where it does not.

@@ -98,8 +98,8 @@ TEST(ClearanceRecovery, PairsThatStartTooCloseComeNoCloser) {
   std::cout << accepted << " accepted, " << in_contact << " of them in contact and " << several
             << " of several pairs, " << refused << " refused, of " << count << '\n';
   EXPECT_GE(accepted, count / 5);
-  if (count >= 100) EXPECT_GT(in_contact, 0);
-  if (count >= 900) EXPECT_GT(several, 0);
+  EXPECT_TRUE(in_contact > 0 || count < 100);
+  EXPECT_TRUE(several > 0 || count < 900);
 }
 
 /// A disc of radius 0.2 m on two slides above a table whose top is at y = 0.

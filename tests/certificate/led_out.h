@@ -54,6 +54,15 @@ inline void expect_leads_out(const CollisionModel& model, const Trajectory& moti
       ASSERT_GE(pair.lower, at_start->second - slack) << names_text(pair) << " at " << t;
     }
   }
+  if (recovery.pairs == 1 && recovery.distance > 0) {
+    double largest = recovery.distance;
+    for (std::size_t k = 0; k <= recovery.sample; ++k) {
+      const std::map<BodyPair, double> here = close_pairs(model, motion.positions[k]);
+      const double distance = here.empty() ? pairs.front().clearance : here.begin()->second;
+      ASSERT_GE(distance, largest - slack) << "sample " << k;
+      largest = std::max(largest, distance);
+    }
+  }
   EXPECT_FALSE(prove_clearance(model, motion));
   EXPECT_TRUE(prove_clearance(model, motion, {.recover_clearance = recovery.depth}));
   const ClearanceProof refused =

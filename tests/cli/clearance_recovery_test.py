@@ -49,7 +49,8 @@ def test_a_move_leads_out_and_check_needs_the_option(beeline, cell, tmp_path, me
     check = ["check", "disc.json", "out.csv", *cell]
     without = beeline(*check)
     assert without.code == 1 and without.out.startswith("collides") and says in without.err
-    assert beeline(*check, "--recover-clearance", f"{0.9 * depth:g}").code == 1
+    too_little = beeline(*check, "--recover-clearance", f"{0.9 * depth:g}")
+    assert too_little.code == 1 and says in too_little.err
     for amount in (f"{depth:g}", "0.1"):
         passed = beeline(*check, "--recover-clearance", amount)
         assert passed.code == 0 and passed.out.startswith("passed"), passed.err
@@ -64,6 +65,14 @@ def test_the_text_of_a_move_says_where_the_recovery_ends(beeline, cell):
     answer = move(beeline, cell, "around", "0,0.203", "1.5,0.5", "--recover-clearance", "0.002")
     assert answer.code == 0, answer.err
     assert "recovery      starts 0.002 m closer than the clearance, disc and table; out of it from " in answer.out
+
+
+def test_a_motion_through_configurations_leads_out(beeline, cell, written):
+    written("through.csv", "0,0.3\n-0.5,0.5\n")
+    through = ["move", "disc.json", "--from=0,0.203", "--through", "through.csv", "--method", "quickest", *cell]
+    assert "--recover-clearance 0.002 accepts" in beeline(*through).err
+    answer = beeline(*through, "--recover-clearance", "0.002", "--plot", "plot.svg", "--json")
+    assert answer.code == 0 and answer.json["clearance"]["recovery"]["depth"] == pytest.approx(0.002, abs=1e-9), answer.err
 
 
 def test_a_motion_that_comes_closer_first_is_refused(beeline, cell, written):

@@ -80,6 +80,7 @@ class RecoveryProof {
     });
     recovery_.pairs = kept_.size();
     recovery_.sample = motion().size() - 1;
+    recovery_.time = motion().times.back();
     recovery_.depth = -std::numeric_limits<double>::infinity();
     for (const BodyDistance& pair : distances_at(start)) {
       const double depth = pair.clearance - pair.lower;
