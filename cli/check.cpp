@@ -263,7 +263,7 @@ CheckedMotion checked_motion(const CheckArguments& arguments, const Arm& arm,
   checked.clearance =
       is_followed
           ? arguments.scene.prove(*scene, trajectory, checked.followed(arguments.through), budget)
-          : arguments.scene.prove(*scene, trajectory, budget);
+          : arguments.scene.prove(*scene, trajectory, budget, !checked.program);
   return checked;
 }
 

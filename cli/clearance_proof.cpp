@@ -30,7 +30,7 @@ void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
   }
 }
 
-/// Whether a motion may be refused because of its start: it is not out of the clearance before.
+/// Whether a motion may be refused because of its start: nothing is refused after its recovery.
 bool may_be_of_start(const ClearanceProof& proof) {
   return !proof && (!proof.recovery || proof.time <= proof.recovery->time);
 }
@@ -60,7 +60,7 @@ std::string SceneArgument::start_clause(const CheckedScene& scene,
                                   shown(max_recover_clearance));
   }
   if (recover_clearance.value_or(0) > 0 && depth <= *recover_clearance + rounding) {
-    return at_start + ", from where the motion must lead out, and no pair may come closer before";
+    return at_start + "; the motion must lead out of it, and no pair may come closer before";
   }
   const double accepted = rounded_up(depth - rounding, 3);
   return at_start +
@@ -68,14 +68,14 @@ std::string SceneArgument::start_clause(const CheckedScene& scene,
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
-                                     const Budget& budget) const {
+                                     const Budget& budget, bool may_recover) const {
   ClearanceReport report{.scene = &scene,
                          .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, proof_options(budget))};
   warn_if_unchecked(scene);
   set_configuration(scene, motion, report);
   set_too_close(scene, report);
-  if (may_be_of_start(report.proof)) {
+  if (may_recover && may_be_of_start(report.proof)) {
     const Trajectory matched = matched_to(scene.model.arm(), motion);
     report.start_clause = start_clause(scene, matched.positions.front());
   }

@@ -170,7 +170,8 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
                      const std::optional<CheckedScene>& scene, ControlledMotion motion) {
   std::optional<ClearanceReport> clearance;
   if (scene && motion) {
-    clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next());
+    clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next(),
+                                      arguments.method == quickest);
     motion.status = clearance->refusal();
     if (!clearance->proof) motion.reason = clearance->proof.reason;
     arguments.files.draw_refusal(*clearance);

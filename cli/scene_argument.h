@@ -106,8 +106,8 @@ struct ClearanceReport {
 };
 
 /// --scene, --radius, --self, --no-self, --clearance, --allow, --hold, --package, --tool-shape and
-/// --resolution: a motion is proved to keep its clearance. --recover-clearance: after it has led
-/// out of it.
+/// --resolution: a motion is proved to keep its clearance. With --recover-clearance it may
+/// start closer.
 struct SceneArgument {
   std::vector<std::string> scenes = {}, allow = {}, hold = {}, package = {};
   std::string tool_shape = {};
@@ -138,9 +138,10 @@ struct SceneArgument {
   /// not start there, and for verbs without the option.
   std::string start_clause(const CheckedScene& scene, const Configuration& start) const;
 
-  /// Proves or refutes that the motion keeps its clearance.
-  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
-                        const Budget& budget) const;
+  /// Proves or refutes that the motion keeps its clearance. `may_recover`: whether the verb takes
+  /// --recover-clearance for such a motion, if it has the option.
+  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion, const Budget& budget,
+                        bool may_recover = true) const;
   /// The same for the motion of a program, with the parts that it attaches. Throws FileError for
   /// its rows.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,

@@ -22,7 +22,8 @@ Option SceneArgument::recover_option(const OptionRules& rules) {
                 "Accept a motion that starts closer than the clearance, or in contact, by at most "
                 "this much, and leads out of it: until then, no pair of bodies that is too close "
                 "at the start comes closer, and all others keep the clearance; all keep it "
-                "afterwards. The depth of a contact is added to the clearance.",
+                "afterwards. A contact counts with the clearance and its depth, and may become "
+                "deeper down to the depth that is reported.",
                 &recover_clearance, std::move(accepted));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -63,6 +64,10 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
                              ? internal::prove_with_recovery(model, tubes, options, budget)
                              : internal::prove_throughout(model, tubes, options, budget);
   if (!proof) proof.least_distance = ClearanceProof().least_distance;
+  // A trajectory of one sample is proved as a rest.
+  for (double* time : {&proof.time, &proof.begin, &proof.end}) {
+    *time = std::min(*time, trajectory.times.back());
+  }
   proof.pairs = internal::counted_pairs(model, tubes);
   proof.reason = reason_of(proof, budget.ending(), model.links());
   return proof;

@@ -46,22 +46,24 @@ constexpr double max_recover_clearance = 0.1;
 /// The beginning of a motion that starts closer than the clearance, or in contact, and leads out.
 /// Let d(t) be the signed distance of a pair: the distance or, in contact, the negative depth. Let
 /// l(t) <= d(t) be its lower bound, BodyDistance::lower, which is d(t) to rounding for bodies that
-/// are apart. The beginning is divided into 64 parts or more, at its samples and between them. For
-/// each pair that starts closer than its clearance c, and for the first time a of each part, it is
-/// proved that
+/// are apart, and may be far below it for bodies in contact. The beginning is divided into 64 parts
+/// or more, at its samples and between them. For each pair that is not proved to keep its clearance
+/// c at the start, and for the first time a of each part, it is proved that
 ///
-///     d(t) >= min(c, l(a)) - 1e-9 m    for all t from a to the end of the beginning.
+///     d(t) >= min(c, l(a)) - 1e-9 m    for all t from a to the end of the beginning,
 ///
-/// So the pair never comes closer than it is at the start, its distances at these times do not
-/// fall, and it keeps its clearance as soon as it does at one of them, all to 1e-9 m. All other
-/// pairs keep their clearance from the start, and all pairs keep it after the beginning.
+/// to the rounding of the joint values. So a pair that is apart never comes closer than it is at
+/// the start, its distances at these times do not fall, and it keeps its clearance as soon as it
+/// does at one of them, all to 1e-9 m. Of a pair in contact the bound l does not fall: the contact
+/// may become deeper, down to the `distance` that is reported. All other pairs keep their clearance
+/// from the start, and all pairs keep it after the beginning.
 struct ClearanceRecovery {
   NamedPair names = {};   ///< the deepest pair at the start
   double depth = 0;       ///< its clearance less its signed distance there, m, rounded up
   double distance = 0;    ///< its signed distance there, m, rounded down
-  std::size_t pairs = 0;  ///< number of pairs that are closer than their clearance there
-  /// Index of the first sample at which all pairs keep their clearance, or of the last one if there
-  /// is none.
+  std::size_t pairs = 0;  ///< number of pairs that are not proved to keep their clearance there
+  /// Index of the first sample at which all pairs keep their clearance, with a thousandth of it to
+  /// spare where a sample does; of the last one if there is none.
   std::size_t sample = 0;
   double time = 0;  ///< time of that sample, s
 };

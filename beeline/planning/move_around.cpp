@@ -85,12 +85,15 @@ void time_and_prove(const CollisionModel& model, const FreeMotionOptions& option
   motion.status = status_of_blocked(motion.reason);
 }
 
-/// Puts the motion out of the clearance before the path, with a stop after it.
+/// Puts the motion out of the clearance before the path, with a stop after it; before the path of a
+/// goal that it reaches, instead of it.
 void begin_with(const Configuration& start, FreeMotion& motion) {
   std::vector<Configuration>& waypoints = motion.path.waypoints;
+  const bool is_at_goal = motion.path.length <= at_start;
+  if (is_at_goal) waypoints.erase(waypoints.begin() + 1, waypoints.end());
   motion.path.length += (waypoints.front() - start).norm();
   waypoints.insert(waypoints.begin(), start);
-  motion.blends.push_back(0);
+  if (!is_at_goal) motion.blends.push_back(0);
 }
 
 /// Replaces the motion by the one that stops where its blends are smaller than a radius, if there

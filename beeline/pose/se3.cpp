@@ -151,8 +151,6 @@ Pose make_pose(const Vector3& position, const Rotation& rotation) {
   return pose;
 }
 
-template <>
-void internal::aligns_eigen_as_the_library<EIGEN_MAX_STATIC_ALIGN_BYTES,
-                                           EIGEN_DEFAULT_ALIGN_BYTES>() {}
+void internal::aligns_eigen_as_the_library(CompiledAlignment) {}
 
 }  // namespace beeline

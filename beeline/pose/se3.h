@@ -94,14 +94,16 @@ std::ostream& operator<<(std::ostream& out, const Pose& pose);
 
 namespace internal {
 
-/// Declared for every alignment of Eigen's matrices, in bytes, in objects and on the heap, and
-/// defined for the library's. So a program of another alignment does not link, because a matrix
-/// that crosses from one to the other may crash it. -mavx and -march=native change the alignment.
+/// The alignment of Eigen's matrices, in bytes. -mavx and -march=native change it.
 template <int in_objects, int on_heap>
-void aligns_eigen_as_the_library();
+struct EigenAlignment {};
+using CompiledAlignment = EigenAlignment<EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_DEFAULT_ALIGN_BYTES>;
 
-[[gnu::used]] inline void (*const alignment_of_eigen)() =
-    &aligns_eigen_as_the_library<EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_DEFAULT_ALIGN_BYTES>;
+/// Defined for the library's alignment alone, so that a program of another alignment does not link:
+/// a matrix that crosses from one to the other might crash it.
+void aligns_eigen_as_the_library(CompiledAlignment);
+[[gnu::used]] inline void (*const compiled_alignment)(CompiledAlignment) =
+    &aligns_eigen_as_the_library;
 
 }  // namespace internal
 }  // namespace beeline

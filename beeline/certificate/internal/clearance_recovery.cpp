@@ -12,14 +12,6 @@ namespace {
 constexpr std::size_t least_parts = 64;  // of the recovery
 constexpr double margin_of_end = 0.1;    // of the resolution, at which a pair is clear for sure
 
-/// The samples of a motion from one on.
-Trajectory samples_from(const Trajectory& motion, std::size_t first) {
-  Trajectory rest{motion.joint_names, {}, {}, {}, {}};
-  for (std::size_t k = first; k < motion.size(); ++k)
-    append_sample(rest, motion, k, motion.times[k]);
-  return rest;
-}
-
 /// Adds a part of the motion to the proof of the whole. Returns whether the proof ends there: at a
 /// collision, or at the second part that is not decided, because the first may touch a collision.
 bool ends_with(const ClearanceProof& part, ClearanceProof& whole) {
@@ -49,16 +41,15 @@ class RecoveryProof {
 
   ClearanceProof run() {
     find_start();
-    if (kept_.empty() || recovery_.depth > options_.recover_clearance + recovery_slack) {
+    if (kept_.empty() || !may_recover_clearance(recovery_.depth, options_.recover_clearance)) {
       ClearanceProof proof = prove_throughout(model_, tubes_, options_, budget_);
-      if (!kept_.empty()) proof.recovery = recovery_;
+      if (!kept_.empty() && !proof) proof.recovery = recovery_;
       return proof;
     }
     const bool leads_out = find_end();
     if (budget_.complete() && prove_beginning() && budget_.complete()) {
       leads_out ? prove_remainder() : refuse_end();
-    }
-    if (!budget_.complete() && proof_.status != ClearanceStatus::collides) {
+    } else if (!budget_.complete() && proof_.status != ClearanceStatus::collides) {
       proof_.status = status_of<ClearanceStatus>(budget_.ending());
     }
     proof_.recovery = recovery_;
@@ -158,14 +149,13 @@ class RecoveryProof {
 
   /// Proves that all pairs keep their clearance after the recovery.
   void prove_remainder() {
-    const Trajectory rest = samples_from(motion(), recovery_.sample);
+    const Trajectory rest = samples_between(motion(), recovery_.sample, motion().size() - 1);
     const Trajectory adapted = adapted_motion(model_, rest);
     const MotionTubes tubes(adapted.size() > 0 ? adapted : rest);
     const ClearanceProof found = prove_throughout(model_, tubes, options_, budget_);
     const std::size_t parts = proof_.parts + found.parts;
     proof_ = found;
     proof_.parts = parts;
-    proof_.time = std::min(proof_.time, motion().times.back());
   }
 
   /// Refuses a motion at whose end a pair is still closer than its clearance.

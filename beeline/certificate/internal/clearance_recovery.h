@@ -9,6 +9,12 @@ namespace beeline::internal {
 /// Distance by which a pair may come closer in a recovery, and a start may be deeper, m.
 constexpr double recovery_slack = 1e-9;
 
+/// Whether a start that is closer than its clearance by `depth` may be led out of it with this
+/// ClearanceOptions::recover_clearance.
+constexpr bool may_recover_clearance(double depth, double recover_clearance) {
+  return recover_clearance > 0 && depth <= recover_clearance + recovery_slack;
+}
+
 /// Throws Error unless `depth` is from 0 to max_recover_clearance.
 void check_recover_clearance(double depth);
 

@@ -31,7 +31,7 @@ struct OpenPair {
 /// A pair of bodies that must keep another distance than its clearance.
 struct ReleasedPair {
   OpenPair pair;
-  /// Distance, m; below 0 a translation by so much may be needed to separate the bodies.
+  /// Signed distance, m; below 0 the depth of the contact.
   double distance = 0;
 };
 
@@ -126,9 +126,6 @@ class TubeTest {
   void place_group(std::uint32_t i);
   void place_both(const OpenPair& pair);
   const JointReach& reach(std::uint32_t i) const;
-  /// Far less than the rounding that a released pair is left, m.
-  static constexpr double smallest_released_motion = 2.5e-10;
-
   bool is_of_links(const OpenPair& pair) const;
   const ReleasedPair* released(const OpenPair& pair) const;  ///< null: it is not
 
@@ -144,6 +141,9 @@ class TubeTest {
   bool is_exact(const OpenPair& pair) const;
   bool may_improve(const OpenPair& pair, const Bound& found) const;
   void improve(OpenPair& pair, Bound& found) const;
+
+  /// A quarter of the 1e-9 m that a released pair may come closer.
+  static constexpr double smallest_released_motion = 2.5e-10;
 
   const CollisionBodies& bodies_;
   double beyond_;

@@ -197,7 +197,8 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
       for (const Solution& each : *found.solutions) write(each.q);
       return static_cast<int>(count);
     }
-    if (!state.options.pose_tolerance && is_out_of_reach_within_bounds(state, request)) return 0;
+    const bool may_be_skipped = !state.options.pose_tolerance && !state.options.lock;
+    if (may_be_skipped && is_out_of_reach_within_bounds(state, request)) return 0;
   }
   for (const Configuration& q :
        solve_thoroughly(state, world_T_tool, seed, FailureDetail::none, budget).solutions) {

@@ -7,6 +7,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/model/internal/mimic_joints.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline::internal {
 namespace {
@@ -92,7 +93,7 @@ ToolVolume::ToolVolume(const Arm& arm) {
 }
 
 /// Adds the joint and moves the link to the middle of its range. Returns false for a joint that is
-/// not prismatic or not at right angles to the slides before it.
+/// not prismatic or not at right angles to the slides before it, or leads beyond the largest base.
 bool ToolVolume::add_slide(const Joint& joint, Pose& base_T_link) {
   if (kind(joint) != JointKind::prismatic || slide_count_ == slides_.size()) return false;
   const Pose link = base_T_link * joint.offset;
@@ -100,10 +101,12 @@ bool ToolVolume::add_slide(const Joint& joint, Pose& base_T_link) {
   for (const Slide& before : slides_) {
     if (std::abs(axis.dot(before.axis)) > rounding) return false;
   }
-  base_T_link = link;
   const double range = joint.limits.upper - joint.limits.lower;
   const bool limited = std::isfinite(range);
-  if (limited) base_T_link.translation() += (joint.limits.lower + range / 2) * axis;
+  Pose moved = link;
+  if (limited) moved.translation() += (joint.limits.lower + range / 2) * axis;
+  if (moved.translation().cwiseAbs().maxCoeff() > max_length) return false;
+  base_T_link = moved;
   slides_[slide_count_++] = {axis, limited ? range / 2 : Limits::none};
   return true;
 }

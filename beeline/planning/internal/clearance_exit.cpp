@@ -45,9 +45,9 @@ std::optional<Configuration> descent(const CollisionModel& model, const Configur
 std::optional<Configuration> clearance_exit(const CollisionModel& model, const Configuration& start,
                                             double depth, BudgetMeter& budget) {
   const std::vector<BodyDistance> pairs = pairs_too_close(model, start);
-  const bool is_deeper =
-      !pairs.empty() && pairs.front().clearance - pairs.front().lower > depth + recovery_slack;
-  if (pairs.empty() || is_deeper || !limit_violations(model.arm(), start).empty()) {
+  if (pairs.empty()) return std::nullopt;
+  const double start_depth = pairs.front().clearance - pairs.front().lower;
+  if (!may_recover_clearance(start_depth, depth) || !limit_violations(model.arm(), start).empty()) {
     return std::nullopt;
   }
   for (const double raised : {0.1, 0.5, 2.0, 10.0}) {

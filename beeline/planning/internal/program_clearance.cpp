@@ -8,6 +8,7 @@
 #include <beeline/planning/internal/carried_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline {
 

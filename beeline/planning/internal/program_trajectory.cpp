@@ -73,11 +73,4 @@ Trajectory ProgramTrajectory::finished() const {
   return trajectory;
 }
 
-Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last) {
-  Trajectory part{trajectory.joint_names, {}, {}, {}, {}};
-  for (std::size_t k = first; k <= last; ++k)
-    append_sample(part, trajectory, k, trajectory.times[k]);
-  return part;
-}
-
 }  // namespace beeline::internal

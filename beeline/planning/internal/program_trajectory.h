@@ -45,7 +45,4 @@ class ProgramTrajectory {
   bool stopped_ = false;
 };
 
-/// The samples from `first` to `last`, with their times.
-Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last);
-
 }  // namespace beeline::internal

@@ -4,6 +4,7 @@
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
+#include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {

@@ -4,6 +4,7 @@
 #include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {
 namespace {

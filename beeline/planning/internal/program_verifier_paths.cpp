@@ -5,6 +5,7 @@
 #include <beeline/planning/internal/blend_refusals.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {
 namespace {

@@ -21,6 +21,13 @@ void append(Trajectory& trajectory, const Trajectory& next) {
   }
 }
 
+Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last) {
+  Trajectory part{trajectory.joint_names, {}, {}, {}, {}};
+  for (std::size_t k = first; k <= last; ++k)
+    append_sample(part, trajectory, k, trajectory.times[k]);
+  return part;
+}
+
 void round_times(Trajectory& trajectory) {
   for (double& t : trajectory.times) t = round_to_nanoseconds(t);
 }

@@ -14,6 +14,9 @@ void append_sample(Trajectory& trajectory, const Trajectory& from, std::size_t k
 /// `trajectory` and is omitted, unless `trajectory` is empty. Times are shifted accordingly.
 void append(Trajectory& trajectory, const Trajectory& next);
 
+/// Returns the samples from `first` to `last`, with their times.
+Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last);
+
 /// Rounds all times to whole nanoseconds. Sums of whole nanoseconds may have rounding errors.
 void round_times(Trajectory& trajectory);
 
