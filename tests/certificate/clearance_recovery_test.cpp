@@ -167,7 +167,7 @@ TEST(ClearanceRecovery, RefusesAMotionThatComesCloserAgain) {
   refuses({above.at(0, 0.003), above.at(0, 0.1), above.at(0, 0.003), above.at(0, 0.1)}, 1.9, 2.1);
   refuses({above.at(0, 0.003), above.at(0, 0.0045)}, 1, 1);
   refuses({above.at(0, 0.003), above.at(0, 0.003)}, 1, 1);
-  refuses({above.at(0, 0.003)}, 0, 1);
+  refuses({above.at(0, 0.003)}, 0, 0);
   // A cubic that rises, falls again within an interval, and ends clear.
   Trajectory wave = straight(above.arm, {above.at(0, 0.003), above.at(0, 0.01)});
   wave.velocities = {Eigen::Vector2d(0, 0.1), Eigen::Vector2d(0, 0.1)};
@@ -201,6 +201,11 @@ TEST(ClearanceRecovery, EndsWithItsBudget) {
         above.model, motion, {.recover_clearance = 0.01, .budget = {.max_work = work}});
     EXPECT_TRUE(proof || proof.status == ClearanceStatus::work_limit) << proof;
     complete += bool(proof);
+    // The closest approach is examined after the proof, with what is left.
+    const ClearanceProof closest = prove_clearance(
+        above.model, motion,
+        {.closest = true, .recover_clearance = 0.01, .budget = {.max_work = work}});
+    EXPECT_EQ(closest.status, proof.status) << work;
   }
   EXPECT_GT(complete, 0);
 }

@@ -64,7 +64,7 @@ void expect_begins_at_rest(const Arm& arm, const FreeMotion& motion) {
 
 TEST(MoveAroundRecovery, LeadsOutOfTheClearanceAndThenAround) {
   Random random;
-  int found = 0, stuck = 0, in_contact = 0;
+  int found = 0, stuck = 0, in_contact = 0, out = 0;
   const int count = cases(150);
   for (int i = 0; i < count; ++i) {
     const Arm arm = built_in(i % 2 == 0 ? "panda" : "ur5");
@@ -93,10 +93,16 @@ TEST(MoveAroundRecovery, LeadsOutOfTheClearanceAndThenAround) {
     const FreeMotion refused = move_around(model, *start, std::vector{*goal}, less);
     EXPECT_EQ(refused.reason.code, ReasonCode::start_not_free);
     EXPECT_TRUE(refused.path.waypoints.empty());
+    // The goal is where the path leads out.
+    const std::vector<Configuration> exit{motion.path.waypoints[1]};
+    const FreeMotion only_out = move_around(model, *start, exit, options);
+    out += bool(only_out);
+    EXPECT_EQ(only_out.path.waypoints, (std::vector<Configuration>{*start, exit.front()}));
   }
   std::cout << found << " found, " << in_contact << " of them from contact, " << stuck
             << " did not lead out, of " << count << '\n';
   EXPECT_GE(found, count / 4);
+  EXPECT_GE(out, found * 3 / 4);
 }
 
 TEST(MoveAroundRecovery, IsNoneFromAStartThatIsClear) {
