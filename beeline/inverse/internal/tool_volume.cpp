@@ -30,10 +30,10 @@ struct AxisPoint {
   }
 };
 
-/// Moves the points along their axes so that the way from the first one over the others to the tool
-/// is short, and returns its length. Neighbours are fixed to one link, so their distance is
+/// Moves the points along their axes so that the path from the first one over the others to the
+/// tool is short, and returns its length. Neighbours are fixed to one link, so their distance is
 /// constant and the length is a bound for any choice of the points.
-double shortest_way(std::vector<AxisPoint>& axes, const Vector3& tool) {
+double shortest_path(std::vector<AxisPoint>& axes, const Vector3& tool) {
   constexpr int rounds = 30;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = axes.size(); i-- > 0;) {
@@ -68,7 +68,7 @@ Arm::Reach ball_of_tool(const Arm& arm) {
     axes.push_back({axis, axis.cross(screw.head<3>())});
   }
   const Vector3 tool = forward_kinematics(arm, Configuration::Zero(arm.dof())).translation();
-  ball.radius = shortest_way(axes, tool) * (1 + rounding);
+  ball.radius = shortest_path(axes, tool) * (1 + rounding);
   ball.centre = axes.empty() ? tool : axes.front().point;
   return ball;
 }
