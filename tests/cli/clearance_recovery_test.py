@@ -79,7 +79,7 @@ def test_a_motion_that_comes_closer_first_is_refused(beeline, cell, written):
     written("down.csv", "t,x,y\n0,0,0.203\n1,0,0.2029\n2,0,0.5\n3,0,0.5\n")
     answer = beeline("check", "disc.json", "down.csv", *cell, "--recover-clearance", "0.01", "--moving-start")
     assert answer.code == 1
-    assert "from where the motion must lead out, and no pair may come closer before" in answer.err
+    assert "the motion must lead out of it, and no pair may come closer before" in answer.err
     still = move(beeline, cell, "quickest", "0,0.203", "0.2,0.203", "--recover-clearance", "0.01")
     assert still.code == 1 and "from where the motion must lead out" in still.err
 

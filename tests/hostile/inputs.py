@@ -146,7 +146,7 @@ line shaped.json --through planar.csv --out out.csv --scene cell.json
 move shaped.json --from 110,-60,-140 --to 80,-50,-120 --degrees --method around --scene cell.json --clearance 0.02 --allow hand,wall --max-edges 500 --out out.csv
 move shaped.json --from 80,93,-85 --to 80,-50,-120 --degrees --method quickest --scene cell.json --clearance 0.05 --recover-clearance 0.05 --out out.csv
 move shaped.json --from 80,93,-85 --to 80,-50,-120 --degrees --method around --scene cell.json --clearance 0.05 --recover-clearance 0.05 --max-edges 500 --out out.csv
-check shaped.urdf shaped.csv --scene cell.urdf --clearance 0.01 --recover-clearance 0.05
+check shaped.urdf shaped.csv --scene cell.urdf --package parts=. --hold slide=0.5 --srdf arm.srdf --moving-start --moving-end --recover-clearance 0.05
 line shaped.json --from 110,-60,-140 --degrees --through pick.csv --out out.csv --scene pick.json
 line shaped.json --from 110,-60,-140 --degrees --through around.csv --out out.csv --scene pick.json
 check shaped.json pick_line.csv --degrees --through pick.csv --scene pick.json
