@@ -62,7 +62,9 @@ Json path_document(const Arm& arm, const FreeMotion& motion, const UnitArgument&
 std::string clause_of(const FreeMotion& motion, const SceneArgument& scene_argument,
                       const CheckedScene& scene, const Configuration& start) {
   const bool at_start = motion.reason.code == ReasonCode::start_not_free;
-  return at_start ? scene_argument.start_clause(scene, start) : "";
+  return at_start ? scene_argument.start_clause(scene, start,
+                                                "; no straight joint motion out of it was found")
+                  : "";
 }
 
 }  // namespace

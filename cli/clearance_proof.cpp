@@ -44,8 +44,8 @@ ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
   return options;
 }
 
-std::string SceneArgument::start_clause(const CheckedScene& scene,
-                                        const Configuration& start) const {
+std::string SceneArgument::start_clause(const CheckedScene& scene, const Configuration& start,
+                                        std::string_view accepted) const {
   if (!can_recover) return "";
   constexpr double rounding = 1e-9;  // m, see ClearanceOptions::recover_clearance
   const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
@@ -53,18 +53,18 @@ std::string SceneArgument::start_clause(const CheckedScene& scene,
   const BodyDistance& deepest = pairs.front();
   const double depth = deepest.clearance - deepest.lower;
   if (depth <= rounding) return "";
-  const std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
-                                           names_text(deepest), shown(depth));
+  std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
+                                     names_text(deepest), shown(depth));
   if (depth > max_recover_clearance + rounding) {
     return at_start + fmt::format(", more than the {} m from which a motion may lead out",
                                   shown(max_recover_clearance));
   }
   if (recover_clearance.value_or(0) > 0 && depth <= *recover_clearance + rounding) {
-    return at_start + "; the motion must lead out of it, and no pair may come closer before";
+    return at_start.append(accepted);
   }
-  const double accepted = rounded_up(depth - rounding, 3);
+  const double least = rounded_up(depth - rounding, 3);
   return at_start +
-         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(accepted));
+         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(least));
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
@@ -77,7 +77,9 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   set_too_close(scene, report);
   if (may_recover && may_be_of_start(report.proof)) {
     const Trajectory matched = matched_to(scene.model.arm(), motion);
-    report.start_clause = start_clause(scene, matched.positions.front());
+    report.start_clause =
+        start_clause(scene, matched.positions.front(),
+                     "; the motion must lead out of it, and no pair may come closer before");
   }
   return report;
 }

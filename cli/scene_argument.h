@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <beeline/certificate/clearance.h>
@@ -136,7 +137,9 @@ struct SceneArgument {
   /// Returns what the reason of a refused motion adds if it starts closer than the clearance: the
   /// deepest pair, its depth and the value of --recover-clearance that accepts it. Empty if it does
   /// not start there, and for verbs without the option.
-  std::string start_clause(const CheckedScene& scene, const Configuration& start) const;
+  /// `accepted`: the clause for a start that the option accepts.
+  std::string start_clause(const CheckedScene& scene, const Configuration& start,
+                           std::string_view accepted) const;
 
   /// Proves or refutes that the motion keeps its clearance. `may_recover`: whether the verb takes
   /// --recover-clearance for such a motion, if it has the option.

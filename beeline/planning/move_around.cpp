@@ -127,6 +127,11 @@ FreeMotion move_around(const CollisionModel& model, const Configuration& start,
     exit = clearance_exit(model, start, options.recover_clearance, budget);
   }
   FreeMotion motion;
+  if (!exit && !budget.complete()) {
+    set_ended(ReasonCode::ended_before_free_path, budget.ending(), motion);
+    motion.reason.set(ReasonField::count, motion.path.edges);
+    return motion;
+  }
   motion.path = find_free_path(model, exit.value_or(start), goals,
                                {.random_seed = options.random_seed,
                                 .max_edges = options.max_edges,

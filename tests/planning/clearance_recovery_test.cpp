@@ -88,6 +88,10 @@ TEST(MoveAroundRecovery, LeadsOutOfTheClearanceAndThenAround) {
     expect_begins_at_rest(arm, motion);
     expect_leads_out(model, motion.trajectory, motion.clearance);
     if (HasFailure()) return;
+    FreeMotionOptions hurried = options;
+    hurried.budget.max_work = 1;
+    EXPECT_EQ(move_around(model, *start, std::vector{*goal}, hurried).status,
+              MotionStatus::work_limit);
     FreeMotionOptions less = options;
     less.recover_clearance = 0.9 * motion.clearance.recovery->depth;
     const FreeMotion refused = move_around(model, *start, std::vector{*goal}, less);
