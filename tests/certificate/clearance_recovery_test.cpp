@@ -202,9 +202,9 @@ TEST(ClearanceRecovery, EndsWithItsBudget) {
     EXPECT_TRUE(proof || proof.status == ClearanceStatus::work_limit) << proof;
     complete += bool(proof);
     // The closest approach is examined after the proof, with what is left.
-    const ClearanceProof closest = prove_clearance(
-        above.model, motion,
-        {.closest = true, .recover_clearance = 0.01, .budget = {.max_work = work}});
+    const ClearanceProof closest =
+        prove_clearance(above.model, motion,
+                        {.closest = true, .recover_clearance = 0.01, .budget = {.max_work = work}});
     EXPECT_EQ(closest.status, proof.status) << work;
   }
   EXPECT_GT(complete, 0);

@@ -32,7 +32,8 @@ TEST(ReachComparison, OfAMapWithItselfHasNoDifference) {
   for (const char* name : {"puma560", "rrr"}) {
     const Arm arm = built_in(name);
     ReachGridOptions options{.directions = 60 * deg};
-    if (testing::slow_build) options = {.resolution = arm.reach().radius / 5, .directions = 90 * deg};
+    if (testing::slow_build)
+      options = {.resolution = arm.reach().radius / 5, .directions = 90 * deg};
     const ReachMap map = map_of(arm, options);
     const ReachComparison same = compare_reach(map, map);
     expect_same(same.sides[0], same.sides[1]);
