@@ -5,7 +5,6 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/internal/speed_schedule.h>
 #include <beeline/error.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/limit_fraction.h>

@@ -1,5 +1,4 @@
 #include <beeline/planning/internal/current_scene.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {

@@ -6,7 +6,6 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/carried_parts.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/program.h>
 #include <beeline/trajectory/internal/append.h>
 

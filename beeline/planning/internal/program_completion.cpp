@@ -4,7 +4,6 @@
 #include <beeline/planning/internal/motion_request.h>
 #include <beeline/planning/internal/program_blends.h>
 #include <beeline/planning/internal/program_completion.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 

@@ -2,7 +2,6 @@
 
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/planning/internal/program_refusal.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {

@@ -2,7 +2,6 @@
 #include <beeline/certificate/internal/set_fault.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/attachments.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/tool_speed.h>

@@ -2,7 +2,6 @@
 #include <beeline/kinematics/internal/deviation_reason.h>
 #include <beeline/model/internal/joint_reason.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
 #include <beeline/trajectory/internal/append.h>
 

@@ -3,7 +3,6 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/planning/internal/blend_refusals.h>
-#include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/program_verifier.h>
 #include <beeline/trajectory/internal/append.h>
 
