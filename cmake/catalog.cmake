@@ -1,5 +1,5 @@
-# Writes the C++ source of the built-in arms, one function for each file of beeline/model/arms/. The core reads no JSON:
-# the numbers are compiled in. tests/io/text/catalog_test.py compares each arm with its file.
+# Writes the C++ source of the built-in arms: the numbers of each file of beeline/model/arms/ as constants, which compile in
+# a second. The core reads no JSON. tests/io/text/catalog_test.py compares each arm with its file.
 # As a script: cmake -D FOLDER=beeline/model/arms -D OUTPUT=catalog_entries.cpp -P catalog.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -30,7 +30,7 @@ endfunction()
 function(pose variable)
   vector(xyz "0, 0, 0" ${ARGN} xyz)
   vector(rpy "0, 0, 0" ${ARGN} rpy)
-  set(${variable} "make_pose(${xyz}, rotation(RollPitchYaw${rpy}))" PARENT_SCOPE)
+  set(${variable} "{${xyz}, ${rpy}}" PARENT_SCOPE)
 endfunction()
 
 # limits(variable unit member...): `{.lower = -170 * degree, ...}` of the joint at these members.
@@ -47,7 +47,6 @@ function(limits variable unit)
 endfunction()
 
 function(dh_joint variable number)
-  get(convention "" dh convention)
   get(degrees OFF dh degrees)
   math(EXPR default_name "${number} + 1")
   get(name "joint${default_name}" dh rows ${number} name)
@@ -70,7 +69,7 @@ function(dh_joint variable number)
     set(unit)
   endif()
   limits(limits "${unit}" dh rows ${number})
-  set(${variable} "dh_joint(\"${name}\", DhConvention::${convention}, {${fields}}, ${limits})" PARENT_SCOPE)
+  set(${variable} "{.name = \"${name}\", .limits = ${limits}, .row = {${fields}}}" PARENT_SCOPE)
 endfunction()
 
 function(free_joint variable number)
@@ -80,54 +79,58 @@ function(free_joint variable number)
   vector(axis "0, 0, 1" joints ${number} axis)
   vector(point "0, 0, 0" joints ${number} point)
   limits(limits "" joints ${number})
+  set(kind revolute)
   if(type STREQUAL "prismatic")
-    set(screw "translation_screw(${axis})")
-  else()
-    set(screw "rotation_screw(${axis}, ${point})")
+    set(kind prismatic)
   endif()
-  set(${variable} "joint(\"${name}\", ${offset}, ${screw}, ${limits})" PARENT_SCOPE)
+  set(${variable} "{.name = \"${name}\", .limits = ${limits}, .kind = JointKind::${kind}, .offset = ${offset}, .axis = ${axis}, .point = ${point}}"
+    PARENT_SCOPE)
 endfunction()
 
-# names(variable member...): `{{"a", "b"}, {"c", "d"}}`, the lists of names at these members.
+# names(variable member...): `"a b\nc d\n"`, a line for each of the lists of names at these members.
 function(names variable)
-  set(lists)
+  set(lines)
   string(JSON count ERROR_VARIABLE error LENGTH "${json}" ${ARGN})
   if(NOT error AND count GREATER 0)
     math(EXPR last "${count} - 1")
     foreach(i RANGE ${last})
       string(JSON list GET "${json}" ${ARGN} ${i})
-      string(REGEX REPLACE "^\\[|\\]$" "" list "${list}")
-      string(REGEX REPLACE "[ \n]+" " " list "${list}")
-      list(APPEND lists "{${list}}")
+      string(REGEX REPLACE "[][\", \n]+" " " list "${list}")
+      string(STRIP "${list}" list)
+      string(APPEND lines "${list}\\n")
     endforeach()
-    list(JOIN lists ", " lists)
   endif()
-  set(${variable} "{${lists}}" PARENT_SCOPE)
+  set(${variable} "\"${lines}\"" PARENT_SCOPE)
 endfunction()
 
 file(GLOB files ${FOLDER}/*.json)
 foreach(file IN LISTS files)
   file(READ ${file} json)
+  get(name "" name)
   set(about)
   foreach(key name maker model source note shapes_source)
     get(text "" ${key})
-    string(APPEND about "R\"~(${text})~\", ")
+    string(APPEND about ".${key} = R\"~(${text})~\", ")
   endforeach()
   names(joint_names joint_names)
-  string(APPEND about "${joint_names}")
+  string(APPEND about ".joint_names = ${joint_names}, ")
 
   set(kind dh_joint)
+  get(convention "" dh convention)
   string(JSON count ERROR_VARIABLE error LENGTH "${json}" dh rows)
   if(error)
     set(kind free_joint)
     string(JSON count LENGTH "${json}" joints)
+  else()
+    string(APPEND about ".convention = DhConvention::${convention}, ")
   endif()
-  set(joints)
+  string(APPEND joints "constexpr CatalogJoint joints_of_${name}[] = {\n")
   math(EXPR last "${count} - 1")
   foreach(number RANGE ${last})
     cmake_language(CALL ${kind} joint ${number})
-    string(APPEND joints "         ${joint},\n")
+    string(APPEND joints "    ${joint},\n")
   endforeach()
+  string(APPEND joints "};\n")
   pose(tool tool)
   pose(base base)
   set(controller)
@@ -136,29 +139,27 @@ foreach(file IN LISTS files)
   if(stated AND flange_stated)
     pose(root controller_base)
     pose(flange flange)
-    set(controller ", ControllerFrames{.base = ${root}, .flange = ${flange}}")
+    set(controller ", .controller_base = CatalogPose${root}, .flange = CatalogPose${flange}")
   elseif(stated OR flange_stated)
     message(FATAL_ERROR "${file} states one of controller_base and flange; it needs both or none")
   endif()
-  get(name "" name)
-  string(APPEND entries "    {{${about}},
-     [] {
-       const std::vector<Joint> joints{
-${joints}       };
-       return Arm(\"${name}\", joints, ${tool}, ${base}${controller});
-     }},\n")
+  string(APPEND entries "    {${about}.joints = joints_of_${name},
+     .tool = ${tool}, .base = ${base}${controller}},\n")
 endforeach()
 
 file(WRITE ${OUTPUT} "// Written by cmake/catalog.cmake.
 #include <beeline/model/internal/catalog_entry.h>
 
 namespace beeline::internal {
+namespace {
 
-std::span<const CatalogEntry> catalog_entries() {
-  static const CatalogEntry entries[] = {
-${entries}  };
-  return entries;
-}
+${joints}
+constexpr CatalogEntry entries[] = {
+${entries}};
+
+}  // namespace
+
+std::span<const CatalogEntry> catalog_entries() { return entries; }
 
 }  // namespace beeline::internal
 ")

@@ -21,7 +21,9 @@ from triangles import pieces_in_no_body, subdivided  # noqa: E402
 
 MOST = 0.015
 SPACING = 0.006
-MOST_PLACES = int(7_000 * float(os.environ.get("BEELINE_CASES", "1")))  # of a link, at which the excess is measured
+CASES = float(os.environ.get("BEELINE_CASES", "1"))
+MOST_PLACES = int(7_000 * CASES)  # of a link, at which the excess is measured
+PART = 1 if CASES >= 3 else 3  # one of so many triangles is looked at, and the excess of one of so many links
 HALF_TURN = np.diag([-1.0, -1, 1, 1])  # from the base of the maker's controller to the description's, as in catalog_test.py
 URDF = {  # path below example-robot-data/robots, base
     "panda": ("panda_description/urdf/panda.urdf", np.eye(4)),
@@ -178,10 +180,12 @@ def assert_fits(name, meshes, base):
     links = beeline.read_arm_shapes(name).links
     assert len(links) == arm.dof + 1 and [body.link for body in links] == list(range(arm.dof + 1))
     frames = beeline.link_poses(arm, np.zeros(arm.dof))
-    for link in links:
+    for k, link in enumerate(links):
         triangles = placed(meshes[link.name], np.linalg.inv(frames[link.link]) @ base)
         bodies = [Body(shape) for shape in link.shapes]
-        assert_contained(triangles, bodies, link.name)
+        assert_contained(triangles[::PART], bodies, link.name)
+        if k % PART:
+            continue
         excess = excess_of(triangles, bodies)
         print(f"{name} {link.name}: {len(bodies)} bodies, excess {1e3 * excess:.1f} mm")
         assert excess <= MOST + 0.05 * SPACING, link.name  # which openings count as closed depends on the spacing

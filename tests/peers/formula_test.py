@@ -7,6 +7,7 @@ import subprocess
 
 import pytest
 import sympy
+from random_cases import cases
 
 ARMS = ["rrr", "rp", "gantry", "scara", "stanford", "puma560", "ur5", "panda"]
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
@@ -78,7 +79,7 @@ def test_the_tools_pose_is_the_product_of_the_links(formulas, arm):
     assert all(zero(entry) for entry in difference)
 
 
-@pytest.mark.parametrize("arm", ARMS)
+@pytest.mark.parametrize("arm", ARMS if cases(3) >= 3 else ARMS[:-1])  # panda's takes 15 s
 def test_the_jacobian_is_the_poses_derivative(formulas, arm):
     document = formulas(arm, "--of", "forward,jacobian", "--task", "spatial")
     tool = matrix(document["tool"]["formulas"][0])

@@ -7,13 +7,14 @@ import subprocess
 
 import numpy
 import pytest
+from random_cases import cases
 
 logging.disable(logging.WARNING)  # toppra tells about solvers that it does without
 import toppra  # noqa: E402
 from toppra.algorithm import TOPPRA  # noqa: E402
 from toppra.constraint import JointAccelerationConstraint, JointVelocityConstraint  # noqa: E402
 
-CASES = 150
+CASES = cases(150)
 LIMITS = {  # of velocity and acceleration, joint by joint
     "panda": ([2.175] * 4 + [2.61] * 3, [15, 7.5, 10, 12.5, 15, 20, 20]),
     "ur5": ([3.14] * 7, [4.0] * 7),

@@ -12,15 +12,18 @@
 namespace beeline::internal {
 namespace {
 
+/// Whether two solutions may coincide: at a fine tolerance they do only next to a singular one.
+bool may_coincide(const Request& request, const Solution& a, const Solution& b) {
+  constexpr double fine = 1e-10;
+  return request.tolerance > fine || !(a.regular || b.regular);
+}
+
 /// Whether two solutions are one to the tolerance: the configuration halfway between them nearly
 /// solves the pose too. This is the case if several solutions coincide.
 bool coincide(const Request& request, const Solution& a, const Solution& b) {
   constexpr double near = 0.01;  // radians or metres
   // Factor on the tolerance; the solutions themselves have errors up to 1.
   constexpr double of_tolerance = 10;
-  // At such a tolerance two solutions coincide only next to a singular one.
-  constexpr double fine = 1e-10;
-  if (request.tolerance <= fine && (a.regular || b.regular)) return false;
   if (!same_posture(request.arm, a.q, b.q, near)) return false;
   const Configuration beside =
       nearest_representative(request.arm, b.q, a.q, no_bounds(request.arm));
@@ -41,7 +44,7 @@ void merge(const Request& request, Solutions& solutions) {
   Solution* end = solutions.begin();
   for (Solution& next : solutions) {
     const bool again = std::any_of(solutions.begin(), end, [&](const Solution& other) {
-      return coincide(request, other, next);
+      return may_coincide(request, other, next) && coincide(request, other, next);
     });
     if (again) continue;
     if (end != &next) std::swap(*end, next);

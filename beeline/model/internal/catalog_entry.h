@@ -1,43 +1,44 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <span>
-#include <string>
 
-#include <beeline/model/arm.h>
-#include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
-#include <beeline/pose/se3.h>
 
 namespace beeline::internal {
 
-/// An arm of beeline/model/arms/, compiled in.
+/// A pose in the numbers of a file.
+struct CatalogPose {
+  double xyz[3] = {};  ///< m
+  double rpy[3] = {};  ///< roll, pitch, yaw, rad
+};
+
+/// A joint of a file: a row of DH parameters, or a joint that is placed by its offset and its axis.
+struct CatalogJoint {
+  const char* name = "";
+  Limits limits;
+  DhRow row = {};
+  // Without rows; the axis and a point on it are in the joint's link frame.
+  JointKind kind = JointKind::revolute;  ///< revolute or prismatic
+  CatalogPose offset = {};
+  double axis[3] = {}, point[3] = {};
+};
+
+/// A file of beeline/model/arms/, compiled in: the members of BuiltInArm, and the arm's numbers.
 struct CatalogEntry {
-  BuiltInArm about;
-  Arm (*build)();
+  const char *name, *maker, *model, *source, *note, *shapes_source;
+  const char* joint_names;  ///< a line for each description, with spaces between the names
+  std::optional<DhConvention> convention = {};  ///< of the rows, if the joints have rows
+  std::span<const CatalogJoint> joints;
+  CatalogPose tool, base;
+  std::optional<CatalogPose> controller_base = {}, flange = {};
 };
 
 /// The files of beeline/model/arms/ in the order of their names. cmake/catalog.cmake writes the
-/// source of this function; it calls the following ones, with the numbers of the files.
+/// source of this function.
 std::span<const CatalogEntry> catalog_entries();
 
-constexpr double degree = std::numbers::pi / 180;
-
-inline Joint dh_joint(const char* name, DhConvention convention, const DhRow& row,
-                      const Limits& limits) {
-  Joint joint = beeline::dh_joint(row, convention);
-  joint.name = name;
-  joint.limits = limits;
-  return joint;
-}
-
-inline Joint joint(const char* name, const Pose& offset, const Twist& screw, const Limits& limits) {
-  Joint joint;
-  joint.name = name;
-  joint.offset = offset;
-  joint.screw = screw;
-  joint.limits = limits;
-  return joint;
-}
+constexpr double degree = std::numbers::pi / 180;  // in that source
 
 }  // namespace beeline::internal
