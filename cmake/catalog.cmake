@@ -1,5 +1,5 @@
-# Writes the C++ source of the built-in arms: the numbers of each file of beeline/model/arms/ as constants, which compile in
-# a second. The core reads no JSON. tests/io/text/catalog_test.py compares each arm with its file.
+# Writes the C++ source of the built-in arms: the numbers of each file of beeline/model/arms/ as constants, because functions
+# take six times as long to compile. The core reads no JSON. tests/io/text/catalog_test.py compares each arm with its file.
 # As a script: cmake -D FOLDER=beeline/model/arms -D OUTPUT=catalog_entries.cpp -P catalog.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -79,25 +79,27 @@ function(free_joint variable number)
   vector(axis "0, 0, 1" joints ${number} axis)
   vector(point "0, 0, 0" joints ${number} point)
   limits(limits "" joints ${number})
-  set(kind revolute)
-  if(type STREQUAL "prismatic")
-    set(kind prismatic)
+  if(NOT type MATCHES "^(revolute|prismatic)$")
+    message(FATAL_ERROR "${file}: joint ${name} is ${type}; built-in arms have revolute and prismatic joints")
   endif()
-  set(${variable} "{.name = \"${name}\", .limits = ${limits}, .kind = JointKind::${kind}, .offset = ${offset}, .axis = ${axis}, .point = ${point}}"
+  set(${variable} "{.name = \"${name}\", .limits = ${limits}, .kind = JointKind::${type}, .offset = ${offset}, .axis = ${axis}, .point = ${point}}"
     PARENT_SCOPE)
 endfunction()
 
-# names(variable member...): `"a b\nc d\n"`, a line for each of the lists of names at these members.
+# names(variable member...): `"a\tb\t\nc\td\t\n"`, a line for each of the lists of names at these members.
 function(names variable)
   set(lines)
   string(JSON count ERROR_VARIABLE error LENGTH "${json}" ${ARGN})
   if(NOT error AND count GREATER 0)
     math(EXPR last "${count} - 1")
     foreach(i RANGE ${last})
-      string(JSON list GET "${json}" ${ARGN} ${i})
-      string(REGEX REPLACE "[][\", \n]+" " " list "${list}")
-      string(STRIP "${list}" list)
-      string(APPEND lines "${list}\\n")
+      string(JSON length LENGTH "${json}" ${ARGN} ${i})
+      foreach(k RANGE 1 ${length})
+        math(EXPR k "${k} - 1")
+        string(JSON name GET "${json}" ${ARGN} ${i} ${k})
+        string(APPEND lines "${name}\\t")
+      endforeach()
+      string(APPEND lines "\\n")
     endforeach()
   endif()
   set(${variable} "\"${lines}\"" PARENT_SCOPE)
@@ -124,7 +126,11 @@ foreach(file IN LISTS files)
   else()
     string(APPEND about ".convention = DhConvention::${convention}, ")
   endif()
-  string(APPEND joints "constexpr CatalogJoint joints_of_${name}[] = {\n")
+  if(count EQUAL 0)
+    message(FATAL_ERROR "${file} has no joints")
+  endif()
+  string(MAKE_C_IDENTIFIER "joints_of_${name}" joints_of_arm)
+  string(APPEND joints "constexpr CatalogJoint ${joints_of_arm}[] = {\n")
   math(EXPR last "${count} - 1")
   foreach(number RANGE ${last})
     cmake_language(CALL ${kind} joint ${number})
@@ -139,11 +145,11 @@ foreach(file IN LISTS files)
   if(stated AND flange_stated)
     pose(root controller_base)
     pose(flange flange)
-    set(controller ", .controller_base = CatalogPose${root}, .flange = CatalogPose${flange}")
+    set(controller ", .controller = CatalogFrames{${root}, ${flange}}")
   elseif(stated OR flange_stated)
     message(FATAL_ERROR "${file} states one of controller_base and flange; it needs both or none")
   endif()
-  string(APPEND entries "    {${about}.joints = joints_of_${name},
+  string(APPEND entries "    {${about}.joints = ${joints_of_arm},
      .tool = ${tool}, .base = ${base}${controller}},\n")
 endforeach()
 

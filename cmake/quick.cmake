@@ -5,7 +5,7 @@
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=500000>)
 
 # beeline_optimise(target -O2): instead of -O3, where -O3 takes long and gains nothing. Under a sanitizer, which takes -O1,
-# such a target is compiled with BEELINE_SANITIZER_OPTIONS: -O0 takes two thirds of the time. Kernels need -O1 or more then
+# a target of -O2 is compiled with BEELINE_SANITIZER_OPTIONS: -O0 takes two thirds of the time. Kernels need -O1 or more then
 # (BEELINE_KERNEL_OPTIONS): without inlining, their vectors are passed in two ways.
 set(BEELINE_SANITIZER_OPTIONS "" CACHE STRING "Further options for what is not compiled with -O3, under a sanitizer")
 function(beeline_optimise target level)

@@ -1,4 +1,4 @@
-#include <sstream>
+#include <string_view>
 
 #include <beeline/error.h>
 #include <beeline/model/catalog.h>
@@ -12,14 +12,19 @@ using internal::CatalogEntry;
 using internal::CatalogJoint;
 using internal::CatalogPose;
 
-std::vector<std::vector<std::string>> lists_of_names(const std::string& lines) {
-  std::vector<std::vector<std::string>> lists;
-  std::istringstream text(lines);
-  for (std::string line; std::getline(text, line);) {
-    std::istringstream names(line);
-    lists.emplace_back();
-    for (std::string name; names >> name;) lists.back().push_back(name);
+/// Returns the parts of a text, behind each of which stands a separator.
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t end = 0; (end = text.find(separator)) != text.npos;
+       text.remove_prefix(end + 1)) {
+    parts.emplace_back(text.substr(0, end));
   }
+  return parts;
+}
+
+std::vector<std::vector<std::string>> lists_of_names(std::string_view lines) {
+  std::vector<std::vector<std::string>> lists;
+  for (const std::string& line : parts_of(lines, '\n')) lists.push_back(parts_of(line, '\t'));
   return lists;
 }
 
@@ -48,10 +53,10 @@ Arm arm_of(const CatalogEntry& entry) {
   for (const CatalogJoint& joint : entry.joints)
     joints.push_back(joint_of(joint, entry.convention));
   const Pose tool = pose_of(entry.tool), base = pose_of(entry.base);
-  if (!entry.controller_base) return Arm(entry.name, std::move(joints), tool, base);
-  return Arm(
-      entry.name, std::move(joints), tool, base,
-      ControllerFrames{.base = pose_of(*entry.controller_base), .flange = pose_of(*entry.flange)});
+  if (!entry.controller) return Arm(entry.name, std::move(joints), tool, base);
+  return Arm(entry.name, std::move(joints), tool, base,
+             ControllerFrames{.base = pose_of(entry.controller->base),
+                              .flange = pose_of(entry.controller->flange)});
 }
 
 }  // namespace

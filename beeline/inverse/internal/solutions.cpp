@@ -12,14 +12,15 @@
 namespace beeline::internal {
 namespace {
 
-/// Whether two solutions may coincide: at a fine tolerance they do only next to a singular one.
+/// Whether two solutions may coincide. At a tolerance of at most `fine`, two solutions coincide
+/// only next to a singular solution. Inlined, because most pairs end here.
 bool may_coincide(const Request& request, const Solution& a, const Solution& b) {
   constexpr double fine = 1e-10;
   return request.tolerance > fine || !(a.regular || b.regular);
 }
 
 /// Whether two solutions are one to the tolerance: the configuration halfway between them nearly
-/// solves the pose too. This is the case if several solutions coincide.
+/// solves the pose too. This is the case if several solutions coincide. Requires may_coincide().
 bool coincide(const Request& request, const Solution& a, const Solution& b) {
   constexpr double near = 0.01;  // radians or metres
   // Factor on the tolerance; the solutions themselves have errors up to 1.
