@@ -183,7 +183,7 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   file.duration = samples.times.back();
   std::vector<std::string> comments;
   if (options.comments) {
-    comments = {"Beeline: " + std::to_string(file.samples) + " samples in " +
+    comments = {std::string(internal::own_comment) + std::to_string(file.samples) + " samples in " +
                 number(file.duration) + " s"};
     add_guarantees(file, comments);
     for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
@@ -211,10 +211,10 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       internal::note_on_frames(form, frames) + internal::note_on_form(described, motion.trajectory);
   file.samples = program.moves.size();
   file.duration = motion.trajectory.times.back();
-  std::vector<std::string> comments{"Beeline: " + std::to_string(file.samples) +
-                                    " moves, planned and certified with " + number(file.duration) +
-                                    " s and a deviation of at most " +
-                                    deviation_text(motion.deviation.bound)};
+  std::vector<std::string> comments{
+      std::string(internal::own_comment) + std::to_string(file.samples) +
+      " moves, planned and certified with " + number(file.duration) +
+      " s and a deviation of at most " + deviation_text(motion.deviation.bound)};
   add_guarantees(file, comments);
   for (const std::string& text : options.remarks) comments.push_back(remark(described, text));
   const internal::MoveSource source{

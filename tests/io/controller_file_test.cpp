@@ -8,11 +8,14 @@
 #include <beeline/model/catalog.h>
 #include <beeline/trajectory/limit_usage.h>
 
+#include <tests/degrees.h>
 #include <tests/io/random_trajectory.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
+
+using testing::deg;
 
 TEST(ControllerFile, FormsHaveNames) {
   for (const std::string& form : controller_form_names()) {
@@ -20,6 +23,37 @@ TEST(ControllerFile, FormsHaveNames) {
     EXPECT_FALSE(controller_file_endings(controller_form_named(form)).empty());
   }
   EXPECT_REFUSED(controller_form_named("rapit"), "did you mean \"rapid\"?");
+}
+
+TEST(ControllerFile, IsReadInRadiansAndSecondsWhateverItsCommentsName) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  const Trajectory trajectory =
+      testing::in_nanoseconds(testing::random_trajectory(random, arm.joint_names()));
+  for (const ControllerForm form : {ControllerForm::csv, ControllerForm::ros2}) {
+    const ControllerFile file =
+        controller_file(arm, trajectory, form,
+                        {.rate = form == ControllerForm::csv ? std::optional(100.) : std::nullopt,
+                         .remarks = {"Clearance of the motion of angles in degrees.csv", "units=mm",
+                                     "Repeat this proof: beeline export --angle-unit deg "
+                                     "--time-unit ms data_deg.csv"},
+                         .ignore_limits = true});
+    const std::string path = form == ControllerForm::csv ? "a.csv" : "a.yaml";
+    const Recording read = parse_recording(file.text, path, arm);
+    EXPECT_TRUE(read.notes.empty()) << file.text.substr(0, 600);
+    const Trajectory without = parse_trajectory(file.text, path);
+    ASSERT_EQ(read.trajectory.size(), file.samples);
+    EXPECT_EQ(read.trajectory.times.back(), without.times.back());
+    EXPECT_EQ(read.trajectory.positions.back(), without.positions.back());
+    EXPECT_NEAR(read.trajectory.times.back(), file.duration, 1e-9);
+    // Who converts the numbers and says so below is believed.
+    const std::size_t last = file.text.find("data_deg.csv\n");
+    std::string converted = file.text;
+    converted.insert(last + std::string("data_deg.csv\n").size(), "# units: deg\n");
+    const Recording degrees = parse_recording(converted, path, arm);
+    EXPECT_NEAR(degrees.trajectory.positions.back()[0], read.trajectory.positions.back()[0] * deg,
+                1e-12);
+  }
 }
 
 TEST(ControllerFile, RosMessagesReadBackToTheLastBit) {

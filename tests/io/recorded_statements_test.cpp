@@ -226,6 +226,14 @@ TEST(RecordedStatements, CommentsThatAreNotClearAreNoted) {
             "a.csv: the comment \"was ms\" does not give a unit clearly; times are read in s; "
             "time_unit gives it");
   EXPECT_EQ(notes("# not mm\n" + rows).at(0).joint_unit, JointUnit::metres);
+  // Names of files and options of commands are no statements.
+  for (const char* elsewhere :
+       {"file: data_deg.csv", "source: C:\\data\\angles in degrees\\m5.csv", "in deg/m5.csv,",
+        "by record --angle-unit deg arm", "by record --angle-unit=deg", "in /deg", "(../deg/)"}) {
+    const auto quoted = notes("# " + std::string(elsewhere) + "\n" + rows);
+    ASSERT_EQ(quoted.size(), 1u) << elsewhere;
+    EXPECT_EQ(quoted[0].joint_unit, JointUnit::radians) << elsewhere;
+  }
   // Where something else gives the unit there is no note.
   const std::string comment = "# converted from degrees\n";
   EXPECT_TRUE(notes(comment + "time,turn_rad,slide\n0,1,2\n").empty());

@@ -44,6 +44,21 @@ std::vector<RawWord> raw_words(std::string_view text) {
   return words;
 }
 
+/// Whether a word between blanks names a file or a folder: `data_deg.csv`, `c:\data`, `../deg/`.
+bool is_path(std::string_view word) {
+  while (!word.empty() && std::string_view(",;:.!?)]}\"'").find(word.back()) != word.npos) {
+    word.remove_suffix(1);
+  }
+  if (word.find('\\') != word.npos || word.ends_with('/')) return true;
+  if (word.starts_with('/') || word.starts_with("./") || word.starts_with("../")) return true;
+  const std::size_t dot = word.find_last_of('.');
+  if (dot == word.npos || dot == 0 || is_digit(word[dot - 1])) return false;
+  const std::string_view ending = word.substr(dot + 1);
+  constexpr std::size_t longest_ending = 5;
+  return ending.size() >= 2 && ending.size() <= longest_ending &&
+         std::all_of(ending.begin(), ending.end(), is_letter);
+}
+
 /// Letters and digits of a name in lower case.
 std::string letters_of(std::string_view name) {
   std::string letters;
@@ -146,6 +161,23 @@ class WordReader {
     return false;
   }
 
+  /// Whether the text at this place is a part of a path, or the value of a command's option.
+  bool is_quoted_from_elsewhere(std::size_t at) const {
+    const std::size_t before = at == 0 ? text_.npos : text_.find_last_of(' ', at - 1);
+    const std::size_t begin = before == text_.npos ? 0 : before + 1;
+    if (is_path(text_.substr(begin, std::min(text_.find(' ', at), text_.size()) - begin))) {
+      return true;
+    }
+    const auto is_option = [this](std::size_t from) {
+      return text_.substr(from).starts_with("--") && from + 2 < text_.size() &&
+             is_letter(text_[from + 2]);
+    };
+    if (is_option(begin)) return true;
+    if (begin < 2) return false;
+    const std::size_t earlier = text_.find_last_of(' ', begin - 2);
+    return is_option(earlier == text_.npos ? 0 : earlier + 1);
+  }
+
   bool take_unit() {
     const std::size_t begin = raw_[at_].begin;
     if (take_other_unit(begin)) return true;
@@ -177,6 +209,7 @@ class WordReader {
       if (rate.size == 0) size = with_other_rate(begin, size, found);
     }
     found.text = std::string(text_.substr(begin, size));
+    if (is_quoted_from_elsewhere(begin)) words_.push_back({.kind = WordKind::doubt});
     words_.push_back(std::move(found));
     while (at_ < raw_.size() && raw_[at_].begin < begin + size) ++at_;
     return true;

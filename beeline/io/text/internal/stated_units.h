@@ -64,7 +64,9 @@ struct StatedUnits {
 /// columns and the like. Units of other subjects, such as torques, limits and, in a table of
 /// joints, the tool, are ignored, and so is a unit behind a number, as in `step 1 deg`. Any other
 /// unit makes the comment unclear, and so do negations, conversions (`converted from deg`),
-/// settings (`degrees: false`) and statements on some of the joints. Throws FileError for two units
+/// settings (`degrees: false`), names of files (`data_deg.csv`), options of commands
+/// (`--angle-unit deg`) and statements on some of the joints. Comments of files that Beeline writes
+/// are left out: see own_comment. Throws FileError for two units
 /// of one quantity.
 StatedUnits stated_units(const std::vector<Comment>& comments,
                          const std::vector<std::string>& columns, const std::string& path);
