@@ -34,7 +34,7 @@ TEST(ControllerFile, IsReadInRadiansAndSecondsWhateverItsCommentsName) {
     const ControllerFile file =
         controller_file(arm, trajectory, form,
                         {.rate = form == ControllerForm::csv ? std::optional(100.) : std::nullopt,
-                         .remarks = {"Clearance of the motion of angles in degrees.csv", "units=mm",
+                         .remarks = {"Clearance of the motion of angles in degrees.csv", "May touch: units=mm",
                                      "Repeat this proof: beeline export --angle-unit deg "
                                      "--time-unit ms data_deg.csv"},
                          .ignore_limits = true});

@@ -209,8 +209,8 @@ class WordReader {
       if (rate.size == 0) size = with_other_rate(begin, size, found);
     }
     found.text = std::string(text_.substr(begin, size));
-    if (is_quoted_from_elsewhere(begin)) words_.push_back({.kind = WordKind::doubt});
     words_.push_back(std::move(found));
+    if (is_quoted_from_elsewhere(begin)) words_.push_back({.kind = WordKind::doubt});
     while (at_ < raw_.size() && raw_[at_].begin < begin + size) ++at_;
     return true;
   }
