@@ -25,8 +25,8 @@ InverseMethod inverse_method_named(
 std::string name(InverseMethod method);
 
 /// Selection of one of infinitely many solutions, if the arm has more joints than the task has
-/// rows. With a closed form the optimum is global over the range of the redundant joint, otherwise
-/// it is local in the null space.
+/// rows. With a closed form the optimum is the best of all branches on a grid over the range of the
+/// redundant joint, refined; otherwise it is local in the null space.
 enum class Redundancy {
   any,      ///< the first solution found, searching outwards from the seed; near the seed if the
             ///< tool is near the pose there

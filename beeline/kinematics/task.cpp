@@ -36,7 +36,9 @@ std::string listed_names() {
 
 void check_task(const Task& task) {
   if (task.size() > 0 && task.frame != Frame::space) return;
-  throw Error("the task needs at least one row, in the axes of the base or of the tool");
+  throw Error(task.frame == Frame::space
+                  ? "the frame is space; this is computed in the axes of the base or of the tool"
+                  : "the task needs at least one row, in the axes of the base or of the tool");
 }
 
 int Task::size() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }

@@ -31,13 +31,13 @@ TEST(ControllerFile, IsReadInRadiansAndSecondsWhateverItsCommentsName) {
   const Trajectory trajectory =
       testing::in_nanoseconds(testing::random_trajectory(random, arm.joint_names()));
   for (const ControllerForm form : {ControllerForm::csv, ControllerForm::ros2}) {
-    const ControllerFile file =
-        controller_file(arm, trajectory, form,
-                        {.rate = form == ControllerForm::csv ? std::optional(100.) : std::nullopt,
-                         .remarks = {"Clearance of the motion of angles in degrees.csv", "May touch: units=mm",
-                                     "Repeat this proof: beeline export --angle-unit deg "
-                                     "--time-unit ms data_deg.csv"},
-                         .ignore_limits = true});
+    const ControllerFile file = controller_file(
+        arm, trajectory, form,
+        {.rate = form == ControllerForm::csv ? std::optional(100.) : std::nullopt,
+         .remarks = {"Clearance of the motion of angles in degrees.csv", "May touch: units=mm",
+                     "Repeat this proof: beeline export --angle-unit deg "
+                     "--time-unit ms data_deg.csv"},
+         .ignore_limits = true});
     const std::string path = form == ControllerForm::csv ? "a.csv" : "a.yaml";
     const Recording read = parse_recording(file.text, path, arm);
     EXPECT_TRUE(read.notes.empty()) << file.text.substr(0, 600);

@@ -229,7 +229,7 @@ TEST(RecordedStatements, CommentsThatAreNotClearAreNoted) {
   // Names of files and options of commands are no statements.
   for (const char* elsewhere :
        {"file: data_deg.csv", "source: C:\\data\\angles in degrees\\m5.csv", "in deg/m5.csv,",
-        "by record --angle-unit deg arm", "by record --angle-unit=deg", "in /deg", "(../deg/)"}) {
+        "by record --angle-unit deg arm", "by record --angle-unit=deg", "see ./deg", "(../deg/)"}) {
     const auto quoted = notes("# " + std::string(elsewhere) + "\n" + rows);
     ASSERT_EQ(quoted.size(), 1u) << elsewhere;
     EXPECT_EQ(quoted[0].joint_unit, JointUnit::radians) << elsewhere;
