@@ -1,7 +1,8 @@
 """The shapes of built-in arms contain the meshes that they are fitted to, and exceed them by at most 15 mm.
 
-With CASES=3; by default for one of three triangles, and links. The meshes and their places are Pinocchio's reading of example-robot-data, or of the MJCF files of robosuite where that is
-installed; the shapes are read by Beeline from the arm's name. The bodies are named as the links of these descriptions.
+With CASES=3 all triangles and links are looked at; by default one triangle of three, and the excess of one link of three. The
+meshes and their places are Pinocchio's reading of example-robot-data, or of the MJCF files of robosuite where that is installed;
+the shapes are read by Beeline from the arm's name. The bodies are named as the links of these descriptions.
 """
 
 import importlib.util

@@ -2,6 +2,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/numbers.h>
 #include <beeline/io/text/internal/stated_units.h>
 #include <beeline/io/text/internal/unit_clause.h>
 
@@ -91,19 +92,13 @@ const Unit* unit_in_comments(const std::string& column, const Unit& target,
   return unit;
 }
 
-/// The text without blanks at its beginning.
-std::string_view begun(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  return text;
-}
-
 /// Returns the comments without those that Beeline has written, which are not about units. A
 /// statement that someone has added below them, such as `units: deg`, stays.
 std::vector<Comment> comments_of_others(const std::vector<Comment>& comments) {
   std::vector<Comment> others;
   int own_line = -1;  // the last of Beeline's comments
   for (const Comment& comment : comments) {
-    const std::string_view text = begun(comment.text);
+    const std::string_view text = trimmed(comment.text);
     const bool continues = own_line >= 0 && comment.line == own_line + 1;
     if (text.starts_with(own_comment) || continues) own_line = comment.line;
     const bool is_own = own_line == comment.line && !text.starts_with("unit");
