@@ -202,10 +202,7 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
     if (arguments.recover.given()) {
       throw Error("--recover is for files of poses; " + arguments.through + " is a program");
     }
-    if (arguments.scene.recover_clearance) {
-      throw Error("--recover-clearance is for files of poses; " + arguments.through +
-                  " is a program");
-    }
+    arguments.scene.refuse_recovery_of_program(arguments.through);
     const Program program =
         program_from(text, arguments.through, arm,
                      {arguments.arm, arguments.task, arguments.work, arguments.unit},
@@ -385,7 +382,6 @@ Verb check_verb() {
                          arguments->path.options(),
                          proof_options(*arguments),
                          arguments->scene.options(),
-                         {arguments->scene.recover_option()},
                          {plot_option(&arguments->plot)},
                          arguments->arm.options(),
                          arguments->limits.options(),

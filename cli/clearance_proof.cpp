@@ -46,7 +46,6 @@ ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
 
 std::string SceneArgument::start_clause(const CheckedScene& scene, const Configuration& start,
                                         std::string_view accepted) const {
-  if (!can_recover) return "";
   constexpr double rounding = 1e-9;  // m, see ClearanceOptions::recover_clearance
   const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
   if (pairs.empty()) return "";

@@ -169,15 +169,6 @@ Json json_attached(const ClearanceReport& report) {
   return list;
 }
 
-/// The beginning of a motion that leads out of the clearance.
-std::string clearance_recovery_text(const ClearanceRecovery& recovery) {
-  const std::string others =
-      recovery.pairs == 1 ? "" : fmt::format(", the deepest of {} pairs", recovery.pairs);
-  return fmt::format(
-      "recovery      starts {} m closer than the clearance, {}{}; out of it from {} s on\n",
-      shown(recovery.depth), pair_text(recovery.names), others, shown(recovery.time));
-}
-
 Json json_clearance_recovery(const ClearanceProof& proof) {
   if (!proof || !proof.recovery) return nullptr;
   const ClearanceRecovery& recovery = *proof.recovery;
@@ -266,6 +257,19 @@ std::vector<SceneLine> conditions(const CheckedScene& scene) {
   return lines;
 }
 
+std::string ClearanceReport::when() const {
+  return proof.recovery ? "from " + shown(proof.recovery->time) + " s on" : "at all times";
+}
+
+std::vector<SceneLine> ClearanceReport::recovery() const {
+  if (!proof || !proof.recovery) return {};
+  const ClearanceRecovery& out = *proof.recovery;
+  const std::string others =
+      out.pairs == 1 ? "" : fmt::format(", the deepest of {} pairs", out.pairs);
+  return {{"recovery", fmt::format("starts {} m closer than the clearance, {}{}; out of it {}",
+                                   shown(out.depth), pair_text(out.names), others, when())}};
+}
+
 std::vector<SceneLine> ClearanceReport::conditions() const {
   std::vector<SceneLine> lines = attached_lines(*this);
   for (SceneLine& line : command::conditions(*scene)) lines.push_back(std::move(line));
@@ -311,11 +315,9 @@ std::string ClearanceReport::text() const {
   if (proof && checks_nothing()) {
     text += "clearance     nothing was checked: no pair of bodies counts\n";
   } else if (proof) {
-    const std::string when =
-        proof.recovery ? "from " + shown(proof.recovery->time) + " s on" : "at all times";
-    text += fmt::format("clearance     kept {}, proved; {}\n", when, guarantee());
+    text += fmt::format("clearance     kept {}, proved; {}\n", when(), guarantee());
   }
-  if (proof && proof.recovery) text += clearance_recovery_text(*proof.recovery);
+  text += lines_text(recovery());
   if (proof && !proof.pair.names[0].empty()) {
     text +=
         fmt::format("closest       {}: {} m at {} s, {} m are required\n", names_text(proof.pair),

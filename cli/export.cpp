@@ -98,12 +98,14 @@ std::vector<std::string> remarks_on(const ExportArguments& arguments,
   const std::string proved =
       clearance.checks_nothing()
           ? "nothing was checked, as no pair of bodies counts"
-          : fmt::format("proved at all times for {}; {}", motion, clearance.guarantee());
+          : fmt::format("proved {} for {}; {}", clearance.when(), motion, clearance.guarantee());
   std::vector<std::string> remarks{
       fmt::format("Clearance of {} m{} {}: {}", number(clearance.clearance),
                   clearance.scene->obstacles_have_clearances ? ", or an obstacle's own," : "",
                   fmt::join(others, " and "), proved)};
-  for (SceneLine& line : clearance.conditions()) {
+  std::vector<SceneLine> lines = clearance.recovery();
+  for (SceneLine& line : clearance.conditions()) lines.push_back(std::move(line));
+  for (SceneLine& line : lines) {
     line.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line.label[0])));
     remarks.push_back(line.label + ": " + line.text);
   }
@@ -175,6 +177,7 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
                 " is for trajectories; " + arguments.file +
                 " is a program, which is planned within the limits");
   }
+  arguments.scene.refuse_recovery_of_program(arguments.file);
   return at_rows(program, arguments.file, [&] {
     check_controller_form(arm, program, form);
     const ProgramMotion motion =

@@ -13,6 +13,11 @@ std::vector<Option> JointPathArgument::options(const std::string& quickest,
   std::vector<Option> reading = recording.reading_options();
   std::erase_if(reading, [](const Option& option) { return option.name == "--time-unit"; });
   for (Option& option : reading) option.needs = "--through";
+  Option profile_option = profile.option(methods);
+  Option speed = tool_speed_option(&tool_speed, "", methods);
+  for (Option* option : {&profile_option, &speed}) {
+    option->help += " With --method " + quickest + " it needs --through.";
+  }
   std::vector<Option> own{
       Option("--through FILE",
              "Configurations that the quickest motion passes after --from, without a stop, up to "
@@ -24,8 +29,8 @@ std::vector<Option> JointPathArgument::options(const std::string& quickest,
                          "configurations; with --method around the blends are as large as the "
                          "clearance allows.",
                          methods),
-      profile.option(methods),
-      tool_speed_option(&tool_speed, "", methods),
+      profile_option,
+      speed,
       duration_option(&duration,
                       ", with --to a whole number of periods of --rate, otherwise without a rate",
                       "", methods),

@@ -105,9 +105,10 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   if (scene != nullptr) {
     proved.emplace(ProvedScene{arguments, *scene});
     options.blocked_by = blocked_motions(scene->model);
-    options.blocked_by.reason = [&proved](const Trajectory& motion, const Budget& budget) {
-      return proved->blocked(motion, budget);
+    options.blocked_by.reason = [&proved](const Trajectory& motion, const ClearanceOptions& asked) {
+      return proved->blocked(motion, asked.budget);
     };
+    options.recover_clearance = arguments.scene.recover_clearance.value_or(0);
   }
   const auto begin = [&] { return forward_kinematics(arm, nearest_within_limits(arm, *start)); };
   const Route route =
@@ -192,6 +193,7 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   if (arguments.recover.given()) {
     throw Error("--recover is for files of poses; " + arguments.through + " is a program");
   }
+  arguments.scene.refuse_recovery_of_program(arguments.through);
   if (arguments.motion.duration) {
     throw Error("--duration is for files of poses; " + arguments.through +
                 " is a program, whose rows have speeds");

@@ -67,6 +67,10 @@ std::string tool_text(const MoveArguments& arguments, const Arm& arm, const Pose
   return "tool at the goal\n" + pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
 }
 
+Json tool_document(const MoveArguments& arguments, const Arm& arm, const Pose& goal) {
+  return json_pose(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
+}
+
 std::string move_text(const MoveArguments& arguments, const Arm& arm,
                       const ControlledMotion& motion, const Pose& goal) {
   std::string text;
@@ -145,6 +149,7 @@ Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const C
   if (!answer.yes) return answer;
   answer.document.add(
       "error", (retimed.trajectory.positions.back() - waypoints.back()).lpNorm<Eigen::Infinity>());
+  answer.document.add("tool_at_goal", tool_document(arguments, arm, result.waypoints.back()));
   answer.units = {{"error", "rad or m"}};
   answer.text += tool_text(arguments, arm, result.waypoints.back());
   return answer;
@@ -170,8 +175,7 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
                      const std::optional<CheckedScene>& scene, ControlledMotion motion) {
   std::optional<ClearanceReport> clearance;
   if (scene && motion) {
-    clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next(),
-                                      arguments.method == quickest);
+    clearance = arguments.scene.prove(*scene, motion.trajectory, arguments.budget.next());
     motion.status = clearance->refusal();
     if (!clearance->proof) motion.reason = clearance->proof.reason;
     arguments.files.draw_refusal(*clearance);
@@ -199,6 +203,7 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
       .yes = reached,
       .reason = clearance && !reached ? clearance->reason_text() : sentence(motion.reason)};
   answer.document.add(json_reason(motion.reason));
+  answer.document.add("tool_at_goal", tool_document(arguments, arm, goal));
   if (reached) {
     answer.document.add("limits", json_limits(motion.limits));
     answer.document.add("start_jump", json_start_jump(arm, motion.start_jump, arguments.unit));
@@ -285,8 +290,7 @@ std::vector<Option> quickest_options(MoveArguments& arguments) {
               "return to "
               "them, in which the excess of each joint falls; with --through to the nearest "
               "configuration within them, at rest. `beeline check` needs the same option.",
-              {.methods = {quickest}}),
-          arguments.scene.recover_option({.methods = {quickest, around}})};
+              {.methods = {quickest}})};
 }
 
 }  // namespace

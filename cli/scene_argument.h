@@ -94,6 +94,10 @@ struct ClearanceReport {
   bool checks_nothing() const;
   /// Returns what is proved: "each of the 12 pairs that count keeps at least 0.05 m".
   std::string guarantee() const;
+  /// Returns when the clearance is kept: "at all times", or "from 0.04 s on" after a recovery.
+  std::string when() const;
+  /// Returns the beginning that leads out of the clearance, if there is one.
+  std::vector<SceneLine> recovery() const;
   /// Returns the parts that are attached, and the conditions() of the scene.
   std::vector<SceneLine> conditions() const;
   /// Returns the status of a motion that is refused.
@@ -116,15 +120,12 @@ struct SceneArgument {
   std::optional<double> clearance, resolution, radius, recover_clearance;
   /// False where mounts are searched: no obstacle is then given in a frame that moves with them.
   bool fixed_mount = true;
-  bool can_recover = false;  ///< whether the verb has --recover-clearance
 
   std::vector<Option> options();
-  /// The same without --resolution, for single configurations.
+  /// The same without --resolution and --recover-clearance, for single configurations.
   std::vector<Option> distance_options();
   /// --scene, --tool-shape, --hold and --package, which say what the bodies are.
   std::vector<Option> body_options();
-  /// --recover-clearance, of the verbs that have it.
-  Option recover_option(const OptionRules& rules = {});
   bool given() const { return self || !scenes.empty(); }
   /// The files that are read, for refuse_overwriting().
   std::vector<std::string> inputs() const;
@@ -136,10 +137,13 @@ struct SceneArgument {
 
   /// Returns what the reason of a refused motion adds if it starts closer than the clearance: the
   /// deepest pair, its depth and the value of --recover-clearance that accepts it. Empty if it does
-  /// not start there, and for verbs without the option.
+  /// not start there.
   /// `accepted`: the clause for a start that the option accepts.
   std::string start_clause(const CheckedScene& scene, const Configuration& start,
                            std::string_view accepted) const;
+
+  /// Throws Error for --recover-clearance, because a program in the file starts within it.
+  void refuse_recovery_of_program(const std::string& file) const;
 
   /// Proves or refutes that the motion keeps its clearance. `may_recover`: whether the verb takes
   /// --recover-clearance for such a motion, if it has the option.

@@ -11,20 +11,19 @@ std::vector<Option> SceneArgument::options() {
                "The clearance is proved at all times, also between the samples. Distances that "
                "differ from it by less than this fraction of it are not decided. Default: " +
                    number(ClearanceOptions().resolution) + ".",
-               &resolution, {.range = {1e-6, 1}})}});
+               &resolution, {.range = {1e-6, 1}}),
+        Option("--recover-clearance METRES",
+               "Accept a motion that starts closer than the clearance, or in contact, by at most "
+               "this much, and leads out of it: until then, no pair of bodies that is too close "
+               "at the start comes closer, and all others keep the clearance; all keep it "
+               "afterwards. A contact counts with the clearance and its depth, and may become "
+               "deeper down to the depth that is reported.",
+               &recover_clearance, {.range = {0, max_recover_clearance}})}});
 }
 
-Option SceneArgument::recover_option(const OptionRules& rules) {
-  can_recover = true;
-  OptionRules accepted = rules;
-  accepted.range = {0, max_recover_clearance};
-  return Option("--recover-clearance METRES",
-                "Accept a motion that starts closer than the clearance, or in contact, by at most "
-                "this much, and leads out of it: until then, no pair of bodies that is too close "
-                "at the start comes closer, and all others keep the clearance; all keep it "
-                "afterwards. A contact counts with the clearance and its depth, and may become "
-                "deeper down to the depth that is reported.",
-                &recover_clearance, std::move(accepted));
+void SceneArgument::refuse_recovery_of_program(const std::string& file) const {
+  if (!recover_clearance) return;
+  throw Error("--recover-clearance is for paths and trajectories; " + file + " is a program");
 }
 
 std::vector<Option> SceneArgument::obstacle_options() {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <beeline/certificate/clearance.h>
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/certificate/verify.h>
@@ -45,6 +46,10 @@ void check_motion_options(const PathMotionOptions& options) {
   }
   internal::check_options(timing_options(options));
   check_recover(options.recover);
+  check_recover_clearance(options.recover_clearance);
+  if (options.recover_clearance > 0 && !options.blocked_by.reason) {
+    throw Error("", "recover_clearance", " needs blocked_by");
+  }
   if (options.blocked_by.spare_clearance && !options.blocked_by.reason) {
     throw Error::of("blocked_by", "spare_clearance of blocked motions needs a reason beside it");
   }
@@ -70,8 +75,8 @@ Configuration checked_start(const Arm& arm, const Configuration& start,
 bool is_possible(const MotionRequest& request, const BlockedMotions& blocked_by,
                  BudgetMeter& budget) {
   const PathMotion motion = planned_motion_in_time(request, budget);
-  const bool blocked =
-      motion && blocked_by.reason && blocked_by.reason(motion.trajectory, budget.part());
+  const bool blocked = motion && blocked_by.reason &&
+                       blocked_reason(blocked_by, request.clearance, budget, motion.trajectory);
   return motion && !blocked && budget.complete();
 }
 
@@ -96,7 +101,8 @@ Suggestions suggestions(const MotionRequest& request, const BlockedMotions& bloc
   const auto add_if_possible = [&](NearbyPath nearby, const std::optional<Configuration>& from) {
     Route other = route;
     other.path = nearby.path;
-    const MotionRequest nearby_request{arm, from, other, options, request.timing, request.proof};
+    const MotionRequest nearby_request{
+        arm, from, other, options, request.timing, request.proof, request.clearance};
     if (is_possible(nearby_request, blocked_by, budget)) {
       result.found.push_back(std::move(nearby));
     }
@@ -136,7 +142,8 @@ PathMotion planned_or_suggestions(const Arm& arm, const std::optional<Configurat
                         route,
                         branch_options(arm, options, planned_fraction),
                         timing_options(options),
-                        proof_options(options)};
+                        proof_options(options),
+                        clearance_options(options)};
   request.branch.budget = budget.part(0, planning_share);
   PathMotion motion = planned_motion(request, budget);
   const bool followed(motion);
@@ -208,7 +215,8 @@ void begin_with_recovery(const Arm& arm, const Trajectory& section, const Route&
   motion.limits = limit_usage(arm, motion.trajectory, budget.part());
   if (!budget.complete()) return set_refused(MotionStatus::not_proved, {}, budget, motion);
   if (!options.blocked_by.reason) return;
-  Reason blocked = options.blocked_by.reason(motion.trajectory, budget.part());
+  Reason blocked =
+      blocked_reason(options.blocked_by, clearance_options(options), budget, motion.trajectory);
   const MotionStatus status = status_of_blocked(blocked);
   if (blocked) set_refused(status, std::move(blocked), budget, motion);
 }
@@ -247,8 +255,8 @@ PathMotion recovering_motion(const Arm& arm, const Configuration& start, const R
 
 BlockedMotions blocked_motions(const std::shared_ptr<const CollisionModel>& model) {
   return {.reason =
-              [model](const Trajectory& motion, const Budget& budget) {
-                return prove_clearance(*model, motion, {.budget = budget}).reason;
+              [model](const Trajectory& motion, const ClearanceOptions& options) {
+                return prove_clearance(*model, motion, options).reason;
               },
           .spare_clearance =
               [model](const ConfigurationRef& q) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <beeline/budget.h>
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/collision/collision_model.h>
 #include <beeline/error.h>
@@ -44,8 +45,9 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
 
 /// What blocks motions along a path.
 struct BlockedMotions {
-  /// Reason against a planned motion, within a budget; none if it is not blocked.
-  std::function<Reason(const Trajectory&, const Budget&)> reason = {};
+  /// Reason against a planned motion, within options.budget; none if it is not blocked. The motion
+  /// may begin closer than the clearance by options.recover_clearance.
+  std::function<Reason(const Trajectory&, const ClearanceOptions& options)> reason = {};
   /// Distance beyond the clearance at a configuration, m, negative where it is blocked. Redundant
   /// arms keep it positive by self-motion if the best motion is blocked. Default: unknown.
   std::function<double(const ConfigurationRef&)> spare_clearance = {};
@@ -86,6 +88,9 @@ struct PathMotionOptions {
   /// and the best motion that is not blocked is given. PathMotion::blocked lists the others.
   /// Default: every motion may be given.
   BlockedMotions blocked_by = {};
+  /// Largest depth from which the motion may lead out of the clearance of `blocked_by`, m:
+  /// ClearanceOptions::recover_clearance. The path itself must lead out.
+  double recover_clearance = 0;
   /// Whether to search for nearby paths if the path cannot be followed or its motions are blocked.
   bool suggest = false;
   Budget budget = {};  ///< budget of the plan, its timing, its proof and the suggestions
@@ -152,6 +157,9 @@ constexpr std::size_t max_stops = 5000;
 ///
 /// - With options.recover the motion may begin with a recovery. verify() proves, with the same
 ///   option, that no joint moves out in it; options.blocked_by counts for it too.
+/// - With options.recover_clearance the motion may begin closer than the clearance:
+/// prove_clearance()
+///   proves it with the same option.
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments or with more than max_stops stops, and a task that its segments do not

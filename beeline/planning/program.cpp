@@ -75,6 +75,9 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
                            const Program& program, const PathMotionOptions& options,
                            const CollisionModel* model) {
   check_program(arm, program, options.task, options.recover);
+  if (options.recover_clearance != 0) {
+    throw Error("recover_clearance is for paths; a program starts within its clearance");
+  }
   check_scene(arm, program, model);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
   if (options.blocked_by.reason || options.blocked_by.spare_clearance)

@@ -10,7 +10,8 @@ std::function<BlockedAtMount(const Pose&)> blocked_at_mounts(const CollisionMode
     const Reason base = base_blocked_by(*there);
     if (base) {
       return {.configuration = [base](const ConfigurationRef&) { return base; },
-              .motions = {.reason = [base](const Trajectory&, const Budget&) { return base; }}};
+              .motions = {
+                  .reason = [base](const Trajectory&, const ClearanceOptions&) { return base; }}};
     }
     return {.configuration = [there](const ConfigurationRef& q) { return blocked_by(*there, q); },
             .motions = blocked_motions(there)};

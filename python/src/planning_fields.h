@@ -69,8 +69,8 @@ struct Fields<PathMotionOptions>
               &PathMotionOptions::interpolation, &PathMotionOptions::tool_speed,
               &PathMotionOptions::rate, &PathMotionOptions::duration,
               &PathMotionOptions::max_samples, &PathMotionOptions::recover,
-              &PathMotionOptions::blocked_by, &PathMotionOptions::suggest,
-              &PathMotionOptions::budget> {};
+              &PathMotionOptions::blocked_by, &PathMotionOptions::recover_clearance,
+              &PathMotionOptions::suggest, &PathMotionOptions::budget> {};
 
 template <>
 struct Fields<BlockedBranch> : Members<&BlockedBranch::start, &BlockedBranch::status,

@@ -75,6 +75,55 @@ def test_a_motion_through_configurations_leads_out(beeline, cell, written):
     assert answer.code == 0 and answer.json["clearance"]["recovery"]["depth"] == pytest.approx(0.002, abs=1e-9), answer.err
 
 
+def test_a_line_leads_out(beeline, cell, tmp_path, written):
+    written("up.csv", "x,y,z\n-0.3,0.5,0\n-0.5,0.5,0\n")
+    line = ["line", "disc.json", "--from=0,0.203", "--through", "up.csv", "--task", "position", *cell, "--out", "line.csv"]
+    refused = beeline(*line)
+    assert refused.code == 1 and not (tmp_path / "line.csv").exists()
+    assert "disc and table are 0.002 m closer than the clearance; --recover-clearance 0.002 accepts" in refused.err
+    assert beeline(*line, "--recover-clearance", "0.001").code == 1
+    answer = beeline(*line, "--recover-clearance", "0.002", "--json")
+    assert answer.code == 0, answer.err
+    assert answer.json["clearance"]["recovery"]["pair"] == ["disc", "table"]
+    check = ["check", "disc.json", "line.csv", "--through", "up.csv", "--task", "position", *cell]
+    assert beeline(*check).code == 1 and beeline(*check, "--recover-clearance", "0.002").code == 0
+    written("down.csv", "x,y,z\n0,0.2025,0\n0,0.5,0\n")
+    down = beeline(*[word.replace("up.csv", "down.csv") for word in line], "--recover-clearance", "0.01")
+    assert down.code == 1 and "the motion must lead out of it" in down.err
+
+
+def test_a_program_does_not_lead_out(beeline, cell, written, refused):
+    written("program.csv", "motion,x,y,z\nline,0,0.5,0\n")
+    written("out.csv", "t,x,y\n0,0,0.203\n1,0,0.5\n")
+    says = ["--recover-clearance is for paths and trajectories; program.csv is a program"]
+    recover = [*cell, "--recover-clearance", "0.01"]
+    refused(2, "line", "disc.json", "--from=0,0.203", "--through", "program.csv", "--task", "position", *recover, says=says)
+    refused(2, "check", "disc.json", "out.csv", "--through", "program.csv", "--task", "position", *recover, says=says)
+
+
+def test_feedback_leads_out(beeline, cell):
+    assert "--recover-clearance 0.002 accepts" in move(beeline, cell, "feedback", "0,0.203", "-0.5,0.5").err
+    answer = move(beeline, cell, "feedback", "0,0.203", "-0.5,0.5", "--recover-clearance", "0.002", "--json")
+    assert answer.code == 0 and answer.json["clearance"]["recovery"]["depth"] == pytest.approx(0.002, abs=1e-9), answer.err
+
+
+@pytest.mark.parametrize("verb", ["retime", "replay", "export"])
+def test_what_is_made_of_a_motion_that_leads_out_does_too(beeline, cell, tmp_path, verb):
+    assert move(beeline, cell, "quickest", "0,0.203", "-0.5,0.5", "--recover-clearance", "0.002").code == 0
+    made = tmp_path / ("made.yaml" if verb == "export" else "made.csv")
+    make = [verb, "disc.json", "out.csv", *cell, "--out", made.name, *(["--as", "ros2"] if verb == "export" else [])]
+    refused = beeline(*make)
+    assert refused.code == 1 and not made.exists()
+    assert "--recover-clearance 0.002 accepts" in refused.err
+    answer = beeline(*make, "--recover-clearance", "0.002", "--json")
+    assert answer.code == 0 and answer.json["clearance"]["recovery"]["depth"] == pytest.approx(0.002, abs=1e-9), answer.err
+    time = answer.json["clearance"]["recovery"]["time"]
+    if verb == "export":
+        text = made.read_text()
+        assert f"proved from {time:g} s on" in text and "# Recovery: starts 0.002 m closer than the clearance" in text
+    assert beeline("check", "disc.json", made.name, *cell, "--recover-clearance", "0.002").code == 0
+
+
 def test_a_motion_that_comes_closer_first_is_refused(beeline, cell, written):
     written("down.csv", "t,x,y\n0,0,0.203\n1,0,0.2029\n2,0,0.5\n3,0,0.5\n")
     answer = beeline("check", "disc.json", "down.csv", *cell, "--recover-clearance", "0.01", "--moving-start")
@@ -100,6 +149,5 @@ def test_hostile_values_and_places(beeline, refused, cell, written):
     for value in ("-1", "-1e-300", "0.11", "1e308", "nan", "inf", "x", "", "slight"):
         refused(2, *start, "--method", "quickest", *cell, "--recover-clearance", value, says=["--recover-clearance"])
     refused(2, *start, "--method", "quickest", "--recover-clearance", "0.01", says=["--recover-clearance needs --scene"])
-    refused(2, *start, *cell, "--recover-clearance", "0.01", says=["--recover-clearance"])
     zero = move(beeline, cell, "quickest", "0,0.203", "0,0.5", "--recover-clearance", "0")
     assert zero.code == 1 and "--recover-clearance 0.002" in zero.err

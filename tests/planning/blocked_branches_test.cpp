@@ -223,11 +223,11 @@ TEST(BlockedBranches, AreNoneWhereTheBestOneIsClear) {
   const std::vector<Pose> line{forward_kinematics(arm, q),
                                forward_kinematics(arm, q + Configuration::Constant(6, 0.1))};
   int asked = 0;
-  const PathMotion motion =
-      move_in_lines(arm, line, {.blocked_by = {.reason = [&](const Trajectory&, const Budget&) {
-                                  ++asked;
-                                  return Reason();
-                                }}});
+  const PathMotion motion = move_in_lines(
+      arm, line, {.blocked_by = {.reason = [&](const Trajectory&, const ClearanceOptions&) {
+                    ++asked;
+                    return Reason();
+                  }}});
   EXPECT_TRUE(motion);
   EXPECT_TRUE(motion.blocked.empty());
   EXPECT_EQ(asked, 1);
@@ -241,10 +241,11 @@ TEST(BlockedBranches, EndWithTheBudget) {
   const Reason never{ReasonCode::bodies_too_close};
   testing::for_each_cancellation(testing::cases(30), [&](int n) {
     testing::CancelAt cancel(n);
-    const PathMotion motion = move_in_lines(
-        arm, line,
-        {.blocked_by = {.reason = [&](const Trajectory&, const Budget&) { return never; }},
-         .budget = cancel.budget()});
+    const PathMotion motion =
+        move_in_lines(arm, line,
+                      {.blocked_by = {.reason = [&](const Trajectory&,
+                                                    const ClearanceOptions&) { return never; }},
+                       .budget = cancel.budget()});
     EXPECT_FALSE(motion);
     if (!cancel.cancelled()) {
       EXPECT_EQ(motion.status, MotionStatus::collides);
@@ -258,9 +259,9 @@ TEST(BlockedBranches, AreNotOfPrograms) {
   const Arm arm = built_in("puma560");
   const Program program{.moves = {{.kind = MoveKind::joint, .q = Configuration::Constant(6, 0.2)}}};
   EXPECT_REFUSED(
-      move_program(
-          arm, Configuration::Zero(6), program,
-          {.blocked_by = {.reason = [](const Trajectory&, const Budget&) { return Reason(); }}}),
+      move_program(arm, Configuration::Zero(6), program,
+                   {.blocked_by = {.reason = [](const Trajectory&,
+                                                const ClearanceOptions&) { return Reason(); }}}),
       "blocked_by is for paths");
 }
 

@@ -166,7 +166,7 @@ TEST(RecoveryOfLines, IsProvedInTheSceneToo) {
   to.translation().z() += 0.05;
   int asked = 0;
   PathMotionOptions options{.recover = 0.1};
-  options.blocked_by.reason = [&](const Trajectory& motion, const Budget&) {
+  options.blocked_by.reason = [&](const Trajectory& motion, const ClearanceOptions&) {
     ++asked;
     const bool whole = motion.positions.front() == start;
     return whole ? Reason{ReasonCode::bodies_collide, {{ReasonField::time, 0.0}}} : Reason{};

@@ -45,6 +45,33 @@ def test_a_motion_leads_out(distance):
     assert too_little.status in ("collides", "not_decided") and too_little.recovery.depth == recovery.depth
 
 
+@pytest.mark.parametrize("distance", [0.003, -0.002])
+def test_a_line_leads_out(distance):
+    model = model_with_table(distance)
+    begin = beeline.forward_kinematics(ARM, LOW)
+    up, down = begin.copy(), begin.copy()
+    up[2, 3] += 0.1
+    down[2, 3] -= 0.001
+    blocked = beeline.move_in_lines(ARM, LOW, [up], blocked_by=model)
+    assert blocked.status == "collides" and "closer than the clearance" in str(blocked.reason)
+    too_little = beeline.move_in_lines(ARM, LOW, [up], blocked_by=model, recover_clearance=0.001)
+    assert too_little.status == "collides"
+    motion = beeline.move_in_lines(ARM, LOW, [up], blocked_by=model, recover_clearance=0.01)
+    assert motion, motion.reason
+    proof = beeline.prove_clearance(model, motion.trajectory, recover_clearance=0.01)
+    assert proof and proof.recovery.depth == pytest.approx(0.005 - distance, abs=1e-9)
+    assert not beeline.prove_clearance(model, motion.trajectory)
+    assert not beeline.move_in_lines(ARM, LOW, [down, up], blocked_by=model, recover_clearance=0.01)
+
+
+def test_a_line_recovers_from_what_blocks_it_alone():
+    with pytest.raises(beeline.Error, match="recover_clearance needs blocked_by"):
+        beeline.move_in_lines(ARM, LOW, [beeline.forward_kinematics(ARM, GOAL)], recover_clearance=0.01)
+    program = beeline.Program([beeline.Move("joint", q=GOAL)])
+    with pytest.raises(beeline.Error, match="recover_clearance is for paths"):
+        beeline.move_program(ARM, LOW, program, recover_clearance=0.01)
+
+
 def test_a_start_that_is_clear_has_no_recovery():
     model = model_with_table(0.05)
     motion = beeline.move_around(model, LOW, [GOAL], recover_clearance=0.01)
@@ -59,3 +86,5 @@ def test_depths_out_of_range_are_refused(value):
         beeline.prove_clearance(model, still, recover_clearance=value)
     with pytest.raises(beeline.Error, match="recover_clearance"):
         beeline.move_around(model, LOW, [LOW], recover_clearance=value)
+    with pytest.raises(beeline.Error, match="recover_clearance"):
+        beeline.move_in_lines(ARM, LOW, [beeline.forward_kinematics(ARM, GOAL)], blocked_by=model, recover_clearance=value)

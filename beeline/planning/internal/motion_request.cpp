@@ -31,4 +31,8 @@ VerifyOptions proof_options(const PathMotionOptions& options) {
           .orientation_tolerance = options.orientation_tolerance};
 }
 
+ClearanceOptions clearance_options(const PathMotionOptions& options) {
+  return {.recover_clearance = options.recover_clearance};
+}
+
 }  // namespace beeline::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/certificate/clearance.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/planning/free_path.h>
 #include <beeline/planning/move_along.h>
@@ -16,7 +17,7 @@ struct MotionRequest {
   BranchOptions branch;  ///< options and budget of the plan without times
   RetimeOptions timing;
   VerifyOptions proof;
-
+  ClearanceOptions clearance = {};  ///< options of BlockedMotions::reason
   const Task& task() const { return branch.task; }
 
   /// A fraction of the tolerance of the proof.
@@ -31,5 +32,6 @@ BranchOptions branch_options(const Arm& arm, const PathMotionOptions& options, d
 RetimeOptions timing_options(const PathMotionOptions& options);
 FreeMotionOptions free_motion_options(const PathMotionOptions& options);
 VerifyOptions proof_options(const PathMotionOptions& options);
+ClearanceOptions clearance_options(const PathMotionOptions& options);
 
 }  // namespace beeline::internal

@@ -71,7 +71,8 @@ std::vector<int> divisions(const PathDeviation& deviation, std::size_t faulty,
 
 /// The same request with another arm.
 MotionRequest with_arm(const Arm& arm, const MotionRequest& request) {
-  return {arm, request.start, request.route, request.branch, request.timing, request.proof};
+  return {arm,           request.start,    request.route, request.branch, request.timing,
+          request.proof, request.clearance};
 }
 
 void set_branch(const Branch& branch, PathMotion& motion) {

@@ -14,6 +14,12 @@ MotionStatus status_of_blocked(const Reason& reason) {
                            : status_of<MotionStatus>(std::get<Ending>(*ending));
 }
 
+Reason blocked_reason(const BlockedMotions& blocked_by, ClearanceOptions options,
+                      BudgetMeter& budget, const Trajectory& motion) {
+  options.budget = budget.part();
+  return blocked_by.reason(motion, options);
+}
+
 void refuse(MotionStatus status, Reason reason, PathMotion& motion) {
   PathMotion refused;
   refused.status = status;
@@ -25,9 +31,10 @@ void refuse(MotionStatus status, Reason reason, PathMotion& motion) {
 namespace {
 
 /// Replaces a motion that is blocked by the reason.
-void refuse_blocked(const BlockedMotions& blocked_by, BudgetMeter& budget, PathMotion& motion) {
+void refuse_blocked(const MotionRequest& request, const BlockedMotions& blocked_by,
+                    BudgetMeter& budget, PathMotion& motion) {
   if (!motion) return;
-  Reason reason = blocked_by.reason(motion.trajectory, budget.part());
+  Reason reason = blocked_reason(blocked_by, request.clearance, budget, motion.trajectory);
   if (!reason) return;
   const MotionStatus status = status_of_blocked(reason);
   refuse(status, std::move(reason), motion);
@@ -42,7 +49,7 @@ PathMotion planned_unblocked(MotionRequest request, const BlockedMotions& blocke
                              BudgetMeter& budget) {
   request.branch.budget = budget.part();
   PathMotion motion = planned_motion_in_time(request, budget);
-  refuse_blocked(blocked_by, budget, motion);
+  refuse_blocked(request, blocked_by, budget, motion);
   return motion;
 }
 
@@ -75,7 +82,7 @@ PathMotion unblocked_motion(const MotionRequest& request, const BlockedMotions& 
                             PathMotion best, BudgetMeter& budget) {
   constexpr double same = 1e-6;  // radians or metres
   const Configuration first = best.trajectory.positions.front();
-  refuse_blocked(blocked_by, budget, best);
+  refuse_blocked(request, blocked_by, budget, best);
   if (best || !budget.complete()) return best;
   const bool redundant = is_redundant(request.arm, request.task());
   const auto& spare = blocked_by.spare_clearance;

@@ -8,6 +8,10 @@ namespace beeline::internal {
 /// Returns the status of a motion or a configuration that the clearance refuses for this reason.
 MotionStatus status_of_blocked(const Reason& reason);
 
+/// Returns the reason against a motion, within the budget; none if it is not blocked.
+Reason blocked_reason(const BlockedMotions& blocked_by, ClearanceOptions options,
+                      BudgetMeter& budget, const Trajectory& motion);
+
 /// Replaces a motion by its refusal, which keeps how far the path was followed.
 void refuse(MotionStatus status, Reason reason, PathMotion& motion);
 
