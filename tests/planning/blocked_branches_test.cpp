@@ -75,8 +75,8 @@ TEST(BlockedBranches, GiveWayToTheBestClearOne) {
     const PathMotion free = move_in_lines(arm, line);
     if (!free) continue;
     const CollisionModel model = model_with_ball(arm, elbow_of(arm, free.trajectory), 0.05);
-    const auto blocked = [&](const Trajectory& motion, const Budget& budget) {
-      return prove_clearance(model, motion, {.budget = budget}).reason;
+    const auto blocked = [&](const Trajectory& motion, const ClearanceOptions& options) {
+      return prove_clearance(model, motion, options).reason;
     };
     ASSERT_TRUE(blocked(free.trajectory, {}));
     const PathMotion motion = move_in_lines(arm, line, {.blocked_by = {.reason = blocked}});
