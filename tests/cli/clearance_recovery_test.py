@@ -92,13 +92,14 @@ def test_a_line_leads_out(beeline, cell, tmp_path, written):
     assert down.code == 1 and "the motion must lead out of it" in down.err
 
 
-def test_a_program_does_not_lead_out(beeline, cell, written, refused):
+def test_a_program_does_not_lead_out(beeline, cell, written):
     written("program.csv", "motion,x,y,z\nline,0,0.5,0\n")
     written("out.csv", "t,x,y\n0,0,0.203\n1,0,0.5\n")
-    says = ["--recover-clearance is for paths and trajectories; program.csv is a program"]
-    recover = [*cell, "--recover-clearance", "0.01"]
-    refused(2, "line", "disc.json", "--from=0,0.203", "--through", "program.csv", "--task", "position", *recover, says=says)
-    refused(2, "check", "disc.json", "out.csv", "--through", "program.csv", "--task", "position", *recover, says=says)
+    follow = ["--through", "program.csv", "--task", "position", *cell, "--recover-clearance", "0.01"]
+    for verb in (["line", "disc.json", "--from=0,0.203"], ["check", "disc.json", "out.csv"]):
+        answer = beeline(*verb, *follow)
+        assert answer.code == 2
+        assert "--recover-clearance is for paths and trajectories; program.csv is a program" in answer.err
 
 
 def test_feedback_leads_out(beeline, cell):
