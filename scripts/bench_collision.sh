@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The collision certificate beside coal and HPP, one pinned core: prints tables in Markdown. Run by scripts/bench.sh,
-# or alone after `make bench` has built the programs. Scenes are the problems of MotionBenchMaker in BENCH_PROBLEMS, a
-# folder with panda_problems.tar.xz and panda_spherized.urdf; what is not there is left out and said to be.
-# BENCH_EDGES (edges of a scene from random configurations, and from its goal), BENCH_SCENES, BENCH_REFINE (division of an
-# interval of 0.05 rad for the referee), BENCH_PAIRS (of every two kinds of shapes) change what is run; BENCH_FOLDER
-# replaces build/bench.
+# The collision certificate beside coal and HPP, and paths around obstacles beside OMPL, one pinned core: prints tables in
+# Markdown. Run by scripts/bench.sh, or alone after `make bench` has built the programs. Scenes are the problems of
+# MotionBenchMaker in BENCH_PROBLEMS, a folder with panda_problems.tar.xz and panda_spherized.urdf; what is not there is left
+# out and said to be. BENCH_EDGES (edges of a scene from random configurations, and from its goal), BENCH_SCENES, BENCH_REFINE
+# (division of an interval of 0.05 rad for the referee), BENCH_PLANNED (problems that OMPL solves, in ten minutes),
+# BENCH_PAIRS (of every two kinds of shapes) change what is run; BENCH_FOLDER replaces build/bench.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 folder=${BENCH_FOLDER:-build/bench}
@@ -29,14 +29,17 @@ edges() {
   "$folder/bench_edges" "${@:2}" --edges "$edges" --scenes "$scenes" --refine "$refine" || status=1
 }
 
-# paths TITLE ARM: paths around the obstacles of the problems.
+# paths TITLE ARM: paths around the obstacles of the problems, BENCH_PLANNED of them by OMPL too.
 paths() {
   section "Paths around obstacles: $1"
   if [[ ! -f $2 ]]; then
     echo "Left out: $2 is not there"
     return
   fi
-  "$folder/bench_free_paths" "$2" "$problems" || status=1
+  "$folder/bench_free_paths" "$2" "$problems" --out "$folder/paths.jsonl" || status=1
+  section "The same problems, by OMPL: $1"
+  PYTHONPATH=build/python taskset -c 0 .venv-bench/bin/python -B bench/collision/ompl_paths.py "$folder/paths.jsonl" "$2" \
+    --problems "${BENCH_PLANNED:-1000}" || echo "Left out: OMPL cannot run here"
 }
 
 section "Certified clearance of a line of 1 m, and of edges of 1 rad"

@@ -1,12 +1,16 @@
 // Finds paths from the start to the goal of the problems of MotionBenchMaker that keep a clearance,
 // and proves them. Prints a table in Markdown, milliseconds of CPU: medians and 95th percentiles by
-// kind of scene, and the problems that are not solved.
+// kind of scene, and the problems that are not solved. Writes the problems with what was found as
+// JSON lines, for other planners.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include <beeline/certificate/clearance.h>
+#include <beeline/io/text/scene.h>
 #include <beeline/planning/free_path.h>
 
 #include "../inverse/timing.h"
@@ -16,7 +20,7 @@ namespace beeline::bench {
 namespace {
 
 struct Options {
-  std::string arm, problems;
+  std::string arm, problems, out;
   double clearance = 1e-3;
   unsigned seed = 1;
   int shortcuts = 100;
@@ -50,10 +54,25 @@ bool is_proved(const CollisionModel& model, const FreePath& path) {
   return true;
 }
 
+std::vector<double> numbers_of(const Configuration& q) { return {q.begin(), q.end()}; }
+
+nlohmann::json line_of(const Problem& problem, const FreePath& path, double milliseconds) {
+  return {{"name", problem.name},
+          {"scene", nlohmann::json::parse(scene_to_json(problem.scene))},
+          {"start", numbers_of(*problem.start)},
+          {"goal", numbers_of(problem.configurations.front())},
+          {"solved", bool(path)},
+          {"milliseconds", milliseconds},
+          {"edges", path.edges},
+          {"length", path.length}};
+}
+
 int run(const Options& options) {
   const ShapedArm arm = read_shaped_arm(options.arm);
   std::map<std::string, Kind> kinds;
   Kind all;
+  std::ofstream file;
+  if (!options.out.empty()) file.open(options.out);
   for (const Problem& problem : read_problems(options.problems, arm)) {
     const CollisionModel model(arm.arm, arm.links, problem.scene, {.clearance = options.clearance});
     FreePath path;
@@ -61,6 +80,7 @@ int run(const Options& options) {
     path = find_free_path(model, *problem.start, problem.configurations,
                           {.random_seed = options.seed, .shortcuts = options.shortcuts});
     const double took = 1e-3 * (cpu_microseconds() - before);
+    if (file.is_open()) file << line_of(problem, path, took) << '\n';
     for (Kind* kind : {&kinds[problem.name.substr(0, problem.name.find('/'))], &all}) {
       ++kind->problems;
       if (!path) continue;
@@ -88,6 +108,7 @@ int main(int argc, char** argv) {
   CLI::App app;
   app.add_option("arm", options.arm, "URDF file")->required();
   app.add_option("problems", options.problems, "folder of MotionBenchMaker")->required();
+  app.add_option("--out", options.out, "File of JSON lines");
   app.add_option("--clearance", options.clearance);
   app.add_option("--seed", options.seed);
   app.add_option("--shortcuts", options.shortcuts);

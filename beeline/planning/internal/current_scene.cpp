@@ -18,6 +18,17 @@ const CollisionModel& CurrentScene::model() {
   return changed_ ? *changed_ : model_;
 }
 
+Reason CurrentScene::erase_blocked(std::vector<Configuration>& configurations) {
+  Reason first;
+  std::erase_if(configurations, [&](const Configuration& q) {
+    Reason reason = blocked_by(model(), q);
+    const bool blocked(reason);
+    if (blocked && !first) first = std::move(reason);
+    return blocked;
+  });
+  return first;
+}
+
 Reason CurrentScene::blocked_ahead(const ProgramPart& part, const PathMotion& motion,
                                    const Budget& budget) {
   CarriedParts parts = parts_;

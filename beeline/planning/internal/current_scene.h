@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <beeline/planning/internal/carried_parts.h>
 #include <beeline/planning/internal/program_parts.h>
@@ -18,6 +19,9 @@ class CurrentScene {
 
   /// The arm with the parts that it carries, among the other obstacles.
   const CollisionModel& model();
+
+  /// Erases the configurations that are blocked; returns why the first of them is.
+  Reason erase_blocked(std::vector<Configuration>& configurations);
 
   /// Why the motion of the next part is blocked, up to where a part is next attached or detached;
   /// no reason if it is proved to keep the clearance.

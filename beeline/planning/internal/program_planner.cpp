@@ -131,15 +131,14 @@ class ProgramPlanner {
   }
 
   /// Sets q to the first of some configurations that is free and from which the path after it is.
-  bool begin_free(const std::vector<Configuration>& candidates, bool path,
-                  std::optional<Configuration>& q, std::optional<PathMotion>& ahead) {
+  bool begin_free(std::vector<Configuration> candidates, bool path, std::optional<Configuration>& q,
+                  std::optional<PathMotion>& ahead) {
+    const Reason blocked = scene_->erase_blocked(candidates);
+    if (blocked) fail(0, status_of_blocked(blocked), blocked);
     for (const Configuration& candidate : candidates) {
-      if (const Reason reason = blocked_by(scene_->model(), candidate)) {
-        fail(0, status_of_blocked(reason), reason);
-      } else if (!path || follow_free(0, candidate, ahead)) {
-        q = candidate;
-        return succeed();
-      }
+      if (path && !follow_free(0, candidate, ahead)) continue;
+      q = candidate;
+      return succeed();
     }
     return false;
   }
@@ -243,7 +242,7 @@ class ProgramPlanner {
   }
 
   /// Configurations at which the move around obstacles of part p may end, the soonest reached
-  /// first.
+  /// first. Fails if a path follows and all of them are blocked.
   std::vector<Configuration> goals_around(std::size_t p) {
     const std::size_t i = parts_[p].first;
     if (program_.moves[i].q) return {*program_.moves[i].q};
@@ -254,6 +253,10 @@ class ProgramPlanner {
     std::optional<Configuration> q;
     if (goals.empty() && solution_at(i, target, from, q)) goals.push_back(*q);
     if (!path_follows(p)) return goals;
+    if (Reason blocked = scene_->erase_blocked(goals); blocked && goals.empty()) {
+      fail(i, status_of_blocked(blocked), blocked);
+      return goals;
+    }
     std::optional<PathMotion> ahead;
     std::erase_if(goals, [&](const auto& goal) { return !has_branch(p + 1, goal); });
     if (goals.empty() && follow(p + 1, std::nullopt, ahead)) {
@@ -301,9 +304,7 @@ class ProgramPlanner {
         continue;
       }
       if (path_follows(p)) ahead = std::move(paths[motion.path.goal]);
-      for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
-        trajectory_.append(motion.trajectory, k);
-      }
+      trajectory_.append(motion.trajectory);
       planned.waypoints = std::move(motion.path.waypoints);
       return succeed();
     }

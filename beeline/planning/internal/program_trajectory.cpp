@@ -41,6 +41,10 @@ void ProgramTrajectory::append(const Trajectory& motion, std::size_t k) {
                 trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
 }
 
+void ProgramTrajectory::append(const Trajectory& motion) {
+  for (std::size_t k = 1; k < motion.size(); ++k) append(motion, k);
+}
+
 Reason ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
                                      const RetimeOptions& options) {
   constexpr double still = 1e-12;  // radians or metres
@@ -48,7 +52,7 @@ Reason ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
   const Trajectory ends{trajectory_.joint_names, {0, 1}, {positions().back(), to}, {}, {}};
   const Retimed motion = retime(arm, ends, options);
   if (!motion) return motion.reason;
-  for (std::size_t k = 1; k < motion.trajectory.size(); ++k) append(motion.trajectory, k);
+  append(motion.trajectory);
   return {};
 }
 

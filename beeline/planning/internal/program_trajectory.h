@@ -24,9 +24,10 @@ class ProgramTrajectory {
 
   /// Appends sample k of a motion that continues this one, at its time difference to sample k - 1.
   void append(const Trajectory& motion, std::size_t k);
+  /// Appends all of its samples but the first.
+  void append(const Trajectory& motion);
 
-  /// Appends a motion to `to` along a straight line in joint space. Returns the reason if there is
-  /// none, otherwise an empty text.
+  /// Appends a motion to `to` along a straight line in joint space, or returns why there is none.
   Reason joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
 
   /// Appends the last sample after a pause of this many seconds; with a rate after each period, up
