@@ -132,6 +132,9 @@ Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
   if (reached) {
     answer.text += position_text(found.limits) + limits_text(found.limits);
     answer.document.add("limits", json_limits(found.limits));
+    answer.document.add(
+        "tool_at_goal",
+        json_pose(forward_kinematics(arm, found.trajectory.positions.back()), arm.planar(), unit));
   }
   if (clearance) {
     answer.text += clearance->text();

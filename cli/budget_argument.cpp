@@ -21,7 +21,7 @@ std::vector<Option> BudgetArgument::options() {
           Option("--max-work N",
                  "End a computation after N iterations, configurations and samples, with the "
                  "status work_limit; the answer is the same on every machine. A verb with several "
-                 "computations, such as `check --scene` or `line --branches`, gives N to each. "
+                 "computations, such as `move --scene` or `line --branches`, gives N to each. "
                  "Default: no limit.",
                  &max_work_)};
 }

@@ -260,7 +260,8 @@ CheckedMotion checked_motion(const CheckArguments& arguments, const Arm& arm,
   checked.clearance =
       is_followed
           ? arguments.scene.prove(*scene, trajectory, checked.followed(arguments.through), budget)
-          : arguments.scene.prove(*scene, trajectory, budget, !checked.program);
+      : checked.program ? arguments.scene.prove(*scene, trajectory, budget, std::nullopt)
+                        : arguments.scene.prove(*scene, trajectory, budget);
   return checked;
 }
 

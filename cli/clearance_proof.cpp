@@ -30,9 +30,12 @@ void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
   }
 }
 
-/// Whether a motion may be refused because of its start: nothing is refused after its recovery.
-bool may_be_of_start(const ClearanceProof& proof) {
-  return !proof && (!proof.recovery || proof.time <= proof.recovery->time);
+/// Whether a motion may be refused because of its start: nothing is proved before, or the refusal
+/// is in its recovery.
+bool may_be_of_start(const ClearanceProof& proof, const Trajectory& motion) {
+  if (proof.status != ClearanceStatus::collides && proof.status != ClearanceStatus::not_decided)
+    return false;
+  return proof.recovery ? proof.time <= proof.recovery->time : proof.begin <= motion.times.front();
 }
 
 }  // namespace
@@ -51,9 +54,10 @@ std::string SceneArgument::start_clause(const CheckedScene& scene, const Configu
   if (pairs.empty()) return "";
   const BodyDistance& deepest = pairs.front();
   const double depth = deepest.clearance - deepest.lower;
-  if (depth <= rounding) return "";
-  std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
-                                     names_text(deepest), shown(depth));
+  std::string at_start =
+      "; at the start, " + names_text(deepest) +
+      (depth > rounding ? fmt::format(" are {} m closer than the clearance", shown(depth))
+                        : " are at the clearance");
   if (depth > max_recover_clearance + rounding) {
     return at_start + fmt::format(", more than the {} m from which a motion may lead out",
                                   shown(max_recover_clearance));
@@ -61,24 +65,29 @@ std::string SceneArgument::start_clause(const CheckedScene& scene, const Configu
   if (recover_clearance.value_or(0) > 0 && depth <= *recover_clearance + rounding) {
     return at_start.append(accepted);
   }
-  const double least = rounded_up(depth - rounding, 3);
+  const double least = std::max(rounding, rounded_up(depth - rounding, 3));
   return at_start +
          fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(least));
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
-                                     const Budget& budget, bool may_recover) const {
+                                     const Budget& budget) const {
+  const Trajectory first{motion.joint_names, {0}, {motion.positions.front()}, {}, {}};
+  return prove(scene, motion, budget, matched_to(scene.model.arm(), first).positions.front());
+}
+
+ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
+                                     const Budget& budget,
+                                     const std::optional<Configuration>& start) const {
   ClearanceReport report{.scene = &scene,
                          .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, proof_options(budget))};
   warn_if_unchecked(scene);
   set_configuration(scene, motion, report);
   set_too_close(scene, report);
-  if (may_recover && may_be_of_start(report.proof)) {
-    const Trajectory matched = matched_to(scene.model.arm(), motion);
-    report.start_clause =
-        start_clause(scene, matched.positions.front(),
-                     "; the motion must lead out of it, and no pair may come closer before");
+  if (start && may_be_of_start(report.proof, motion)) {
+    report.start_clause = start_clause(
+        scene, *start, "; the motion must lead out of it, and no pair may come closer before");
   }
   return report;
 }

@@ -81,11 +81,12 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
 struct ProvedScene {
   const LineArguments& arguments;
   const CheckedScene& scene;
+  const std::optional<Configuration>& start;  ///< of --from, also where a motion begins later
   std::optional<ClearanceReport> kept = std::nullopt, refused = std::nullopt;
   std::optional<ClearanceReport> recovering = std::nullopt;
 
   Reason blocked(const Trajectory& motion, const Budget& budget) {
-    ClearanceReport report = arguments.scene.prove(scene, motion, budget);
+    ClearanceReport report = arguments.scene.prove(scene, motion, budget, start);
     Reason reason = report.proof.reason;
     const bool recovers = recovery_of(scene.model.arm(), motion).has_value();
     std::optional<ClearanceReport>& first = recovers ? recovering : reason ? refused : kept;
@@ -103,12 +104,15 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   options.budget = progress.of(arguments.budget.next());
   std::optional<ProvedScene> proved;
   if (scene != nullptr) {
-    proved.emplace(ProvedScene{arguments, *scene});
+    proved.emplace(ProvedScene{arguments, *scene, start});
     options.blocked_by = blocked_motions(scene->model);
     options.blocked_by.reason = [&proved](const Trajectory& motion, const ClearanceOptions& asked) {
       return proved->blocked(motion, asked.budget);
     };
     options.recover_clearance = arguments.scene.recover_clearance.value_or(0);
+  }
+  if (!start && arguments.scene.recover_clearance) {
+    throw Error("--recover-clearance needs --from");
   }
   const auto begin = [&] { return forward_kinematics(arm, nearest_within_limits(arm, *start)); };
   const Route route =

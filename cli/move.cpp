@@ -67,10 +67,6 @@ std::string tool_text(const MoveArguments& arguments, const Arm& arm, const Pose
   return "tool at the goal\n" + pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
 }
 
-Json tool_document(const MoveArguments& arguments, const Arm& arm, const Pose& goal) {
-  return json_pose(goal, arguments.arm.shown_in_plane(arm), arguments.unit);
-}
-
 std::string move_text(const MoveArguments& arguments, const Arm& arm,
                       const ControlledMotion& motion, const Pose& goal) {
   std::string text;
@@ -149,7 +145,8 @@ Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const C
   if (!answer.yes) return answer;
   answer.document.add(
       "error", (retimed.trajectory.positions.back() - waypoints.back()).lpNorm<Eigen::Infinity>());
-  answer.document.add("tool_at_goal", tool_document(arguments, arm, result.waypoints.back()));
+  answer.document.add("tool_at_goal",
+                      json_pose(result.waypoints.back(), arm.planar(), arguments.unit));
   answer.units = {{"error", "rad or m"}};
   answer.text += tool_text(arguments, arm, result.waypoints.back());
   return answer;
@@ -203,7 +200,7 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
       .yes = reached,
       .reason = clearance && !reached ? clearance->reason_text() : sentence(motion.reason)};
   answer.document.add(json_reason(motion.reason));
-  answer.document.add("tool_at_goal", tool_document(arguments, arm, goal));
+  answer.document.add("tool_at_goal", json_pose(goal, arm.planar(), arguments.unit));
   if (reached) {
     answer.document.add("limits", json_limits(motion.limits));
     answer.document.add("start_jump", json_start_jump(arm, motion.start_jump, arguments.unit));

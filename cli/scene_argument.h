@@ -135,9 +135,9 @@ struct SceneArgument {
   /// and for names that are not known.
   std::optional<CheckedScene> read(const ArmArgument& arm_argument, const Arm& arm) const;
 
-  /// Returns what the reason of a refused motion adds if it starts closer than the clearance: the
-  /// deepest pair, its depth and the value of --recover-clearance that accepts it. Empty if it does
-  /// not start there.
+  /// Returns what the reason of a refused motion adds if it starts closer than the clearance, or at
+  /// it to rounding: the deepest pair, its depth and the value of --recover-clearance that accepts
+  /// it. Empty if it does not start there.
   /// `accepted`: the clause for a start that the option accepts.
   std::string start_clause(const CheckedScene& scene, const Configuration& start,
                            std::string_view accepted) const;
@@ -145,10 +145,13 @@ struct SceneArgument {
   /// Throws Error for --recover-clearance, because a program in the file starts within it.
   void refuse_recovery_of_program(const std::string& file) const;
 
-  /// Proves or refutes that the motion keeps its clearance. `may_recover`: whether the verb takes
-  /// --recover-clearance for such a motion, if it has the option.
+  /// Proves or refutes that the motion keeps its clearance.
+  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
+                        const Budget& budget) const;
+  /// The same; the reason of a refusal says what start_clause() says of another start than the
+  /// motion's, or nothing where --recover-clearance is not for the motion.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion, const Budget& budget,
-                        bool may_recover = true) const;
+                        const std::optional<Configuration>& start) const;
   /// The same for the motion of a program, with the parts that it attaches. Throws FileError for
   /// its rows.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,

@@ -286,6 +286,9 @@ PathMotion internal::motion_along(const Arm& arm, const std::optional<Configurat
   check_in_plane(arm, route.path, options.task);
   check_stops(route);
   BudgetMeter budget(options.budget);
+  if (!start && options.recover_clearance > 0) {
+    throw Error("", "recover_clearance", " needs a start");
+  }
   if (!start) return planned_or_suggestions(arm, start, route, options, budget);
   const Configuration from = checked_start(arm, *start, options);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));

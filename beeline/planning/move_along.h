@@ -88,8 +88,8 @@ struct PathMotionOptions {
   /// and the best motion that is not blocked is given. PathMotion::blocked lists the others.
   /// Default: every motion may be given.
   BlockedMotions blocked_by = {};
-  /// Largest depth from which the motion may lead out of the clearance of `blocked_by`, m:
-  /// ClearanceOptions::recover_clearance. The path itself must lead out.
+  /// Largest depth from which a motion from a given start may lead out of the clearance of
+  /// `blocked_by`, m: ClearanceOptions::recover_clearance. The path itself must lead out.
   double recover_clearance = 0;
   /// Whether to search for nearby paths if the path cannot be followed or its motions are blocked.
   bool suggest = false;

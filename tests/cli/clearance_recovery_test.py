@@ -64,6 +64,8 @@ def test_a_move_leads_out_and_check_needs_the_option(beeline, cell, tmp_path, me
 def test_the_text_of_a_move_says_where_the_recovery_ends(beeline, cell):
     answer = move(beeline, cell, "around", "0,0.203", "1.5,0.5", "--recover-clearance", "0.002")
     assert answer.code == 0, answer.err
+    again = move(beeline, cell, "around", "0,0.203", "1.5,0.5", "--recover-clearance", "0.002", "--json").json
+    assert again["tool_at_goal"]["translation"] == pytest.approx([1.5, 0.5, 0])
     assert "recovery      starts 0.002 m closer than the clearance, disc and table; out of it from " in answer.out
 
 
@@ -90,6 +92,42 @@ def test_a_line_leads_out(beeline, cell, tmp_path, written):
     written("down.csv", "x,y,z\n0,0.2025,0\n0,0.5,0\n")
     down = beeline(*[word.replace("up.csv", "down.csv") for word in line], "--recover-clearance", "0.01")
     assert down.code == 1 and "the motion must lead out of it" in down.err
+
+
+def test_a_start_at_the_clearance_is_accepted_as_suggested(beeline, cell, written):
+    written("up.csv", "x,y,z\n0,0.5,0\n")
+    for y in ("0.205", "0.204999999"):
+        line = ["line", "disc.json", f"--from=0,{y}", "--through", "up.csv", "--task", "position", *cell]
+        refused = beeline(*line)
+        assert refused.code == 1 and "; --recover-clearance 1e-09 accepts a motion that leads out" in refused.err, refused.err
+        assert beeline(*line, "--recover-clearance", "1e-09").code == 0
+
+
+def test_no_start_is_chosen_that_is_too_close(beeline, cell, written, refused):
+    written("up.csv", "x,y,z\n0,0.203,0\n0,0.5,0\n")
+    line = ["line", "disc.json", "--through", "up.csv", "--task", "position", *cell]
+    assert "recover-clearance" not in beeline(*line).err
+    answer = beeline(*line, "--recover-clearance", "0.01")
+    assert answer.code == 2 and "--recover-clearance needs --from" in answer.err
+
+
+def test_the_start_is_that_of_from_with_recover_too(beeline, cell, tmp_path, written):
+    arm = json.loads((tmp_path / "disc.json").read_text())
+    arm["joints"][1]["limits"]["lower"] = 0.204
+    written("low.json", json.dumps(arm))
+    written("up.csv", "x,y,z\n0,0.5,0\n")
+    line = ["line", "low.json", "--through", "up.csv", "--task", "position", *cell, "--from=0,0.203", "--recover", "0.1"]
+    assert "disc and table are 0.002 m closer than the clearance; --recover-clearance 0.002 accepts" in beeline(*line).err
+    answer = beeline(*line, "--recover-clearance", "0.002")
+    assert answer.code == 0, answer.err
+
+
+def test_the_limit_of_work_is_no_matter_of_the_start(beeline, cell, written):
+    written("up.csv", "x,y,z\n0,0.5,0\n")
+    line = ["line", "disc.json", "--through", "up.csv", "--task", "position", *cell, "--from=0,0.203", "--recover-clearance", "0.01"]
+    for work in range(1, 200, 8):
+        answer = beeline(*line, "--max-work", str(work))
+        assert answer.code == 0 or "work" in answer.err and "must lead out" not in answer.err, answer.err
 
 
 def test_a_program_does_not_lead_out(beeline, cell, written):

@@ -10,13 +10,13 @@ LOW = np.radians([-40, 50.5, 0, -120, 0, 170, 45])
 GOAL = np.radians([30, 0, 0, -120, 0, 120, 45])
 
 
-def model_with_table(distance):
+def model_with_table(distance, others=()):
     """The arm at LOW above a table, at a distance of its nearest pair, with a clearance of 5 mm."""
 
     def scene(top):
         pose = np.eye(4)
         pose[:3, 3] = [0.3, 0, top - 0.05]
-        return beeline.Scene([beeline.Obstacle("table", [beeline.Shape(beeline.Box([1.5, 1.5, 0.1]), pose)])])
+        return beeline.Scene([beeline.Obstacle("table", [beeline.Shape(beeline.Box([1.5, 1.5, 0.1]), pose)]), *others])
 
     options = {"clearance": 0.005, "self_collision": False}
     gap = beeline.nearest_pair(beeline.CollisionModel(ARM, SHAPES, scene(-0.01), **options), LOW).lower
@@ -62,6 +62,34 @@ def test_a_line_leads_out(distance):
     assert proof and proof.recovery.depth == pytest.approx(0.005 - distance, abs=1e-9)
     assert not beeline.prove_clearance(model, motion.trajectory)
     assert not beeline.move_in_lines(ARM, LOW, [down, up], blocked_by=model, recover_clearance=0.01)
+
+
+def test_a_redundant_arm_moves_aside_of_another_obstacle_too(rng):
+    up = beeline.forward_kinematics(ARM, LOW)
+    up[2, 3] += 0.3
+    free = beeline.move_in_lines(ARM, LOW, [up])
+    elbow = beeline.link_poses(ARM, free.trajectory.positions[-1])[4][:3, 3]
+    aside = 0
+    for _ in range(12):
+        place = np.eye(4)
+        place[:3, 3] = elbow + rng.uniform(-0.1, 0.1, 3)
+        ball = beeline.Obstacle("ball", [beeline.Shape(beeline.Sphere(0.03), place)])
+        model = model_with_table(0.02, [ball])
+        motion = beeline.move_in_lines(ARM, LOW, [up], blocked_by=model)
+        if not motion or not motion.blocked:
+            continue
+        close = model_with_table(0.003, [ball])
+        motion = beeline.move_in_lines(ARM, LOW, [up], blocked_by=close, recover_clearance=0.01)
+        assert motion, motion.reason
+        assert beeline.prove_clearance(close, motion.trajectory, recover_clearance=0.01).recovery.names[1] == "table"
+        aside += 1
+    assert aside > 1
+
+
+def test_a_motion_without_a_start_starts_clear():
+    up = beeline.forward_kinematics(ARM, LOW)
+    with pytest.raises(beeline.Error, match="recover_clearance needs a start"):
+        beeline.move_in_lines(ARM, None, [up, up], blocked_by=model_with_table(0.05), recover_clearance=0.01)
 
 
 def test_a_line_recovers_from_what_blocks_it_alone():

@@ -20,6 +20,11 @@ double heading(const Rotation& rotation) {
   return 2 * std::atan2(q.qz, q.qw);
 }
 
+/// Whether the position in the plane counts alone, with or without its height.
+bool is_position(const Task& task) {
+  return task == Task::position() || task == Task{{true, true, false, false, false, false}};
+}
+
 /// Returns the arm's joints as motions of the world's xy plane at q = 0.
 std::vector<PlanarJoint> planar_joints(const Arm& arm, const Configuration& seed) {
   const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
@@ -46,7 +51,7 @@ std::vector<PlanarSolution> candidates_near(const Arm& arm, const Pose& world_T_
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const Complex from = in_plane(at_zero.translation()), to = in_plane(world_T_tool.translation());
   double angle = heading(world_T_tool.linear()) - heading(at_zero.linear());
-  if (task == Task::position()) {
+  if (is_position(task)) {
     // A virtual revolute joint at the tool's origin reaches any orientation.
     joints.push_back({.revolute = true, .sign = 1, .axis = from});
     angle = 0;
@@ -67,9 +72,7 @@ std::vector<PlanarSolution> candidates_near(const Arm& arm, const Pose& world_T_
 bool has_planar_closed_form(const Arm& arm, const Task& task) {
   const bool mimics = static_cast<std::size_t>(arm.dof()) != arm.joints().size();
   if (!arm.planar() || mimics) return false;
-  const Task point{{true, true, false, false, false, false}};
-  const bool position = task == Task::position() || task == point;
-  return (task == Task::planar() && arm.dof() <= 3) || (position && arm.dof() <= 2);
+  return (task == Task::planar() && arm.dof() <= 3) || (is_position(task) && arm.dof() <= 2);
 }
 
 std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,

@@ -8,7 +8,8 @@
 namespace beeline::internal {
 
 /// Whether nearest_planar_solutions() covers this arm and task: a planar arm without mimic joints,
-/// of one to three joints for the task `planar`, or of one or two joints for the task `position`.
+/// of one to three joints for the task `planar`, or of one or two joints for the task `position`
+/// or its rows x and y alone.
 bool has_planar_closed_form(const Arm& arm, const Task& task);
 
 struct PlanarSolution {

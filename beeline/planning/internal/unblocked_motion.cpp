@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/planned_motion.h>
 #include <beeline/planning/internal/unblocked_motion.h>
@@ -68,12 +71,34 @@ PathMotion motion_of(const MotionRequest& request, const Branch& branch,
   return planned_unblocked(std::move(from_start), blocked_by, budget);
 }
 
+/// The distance beyond the clearance that a plan keeps. Beside a start that is closer than the
+/// clearance, it is counted from the distance there, less and less with the way from the start: the
+/// proof decides whether the motion leads out.
+std::function<double(const ConfigurationRef&)> spare_beside(
+    const std::optional<Configuration>& start, const BlockedMotions& blocked_by) {
+  constexpr double far = 0.5;  // radians or metres of a joint
+  const auto& spare = blocked_by.spare_clearance;
+  const double missing = start ? -spare(*start) : 0;
+  if (!(missing > 0)) return spare;
+  return [spare, start = *start, missing](const ConfigurationRef& q) {
+    const double away = (q - start).lpNorm<Eigen::Infinity>() / far;
+    return spare(q) + missing * std::max(0.0, 1 - away);
+  };
+}
+
 /// The same with a self-motion that keeps clear.
 PathMotion motion_aside(const MotionRequest& request, const BlockedMotions& blocked_by,
                         BudgetMeter& budget) {
   MotionRequest aside = request;
-  aside.branch.spare_clearance = blocked_by.spare_clearance;
+  aside.branch.spare_clearance = spare_beside(request.start, blocked_by);
   return planned_unblocked(std::move(aside), blocked_by, budget);
+}
+
+/// Whether a motion may begin at a start: at no distance less than the options accept.
+bool may_begin(const MotionRequest& request, const BlockedMotions& blocked_by) {
+  if (!request.start) return true;
+  const double missing = -blocked_by.spare_clearance(*request.start);
+  return missing <= 0 || may_recover_clearance(missing, request.clearance.recover_clearance);
 }
 
 }  // namespace
@@ -85,8 +110,7 @@ PathMotion unblocked_motion(const MotionRequest& request, const BlockedMotions& 
   refuse_blocked(request, blocked_by, budget, best);
   if (best || !budget.complete()) return best;
   const bool redundant = is_redundant(request.arm, request.task());
-  const auto& spare = blocked_by.spare_clearance;
-  if (redundant && spare && !(request.start && spare(*request.start) < 0)) {
+  if (redundant && blocked_by.spare_clearance && may_begin(request, blocked_by)) {
     PathMotion aside = motion_aside(request, blocked_by, budget);
     if (aside) {
       aside.blocked = {blocked_branch(first, best)};

@@ -130,6 +130,9 @@ TEST(PlanarSolutions, ForThePositionIncludeTheConfigurationOfThePose) {
       const std::vector<Configuration> found = planar_solutions(arm, pose, Task::position(), seed);
       EXPECT_TRUE(among(arm, q, found, 1e-5)) << mix;
       expect_reached(arm, pose, Task::position(), found, 1e-11);
+      const Task point{{true, true, false, false, false, false}};
+      pose.translation().z() += random.uniform(-1, 1);
+      EXPECT_EQ(planar_solutions(arm, pose, point, seed), found) << mix;
     }
   }
 }
