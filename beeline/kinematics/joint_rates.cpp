@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -6,6 +5,7 @@
 #include <beeline/internal/enum_names.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline {
 namespace {

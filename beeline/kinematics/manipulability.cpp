@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -7,6 +6,7 @@
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/math/six_row_svd.h>
 
 namespace beeline {

@@ -3,6 +3,7 @@
 #include <beeline/certificate/clearance.h>
 #include <beeline/collision/internal/collision_bodies.h>
 #include <beeline/model/catalog.h>
+#include <beeline/model/internal/joint_axes.h>
 
 #include <tests/collision/random_model.h>
 
@@ -19,10 +20,8 @@ std::vector<LinkShapes> thin_links(const Arm& arm) {
     if (i == 0) continue;
     const Vector3 back = -(arm.joints()[i - 1].offset.translation());
     Shape capsule{Capsule{0.03, back.norm()}};
-    capsule.pose.translation() = back / 2;
-    capsule.pose.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), back + Vector3(0, 0, 1e-9))
-            .toRotationMatrix();
+    const Vector3 z = (back + Vector3(0, 0, 1e-9)).normalized();
+    capsule.pose = internal::frame_along(z.unitOrthogonal(), z, back / 2);
     links.back().shapes.push_back(capsule);
   }
   return links;

@@ -1,10 +1,10 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/inverse/answer.h>

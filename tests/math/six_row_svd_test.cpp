@@ -1,8 +1,8 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 
+#include <beeline/math/decompositions.h>
 #include <beeline/math/six_row_svd.h>
 
 #include <tests/math/random_matrix.h>

@@ -3,6 +3,7 @@
 
 #include <beeline/control/internal/goal_solver.h>
 #include <beeline/kinematics/internal/mask.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/planning/internal/null_space.h>
 
 namespace beeline::internal {

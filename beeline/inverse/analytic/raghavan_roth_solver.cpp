@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/analytic/raghavan_roth_solutions.h>
 #include <beeline/inverse/analytic/raghavan_roth_solver.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {

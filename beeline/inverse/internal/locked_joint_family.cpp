@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/seed_table.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {
@@ -25,8 +25,8 @@ int redundant_joint(const Arm& arm) {
   Configuration q(7);
   for (int trial = 0; trial < trials; ++trial) {
     for (double& value : q) value = std::numbers::pi * (2 * random.next() - 1);
-    const Eigen::FullPivLU<Eigen::MatrixXd> decomposition(jacobian(arm, q));
-    moved.col(trial) = decomposition.kernel().col(0).normalized().cwiseAbs();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q), Eigen::ComputeFullV);
+    moved.col(trial) = svd.matrixV().rightCols<1>().cwiseAbs();
   }
   int best = 0;
   double largest = 0;

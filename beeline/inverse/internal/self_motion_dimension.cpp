@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/seed_table.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {

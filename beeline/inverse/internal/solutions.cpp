@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,6 +6,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {

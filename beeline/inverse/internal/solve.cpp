@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -7,6 +6,7 @@
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/solve_unblocked.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {

@@ -1,11 +1,10 @@
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <beeline/inverse/numerical/linear_model.h>
 #include <beeline/inverse/numerical/singular_solution.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
@@ -52,7 +51,7 @@ Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
       a.block(rank + i * still, k, still, 1) = null_space.transpose() * (change.transpose() * u);
     }
   }
-  return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(a).solve(b);
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(a, Eigen::ComputeThinU | Eigen::ComputeThinV).solve(b);
 }
 
 /// Runs Newton's method with one threshold for lost singular values.

@@ -1,7 +1,7 @@
-#include <Eigen/QR>
 #include <algorithm>
 
 #include <beeline/certificate/internal/clearance_recovery.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/planning/internal/clearance_exit.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -19,7 +19,8 @@ Configuration step_apart(const std::vector<BodyDistance>& pairs, double raised) 
     gradients.row(i) = pair.gradient.transpose();
     missing[i] = (1 + raised) * pair.clearance - pair.lower;
   }
-  return gradients.completeOrthogonalDecomposition().solve(missing);
+  const unsigned thin = Eigen::ComputeThinU | Eigen::ComputeThinV;
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(gradients, thin).solve(missing);
 }
 
 /// The configuration that the descent reaches, if all pairs keep their clearance there.

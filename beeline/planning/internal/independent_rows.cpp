@@ -1,9 +1,9 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <random>
 
 #include <beeline/internal/random_fraction.h>
 #include <beeline/inverse/numerical/bounds.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/math/revolution.h>
 #include <beeline/planning/internal/independent_rows.h>
 

@@ -6,6 +6,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/io/text/arm.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>

@@ -1,9 +1,9 @@
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <beeline/inverse/numerical/nearest_on_self_motion.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/model/catalog.h>
 
 #include <hwy/targets.h>

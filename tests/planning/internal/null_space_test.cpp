@@ -1,8 +1,7 @@
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/internal/null_space.h>
 

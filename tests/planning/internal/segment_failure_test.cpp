@@ -1,8 +1,8 @@
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 #include <utility>
 
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/math/decompositions.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/internal/segment_failure.h>
 #include <beeline/planning/internal/track_segment.h>

@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/ros_shapes.h>
+#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 
@@ -28,11 +29,9 @@ Shape plane(double a, double b, double c, double d) {
   if (!(origin.norm() <= max_shape_size)) {
     throw Error("the plane is farther away than " + number(max_shape_size) + " m");
   }
-  Shape shape{.body = Box{Vector3(max_shape_size, max_shape_size, 0)}};
-  shape.pose.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), normal / length).toRotationMatrix();
-  shape.pose.translation() = origin;
-  return shape;
+  const Vector3 z = normal / length;
+  return {.body = Box{Vector3(max_shape_size, max_shape_size, 0)},
+          .pose = frame_along(z.unitOrthogonal(), z, origin)};
 }
 
 Pose ros_pose(const Vector3& position, const std::array<double, 4>& quaternion) {

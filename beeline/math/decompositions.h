@@ -1,0 +1,11 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+// Compiled once, in decompositions.cpp: a file that compiles its own takes up to 7 s longer. The
+// determinant of a 6 x 6 matrix is that of its PartialPivLU.
+extern template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+extern template class Eigen::JacobiSVD<Eigen::MatrixXd>;
+extern template class Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>;
