@@ -2,6 +2,8 @@
 #include <limits>
 
 #include <beeline/batch/batch.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/task.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/random.h>
@@ -53,6 +55,43 @@ TEST(BatchInverse, IsTheSolversAnswers) {
 }
 
 // A pose that a single call refuses is an error of the argument, whatever the other rows are.
+/// The arm with its joints' frames turned by angles that a description has rounded.
+Arm with_rounded_angles(const Arm& arm, testing::Random& random) {
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) {
+    joint.offset.linear() = joint.offset.linear() * so3_exp(3e-10 * random.direction());
+  }
+  return {"rounded", joints, arm.tool()};
+}
+
+// The closed form takes such axes for parallel or meeting, and is off by 1e-10 m and more.
+TEST(BatchInverse, KeepsTheToleranceForAnArmWithRoundedAngles) {
+  testing::Random random;
+  int closed = 0;
+  for (const char* name : {"puma560", "ur5", "panda"}) {
+    const Arm arm = with_rounded_angles(built_in(name), random);
+    closed += inverse_method(arm).starts_with("closed form") ? 1 : 0;
+    constexpr int rows = 200;
+    Eigen::MatrixXd poses(16, rows), q(arm.dof(), rows);
+    for (int i = 0; i < rows; ++i) {
+      poses.col(i) = forward_kinematics(arm, random.configuration(arm)).matrix().reshaped();
+    }
+    for (const double tolerance : {1e-10, 1e-12}) {
+      const BatchResult result =
+          batch_inverse(arm, poses, middle_configuration(arm), q, {.tolerance = tolerance});
+      EXPECT_GE(result.solved, rows - 2) << name;
+      for (int i = 0; i < rows; ++i) {
+        if (std::isnan(q(0, i))) continue;
+        const Pose goal(Eigen::Map<const Eigen::Matrix4d>(poses.col(i).data()));
+        const Deviation off =
+            task_deviation(Task::spatial(), goal, forward_kinematics(arm, q.col(i)));
+        EXPECT_LE(std::max(off.position, off.orientation), 1.001 * tolerance) << name;
+      }
+    }
+  }
+  EXPECT_GT(closed, 0);
+}
+
 TEST(BatchInverse, NamesTheRowThatIsNoPoseOfTheArm) {
   const Arm planar = built_in("rrr"), ur5 = built_in("ur5");
   for (const Arm* const arm : {&planar, &ur5}) {

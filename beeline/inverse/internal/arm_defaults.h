@@ -33,6 +33,7 @@ struct PieperForm {
   /// configuration.
   std::optional<PieperSolver> solver;
   bool verified = true;   ///< whether it recovered random configurations of the arm
+  double error = 0;       ///< largest error of these, metres and radians
   std::string name = {};  ///< PieperSolver::family()
 
   using Key = Task;

@@ -15,11 +15,12 @@
 namespace beeline::internal {
 namespace {
 
-/// Whether the closed form recovers random configurations of the arm, or reports a continuum. It
-/// may do neither if axes of its loop coincide. Sixteen trials suffice, because it then fails
-/// almost everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
-/// rounding.
-bool recovers_configurations(const PieperSolver& kept, const Arm& arm) {
+/// Returns whether the closed form recovers random configurations of the arm, or reports a
+/// continuum. It may do neither if axes of its loop coincide. Sixteen trials suffice, because it
+/// then fails almost everywhere. The tolerance 1e-4 is far below the distance of other solutions
+/// and far above rounding. Raises `error` to the largest error of the recovered ones.
+bool recovers_configurations(const PieperSolver& kept, const Arm& arm, const Task& task,
+                             double& error) {
   constexpr int trials = 16;
   std::optional<PieperSolver> own;
   const Configuration zero = Configuration::Zero(arm.dof());
@@ -40,6 +41,9 @@ bool recovers_configurations(const PieperSolver& kept, const Arm& arm) {
       if ((found.found >> lane & 1) == 0) continue;
       form->configuration(found, lane, value, recovered);
       met = same_posture(arm, q, recovered, 1e-4);
+      if (!met) continue;
+      const Deviation off = task_deviation(task, goal, forward_kinematics(arm, recovered));
+      error = std::max({error, off.position, off.orientation});
     }
     if (!met) return false;
   }
@@ -360,7 +364,7 @@ PieperForm PieperForm::make(const Arm& arm, const Task& task) {
   PieperForm form;
   if (!moves_with_tool_at_rest(arm)) form.solver = PieperSolver::make(arm, task);
   if (!form.solver) return form;
-  form.verified = recovers_configurations(*form.solver, arm);
+  form.verified = recovers_configurations(*form.solver, arm, task, form.error);
   form.name = form.solver->family();
   return form;
 }

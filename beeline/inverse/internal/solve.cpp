@@ -143,6 +143,13 @@ Request request_of(const SolverState& state, const Pose& world_T_tool, const Con
   return make_request(state, world_T_tool, wrapped, budget);
 }
 
+/// Whether the residual of a closed form is the error of its solutions: by rounded angles of a
+/// description, axes may be up to 1e-9 from where the closed form takes them to be.
+bool closes_exactly(const SolverState& state, double tolerance) {
+  constexpr double margin = 10;
+  return !state.pieper || margin * (*state.pieper)->error <= tolerance;
+}
+
 /// Whether the request of this seed may go to run_quick_stages(): a locked joint keeps a value that
 /// request_of() would wrap.
 bool keeps_locked_value(const SolverState& state, const ConfigurationRef& seed) {
@@ -190,7 +197,8 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
   {
     Configuration wrapped;
     Request request = request_of(state, world_T_tool, seed, budget, wrapped);
-    request.quick = request.trusts_closed_loops = true;
+    request.quick = true;
+    request.trusts_closed_loops = closes_exactly(state, request.tolerance);
     StageResult found;
     if (keeps_locked_value(state, seed) && run_quick_stages(state, request, found)) {
       sort_solutions(request, *found.solutions);

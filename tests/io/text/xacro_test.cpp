@@ -72,6 +72,23 @@ TEST(Xacro, XacrodocIsPreferred) {
   EXPECT_EQ(read_arm(path).dof(), 1);
 }
 
+// Most models outside of ROS have no package.xml, by which xacrodoc finds packages.
+TEST(Xacro, XacrodocIsToldWhereThePackagesAboveTheFileAre) {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  for (const char* const each : {"arms/my_arm/urdf", "arms/gripper"}) {
+    fs::create_directories(folder.file(each));
+  }
+  const std::string finds =
+      "$(find gripper) $(find my_arm)$(find my_arm) $(find none) $(find ../up";
+  const std::string path = folder.write("arms/my_arm/urdf/a.xacro", macro + finds);
+  const Programs programs;
+  programs.add("xacrodoc", "[ \"$1 $2 $3 $4 $5\" = \"-p gripper:=" + folder.file("arms/gripper") +
+                               " -p my_arm:=" + folder.file("arms/my_arm") + " " + path +
+                               "\" ] && [ $# = 5 ] && " + printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);
+}
+
 TEST(Xacro, WithoutAProgramTheErrorNamesIt) {
   const TemporaryFolder folder;
   const Programs programs;

@@ -4,7 +4,6 @@
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/ros_shapes.h>
-#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 
@@ -29,9 +28,10 @@ Shape plane(double a, double b, double c, double d) {
   if (!(origin.norm() <= max_shape_size)) {
     throw Error("the plane is farther away than " + number(max_shape_size) + " m");
   }
-  const Vector3 z = normal / length;
-  return {.body = Box{Vector3(max_shape_size, max_shape_size, 0)},
-          .pose = frame_along(z.unitOrthogonal(), z, origin)};
+  const Vector3 z = normal / length, x = z.unitOrthogonal();
+  Rotation axes;
+  axes << x, z.cross(x), z;
+  return {.body = Box{Vector3(max_shape_size, max_shape_size, 0)}, .pose = make_pose(origin, axes)};
 }
 
 Pose ros_pose(const Vector3& position, const std::array<double, 4>& quaternion) {

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <system_error>
+#include <vector>
 
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
@@ -39,6 +43,42 @@ std::string one_line(std::string_view message) {
   if (line.size() > longest) line.resize(longest);
   for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
   return with_escaped_bytes(line);
+}
+
+/// The folder of a package that contains a file, or stands beside one of the folders above it.
+std::optional<std::filesystem::path> package_folder(const std::string& name,
+                                                    const std::filesystem::path& file) {
+  std::error_code fault;
+  for (std::filesystem::path at = file.parent_path(); at != at.parent_path();
+       at = at.parent_path()) {
+    if (at.filename() == name) return at;
+    if (std::filesystem::is_directory(at / name, fault)) return at / name;
+  }
+  return std::nullopt;
+}
+
+/// The options of xacrodoc that say where the packages are that `$(find NAME)` names in a text:
+/// itself it finds those that have a file package.xml or that ROS knows.
+std::vector<std::string> package_options(std::string_view text, const std::filesystem::path& file) {
+  constexpr std::string_view opening = "$(find ";
+  constexpr std::size_t most = 100;  // names
+  std::set<std::string> names;
+  for (std::size_t at = text.find(opening); at != std::string_view::npos && names.size() < most;
+       at = text.find(opening, at + 1)) {
+    const std::size_t begin = at + opening.size(),
+                      end = std::min(text.find(')', begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    const bool usable = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_';
+    });
+    if (usable) names.emplace(name);
+  }
+  std::vector<std::string> options;
+  for (const std::string& name : names) {
+    const auto folder = package_folder(name, file);
+    if (folder) options.insert(options.end(), {"-p", name + ":=" + folder->string()});
+  }
+  return options;
 }
 
 /// Refuses a file that its program could not expand.
@@ -97,7 +137,13 @@ void ExpandedText::expand(const std::string& path) {
                     "and pass the URDF that it writes");
   }
   const std::string absolute = std::filesystem::absolute(path).string();  // begins with no dash
-  ProgramOutput read = run_program({*found, absolute}, xacro_bounds);
+  std::vector<std::string> command{*found};
+  if (program_ == "xacrodoc") {
+    const std::vector<std::string> packages = package_options(text_, absolute);
+    command.insert(command.end(), packages.begin(), packages.end());
+  }
+  command.push_back(absolute);
+  ProgramOutput read = run_program(command, xacro_bounds);
   if (read.ending != ProgramOutput::Ending::succeeded || read.output.empty()) {
     refuse_output(path, program_, read);
   }
