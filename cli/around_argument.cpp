@@ -63,7 +63,8 @@ std::string clause_of(const FreeMotion& motion, const SceneArgument& scene_argum
                       const CheckedScene& scene, const Configuration& start) {
   const bool at_start = motion.reason.code == ReasonCode::start_not_free;
   return at_start ? scene_argument.start_clause(scene, start,
-                                                "; no straight joint motion out of it was found")
+                                                "; no straight joint motion out of it was found") +
+                        exemption_clause(scene, start)
                   : "";
 }
 

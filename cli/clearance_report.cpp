@@ -20,16 +20,16 @@ Json json_pairs(const std::vector<NamedPair>& pairs) {
   return list;
 }
 
-/// The options that exempt pairs: the pair of the reason, and pairs of two links.
-std::string allow_options(const ClearanceReport& report) {
+/// The options that exempt pairs: the first, that of a reason, and pairs of two links.
+std::string allow_options(const CheckedScene& scene, const std::vector<NamedPair>& too_close) {
   constexpr std::size_t most = 10;
-  const std::vector<std::string>& links = report.scene->links;
+  const std::vector<std::string>& links = scene.links;
   const auto is_link = [&](const std::string& name) {
     return std::find(links.begin(), links.end(), name) != links.end();
   };
   std::string text;
   std::size_t count = 0;
-  for (const NamedPair& pair : report.too_close) {
+  for (const NamedPair& pair : too_close) {
     const bool listed = count == 0 || (is_link(pair[0]) && is_link(pair[1]));
     if (!listed || count == most) continue;
     text += " --allow " + shell_word(pair[0] + "," + pair[1]);
@@ -193,7 +193,7 @@ std::string exemption(const ClearanceReport& report) {
     return "name " + proof.pair.names[is_first ? 1 : 0] + " in the column touch of " +
            report.attachments[i].place;
   }
-  return "exempt it by" + allow_options(report);
+  return "exempt it by" + allow_options(*report.scene, report.too_close);
 }
 
 }  // namespace
@@ -274,6 +274,13 @@ std::vector<SceneLine> ClearanceReport::conditions() const {
   std::vector<SceneLine> lines = attached_lines(*this);
   for (SceneLine& line : command::conditions(*scene)) lines.push_back(std::move(line));
   return lines;
+}
+
+std::string exemption_clause(const CheckedScene& scene, const ConfigurationRef& q) {
+  std::vector<NamedPair> names;
+  for (const BodyDistance& pair : pairs_too_close(scene.model, q)) names.push_back(pair.names);
+  if (names.empty()) return "";
+  return "; if this contact is meant, exempt it by" + allow_options(scene, names);
 }
 
 std::string number_of_bodies(const CheckedScene& scene) {

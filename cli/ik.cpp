@@ -239,11 +239,14 @@ Answer ik(const IkArguments& arguments) {
                      number(result.residual)));
   }
   const Residual residual = residual_of(arguments.unit, arm, result);
-  return {.text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm), arguments.unit),
-          .document = ik_document(arm, result, in_scene, arguments.unit),
-          .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
-          .yes = solved,
-          .reason = sentence(result.reason)};
+  return {
+      .text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm), arguments.unit),
+      .document = ik_document(arm, result, in_scene, arguments.unit),
+      .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
+      .yes = solved,
+      .reason = sentence(result.reason) + (result.status == InverseStatus::blocked
+                                               ? exemption_clause(*scene, result.blocked.front().q)
+                                               : "")};
 }
 
 std::vector<Option> ik_options(IkArguments& arguments) {

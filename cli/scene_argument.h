@@ -68,6 +68,9 @@ std::vector<SceneLine> conditions(const CheckedScene& scene);
 Json conditions_document(const CheckedScene& scene);
 /// Returns the number of bodies: "4 links and 3 obstacles".
 std::string number_of_bodies(const CheckedScene& scene);
+/// Returns what the reason against a configuration adds: the options that exempt the pairs that are
+/// too close there.
+std::string exemption_clause(const CheckedScene& scene, const ConfigurationRef& q);
 /// Returns the lines as they stand in a report.
 std::string lines_text(const std::vector<SceneLine>& lines);
 
