@@ -68,6 +68,15 @@ std::string clause_of(const FreeMotion& motion, const SceneArgument& scene_argum
                   : "";
 }
 
+/// Adds the fractions of the limits that a motion uses, and where the tool ends.
+void add_end(const Arm& arm, const FreeMotion& found, const UnitArgument& unit, Answer& answer) {
+  answer.text += position_text(found.limits) + limits_text(found.limits);
+  answer.document.add("limits", json_limits(found.limits));
+  answer.document.add(
+      "tool_at_goal",
+      json_pose(forward_kinematics(arm, found.trajectory.positions.back()), arm.planar(), unit));
+}
+
 }  // namespace
 
 std::vector<Option> AroundArgument::options() {
@@ -131,11 +140,7 @@ Answer AroundArgument::answer(const Arm& arm, const Configuration& from,
     answer.document.add("path", path_document(arm, found, unit));
   }
   if (reached) {
-    answer.text += position_text(found.limits) + limits_text(found.limits);
-    answer.document.add("limits", json_limits(found.limits));
-    answer.document.add(
-        "tool_at_goal",
-        json_pose(forward_kinematics(arm, found.trajectory.positions.back()), arm.planar(), unit));
+    add_end(arm, found, unit, answer);
   }
   if (clearance) {
     answer.text += clearance->text();

@@ -20,7 +20,7 @@ Json json_pairs(const std::vector<NamedPair>& pairs) {
   return list;
 }
 
-/// The options that exempt pairs: the first, that of a reason, and pairs of two links.
+/// The options that exempt pairs: the first one, which the reason names, and pairs of two links.
 std::string allow_options(const CheckedScene& scene, const std::vector<NamedPair>& too_close) {
   constexpr std::size_t most = 10;
   const std::vector<std::string>& links = scene.links;

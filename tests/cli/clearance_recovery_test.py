@@ -111,7 +111,7 @@ def test_no_start_is_chosen_that_is_too_close(beeline, cell, written, refused):
     assert answer.code == 2 and "--recover-clearance needs --from" in answer.err
 
 
-def test_the_start_is_that_of_from_with_recover_too(beeline, cell, tmp_path, written):
+def test_the_start_is_from_with_recover_too(beeline, cell, tmp_path, written):
     arm = json.loads((tmp_path / "disc.json").read_text())
     arm["joints"][1]["limits"]["lower"] = 0.204
     written("low.json", json.dumps(arm))
