@@ -30,6 +30,20 @@ void set_too_close(const CheckedScene& scene, ClearanceReport& report) {
   }
 }
 
+constexpr double rounding = 1e-9;  // m, see ClearanceOptions::recover_clearance
+
+std::string accepting_clause(double depth) {
+  return fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(depth));
+}
+
+/// The clause for a motion that is not decided because a pair is at its clearance at the start.
+std::string clause_at_clearance(const CheckedScene& scene, const Configuration& start) {
+  const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
+  if (pairs.empty()) return "";
+  return fmt::format("; at the start, {} are at the clearance{}", names_text(pairs.front()),
+                     accepting_clause(rounding));
+}
+
 /// Whether a motion may be refused because of its start: nothing is proved before, or the refusal
 /// is in its recovery.
 bool may_be_of_start(const ClearanceProof& proof, const Trajectory& motion) {
@@ -49,15 +63,13 @@ ClearanceOptions SceneArgument::proof_options(const Budget& budget) const {
 
 std::string SceneArgument::start_clause(const CheckedScene& scene, const Configuration& start,
                                         std::string_view accepted) const {
-  constexpr double rounding = 1e-9;  // m, see ClearanceOptions::recover_clearance
   const std::vector<BodyDistance> pairs = pairs_too_close(scene.model, start);
   if (pairs.empty()) return "";
   const BodyDistance& deepest = pairs.front();
   const double depth = deepest.clearance - deepest.lower;
-  std::string at_start =
-      "; at the start, " + names_text(deepest) +
-      (depth > rounding ? fmt::format(" are {} m closer than the clearance", shown(depth))
-                        : " are at the clearance");
+  if (depth <= rounding) return "";
+  std::string at_start = fmt::format("; at the start, {} are {} m closer than the clearance",
+                                     names_text(deepest), shown(depth));
   if (depth > max_recover_clearance + rounding) {
     return at_start + fmt::format(", more than the {} m from which a motion may lead out",
                                   shown(max_recover_clearance));
@@ -65,9 +77,7 @@ std::string SceneArgument::start_clause(const CheckedScene& scene, const Configu
   if (recover_clearance.value_or(0) > 0 && depth <= *recover_clearance + rounding) {
     return at_start.append(accepted);
   }
-  const double least = std::max(rounding, rounded_up(depth - rounding, 3));
-  return at_start +
-         fmt::format("; --recover-clearance {} accepts a motion that leads out", shown(least));
+  return at_start + accepting_clause(std::max(rounding, rounded_up(depth - rounding, 3)));
 }
 
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
@@ -88,6 +98,10 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
   if (start && may_be_of_start(report.proof, motion)) {
     report.start_clause = start_clause(
         scene, *start, "; the motion must lead out of it, and no pair may come closer before");
+    const bool undecided = report.proof.status == ClearanceStatus::not_decided;
+    if (report.start_clause.empty() && undecided && recover_clearance.value_or(0) == 0) {
+      report.start_clause = clause_at_clearance(scene, *start);
+    }
   }
   return report;
 }

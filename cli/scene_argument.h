@@ -138,9 +138,9 @@ struct SceneArgument {
   /// and for names that are not known.
   std::optional<CheckedScene> read(const ArmArgument& arm_argument, const Arm& arm) const;
 
-  /// Returns what the reason of a refused motion adds if it starts closer than the clearance, or at
-  /// it to rounding: the deepest pair, its depth and the value of --recover-clearance that accepts
-  /// it. Empty if it does not start there.
+  /// Returns what the reason of a refused motion adds if it starts closer than the clearance: the
+  /// deepest pair, its depth and the value of --recover-clearance that accepts it. Empty if it does
+  /// not start there.
   /// `accepted`: the clause for a start that the option accepts.
   std::string start_clause(const CheckedScene& scene, const Configuration& start,
                            std::string_view accepted) const;
